@@ -1,0 +1,9 @@
+# Every third-party library, found once. A folder links only what architecture allows it to see.
+include(FindPkgConfig)
+find_package(Eigen3 REQUIRED NO_MODULE)
+find_package(fmt REQUIRED)
+find_package(nlohmann_json REQUIRED)
+pkg_check_modules(YAML_CPP REQUIRED IMPORTED_TARGET yaml-cpp)
+pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5)
+find_library(GMSH_LIBRARY gmsh REQUIRED)
+find_library(GEOS_C_LIBRARY geos_c REQUIRED)

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "continuation/system.hpp"
+
+namespace dda {
+
+/// Where a control is evaluated.
+struct ControlPoint {
+  std::span<const double> d;
+  double load_factor;
+  const LawValues& laws;
+};
+
+/// One scalar equation that closes equilibrium, N(d, λ, s) = 0: which point of the path is wanted.
+///
+///     N = (value(d, λ) − target(s)) / scale,      s the abstract path parameter, 0 at the start of a step
+///
+/// The start is fixed by `start_at`; then N(start, 0) = 0. Residuals are dimensionless.
+class Control {
+ public:
+  virtual ~Control() = default;
+  /// Fixes the start of the step, and by `scale` what counts as one (the size of the step in units of s).
+  virtual void start_at(const ControlPoint& start, double scale) = 0;
+  virtual double residual(const ControlPoint& at, double s) const = 0;
+  /// Adds ∂N/∂d to a zero vector of size n and returns ∂N/∂λ.
+  virtual double gradient(const ControlPoint& at, std::span<double> per_d) const = 0;
+  /// ∂N/∂s.
+  virtual double per_path() const = 0;
+  /// Whether the laws are to answer with frozen damage under this control.
+  virtual bool freezes_damage() const { return false; }
+};
+
+/// A gauge prescribed, g(d, λ) − g_start = s. Load, displacement and opening control; s in the gauge's unit.
+std::unique_ptr<Control> make_gauge_control(Functional gauge);
+
+/// Dissipation prescribed, Σ W (G(max(κ, q_eq)) − G(κ)) = s, s an energy.
+///
+/// Source: Gutiérrez (2004), Verhoosel et al. (2009), as in the formulation.
+std::unique_ptr<Control> make_dissipation_control(const System& system);
+
+/// The next initiation at frozen damage: max over unbroken points of q_eq/κ − 1 = 0 at s = 1.
+///
+std::unique_ptr<Control> make_event_control(const System& system);
+
+}  // namespace dda

@@ -1,0 +1,63 @@
+#include <algorithm>
+
+#include "continuation/control/control.hpp"
+
+namespace dda {
+namespace {
+
+class DissipationControl final : public Control {
+ public:
+  explicit DissipationControl(const System& system) : system_(system) {}
+
+  void start_at(const ControlPoint&, double scale) override { scale_ = scale; }
+
+  double residual(const ControlPoint& at, double s) const override {
+    double sum = 0;
+    for (std::size_t p = 0; p < at.laws.opening.size(); ++p) {
+      const InterfacePoint& point = system_.equilibrium().point(p);
+      const double reached = system_.kappa(p, system_.history()[p]);
+      const double opening = point.law->equivalent_opening(at.laws.opening[p]);
+      if (opening > reached)
+        sum += point.weight * (point.law->dissipation(opening, point.stiffness) -
+                               point.law->dissipation(reached, point.stiffness));
+    }
+    return (sum - s) / scale_;
+  }
+
+  double gradient(const ControlPoint& at, std::span<double> per_d) const override {
+    const Equilibrium& equilibrium = system_.equilibrium();
+    std::vector<Vec2> per_q(at.laws.opening.size(), Vec2::Zero());
+    for (std::size_t p = 0; p < per_q.size(); ++p) {
+      const InterfacePoint& point = equilibrium.point(p);
+      const History& h = system_.history()[p];
+      const double reached = system_.kappa(p, h);
+      const double opening = point.law->equivalent_opening(at.laws.opening[p]);
+      // A point that the path leaves by loading counts at once, with the slope of its surface.
+      constexpr double round_off = 1e-11;
+      if (opening > reached * (1 + (h.loading ? -round_off : round_off)))
+        per_q[p] = point.law->dissipation_slope(std::max(opening, reached), point.stiffness) / scale_ *
+                   point.law->opening_gradient(at.laws.opening[p]);
+    }
+    const std::span<const double> flat(per_q.data()->data(), 2 * per_q.size());
+    equilibrium.scatter_add(flat, per_d);
+    const auto& offset = system_.loading().reference_offset;
+    double per_load_factor = 0;
+    for (std::size_t i = 0; i < offset.size(); ++i)
+      per_load_factor += equilibrium.point(i / 2).weight * flat[i] * offset[i];
+    return per_load_factor;
+  }
+
+  double per_path() const override { return -1 / scale_; }
+
+ private:
+  const System& system_;
+  double scale_ = 1;
+};
+
+}  // namespace
+
+std::unique_ptr<Control> make_dissipation_control(const System& system) {
+  return std::make_unique<DissipationControl>(system);
+}
+
+}  // namespace dda

@@ -1,0 +1,67 @@
+#include "continuation/loca/status_test.hpp"
+
+#include <LOCA_MultiContinuation_ExtendedGroup.H>
+#include <LOCA_MultiContinuation_ExtendedVector.H>
+#include <NOX_Solver_Generic.H>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "continuation/loca/group.hpp"
+
+namespace dda {
+namespace {
+
+const Group& equilibrium_group(const NOX::Solver::Generic& solver) {
+  const auto& extended = dynamic_cast<const LOCA::MultiContinuation::ExtendedGroup&>(solver.getSolutionGroup());
+  return dynamic_cast<const Group&>(*extended.getBaseLevelUnderlyingGroup());
+}
+
+/// Residual of the continuation equation itself, relative to the step; 0 in the natural case.
+double continuation_residual(const NOX::Solver::Generic& solver) {
+  const auto& extended = dynamic_cast<const LOCA::MultiContinuation::ExtendedGroup&>(solver.getSolutionGroup());
+  const auto& f = dynamic_cast<const LOCA::MultiContinuation::ExtendedVector&>(extended.getF());
+  const double step = std::abs(extended.getStepSize());
+  return step > 0 ? std::abs(f.getScalar(0)) / step : std::abs(f.getScalar(0));
+}
+
+}  // namespace
+
+NOX::StatusTest::StatusType NewtonTest::checkStatus(const NOX::Solver::Generic& solver, NOX::StatusTest::CheckType) {
+  if (solver.getNumIterations() == 0) seen_.clear();
+  return status_ = judge(solver);
+}
+
+NOX::StatusTest::StatusType NewtonTest::judge(const NOX::Solver::Generic& solver) {
+  const Group& group = equilibrium_group(solver);
+  const double norm = group.residual_norm();
+  const double level = system_.force_level(group.displacement());
+  const double control = active_->control ? std::abs(active_->residual) : continuation_residual(solver);
+  residual_ = level > 0 ? norm / level : (norm > 0 ? 1.0 : 0.0);
+  if (!std::isfinite(norm + control)) {
+    reason_ = "the residual is not a number";
+    return NOX::StatusTest::Failed;
+  }
+  constexpr double control_tolerance = 1e-8;
+  if (residual_ <= parameters_.tolerance && control <= control_tolerance) return NOX::StatusTest::Converged;
+  if (solver.getNumIterations() >= parameters_.max_iterations) {
+    reason_ = fmt::format("no convergence in {} iterations (relative residual {:.1e})", parameters_.max_iterations,
+                          residual_);
+    return NOX::StatusTest::Failed;
+  }
+  if (repeats(system_.active_set(group.laws()))) {
+    reason_ = "the iteration cycles between sets of loading points";
+    return NOX::StatusTest::Failed;
+  }
+  return NOX::StatusTest::Unconverged;
+}
+
+bool NewtonTest::repeats(std::size_t active_set) {
+  const bool new_set = seen_.empty() || seen_.back() != active_set;
+  const bool cycle = new_set && std::ranges::find(seen_, active_set) != seen_.end();
+  seen_.push_back(active_set);
+  return cycle;
+}
+
+}  // namespace dda

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <NOX_StatusTest_Generic.H>
+
+#include <memory>
+#include <unordered_map>
+
+#include "continuation/loca/control_constraint.hpp"
+
+namespace dda {
+
+/// When a Newton iteration ends.
+struct NewtonParameters {
+  double tolerance = 1e-9;      ///< ‖R‖ relative to the force level of the blocks
+  int max_iterations = 15;
+};
+
+/// Converged when equilibrium and control hold; failed on NaN, on too many iterations, and as soon as the set of
+/// loading points comes back to one it has left, which plain Newton would repeat for ever.
+class NewtonTest final : public NOX::StatusTest::Generic {
+ public:
+  NewtonTest(System& system, std::shared_ptr<const ActiveControl> active, const NewtonParameters& parameters)
+      : system_(system), active_(std::move(active)), parameters_(parameters) {}
+
+  NOX::StatusTest::StatusType checkStatus(const NOX::Solver::Generic& solver, NOX::StatusTest::CheckType) override;
+  NOX::StatusTest::StatusType getStatus() const override { return status_; }
+  std::ostream& print(std::ostream& stream, int) const override { return stream << reason_; }
+
+  /// Why the last solve failed.
+  const std::string& reason() const { return reason_; }
+  /// Smallest residual that was seen, relative to the force level.
+  double relative_residual() const { return residual_; }
+
+ private:
+  NOX::StatusTest::StatusType judge(const NOX::Solver::Generic& solver);
+  bool repeats(std::size_t active_set);
+
+  System& system_;
+  std::shared_ptr<const ActiveControl> active_;
+  NewtonParameters parameters_;
+  NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
+  std::string reason_;
+  double residual_ = 0;
+  std::vector<std::size_t> seen_;  ///< fingerprints of the active sets of this solve
+};
+
+}  // namespace dda

@@ -1,0 +1,166 @@
+#include "continuation/loca/stepper.hpp"
+
+#include <LOCA_Factory.H>
+#include <LOCA_GlobalData.H>
+#include <LOCA_MultiContinuation_AbstractStrategy.H>
+#include <LOCA_MultiContinuation_ExtendedVector.H>
+#include <LOCA_StepSize_AbstractStrategy.H>
+#include <LOCA_Stepper.H>
+#include <NOX_Solver_Generic.H>
+#include <NOX_Utils.H>
+
+#include <Teuchos_oblackholestream.hpp>
+#include <stdexcept>
+
+#include "continuation/loca/group.hpp"
+#include "continuation/loca/parameter_list.hpp"
+
+namespace dda {
+namespace {
+
+/// Step sizes come from the path's strategy; LOCA is given the one it asks for.
+class GivenStep final : public LOCA::StepSize::AbstractStrategy {
+ public:
+  explicit GivenStep(double step) : step_(step) {}
+  NOX::Abstract::Group::ReturnType computeStepSize(LOCA::MultiContinuation::AbstractStrategy&,
+                                                   const LOCA::MultiContinuation::ExtendedVector&,
+                                                   const NOX::Solver::Generic&,
+                                                   const LOCA::Abstract::Iterator::StepStatus&,
+                                                   const LOCA::Abstract::Iterator&, double& step) override {
+    step = step_;
+    return NOX::Abstract::Group::Ok;
+  }
+  double getPrevStepSize() const override { return step_; }
+  double getStartStepSize() const override { return step_; }
+
+ private:
+  double step_;
+};
+
+/// LOCA's stepper, one step long: the caller decides whether a converged attempt is kept.
+class SingleStep final : public LOCA::Stepper {
+ public:
+  SingleStep(const Teuchos::RCP<LOCA::GlobalData>& global, const Teuchos::RCP<Group>& start,
+             const Teuchos::RCP<NewtonTest>& test, const Teuchos::RCP<Teuchos::ParameterList>& list, double step)
+      : LOCA::Stepper(global, start, test, list), test_(test), wanted_(step) {
+    stepSizeStrategyPtr = Teuchos::rcp(new GivenStep(step));
+  }
+
+  static constexpr auto singular = "the bordered system is singular";
+
+  /// The step with Newton starting at `guess`, or at LOCA's prediction when null.
+  Attempt take(const State* guess) {
+    Attempt out;
+    try {
+      take_step(guess, out);
+    } catch (const char*) {  // LOCA throws a singular bordered system through its stepper
+      out.reason = singular;
+    } catch (const std::logic_error&) {
+      out.reason = singular;
+    }
+    return out;
+  }
+
+ private:
+  void take_step(const State* guess, Attempt& out) {
+    if (start() != LOCA::Abstract::Iterator::NotFinished) {
+      out.reason = "the start of the step is no equilibrium: " + test_->reason();
+      return;
+    }
+    if (guess) predict(*guess);
+    preprocess(LOCA::Abstract::Iterator::Successful);
+    out.converged = compute(LOCA::Abstract::Iterator::Successful) == LOCA::Abstract::Iterator::Successful;
+    out.newton_iterations = solverPtr->getNumIterations();
+    out.residual = test_->relative_residual();
+    if (!out.converged) out.reason = test_->reason();
+    out.state = dynamic_cast<const Group&>(*curGroupPtr->getBaseLevelUnderlyingGroup()).state();
+  }
+
+  /// Makes LOCA's predictor direction point at the guess: x_start + step · direction = guess.
+  void predict(const State& guess) {
+    using Extended = LOCA::MultiContinuation::ExtendedVector;
+    auto& constrained = dynamic_cast<Extended&>(*curPredictorPtr->getXVec());
+    auto& direction = as_state(*constrained.getXVec());
+    const auto& now = dynamic_cast<const Group&>(*curGroupPtr->getBaseLevelUnderlyingGroup());
+    const auto from = now.displacement();
+    const auto to = direction.local();
+    for (std::size_t i = 0; i < to.size(); ++i) to[i] = (guess.d[i] - from[i]) / wanted_;
+    constrained.setScalar(0, (guess.load_factor - now.load_factor()) / wanted_);
+    curPredictorPtr->setScalar(0, 1.0);
+  }
+
+  Teuchos::RCP<NewtonTest> test_;
+  double wanted_;
+};
+
+Teuchos::RCP<Teuchos::ParameterList> common_list(const std::string& method, const std::string& parameter, double value,
+                                                 const StepperParameters& parameters) {
+  auto list = Teuchos::rcp(new Teuchos::ParameterList);
+  auto& nox = list->sublist("NOX");
+  nox.set("Nonlinear Solver", "Line Search Based");
+  nox.sublist("Line Search").set("Method", "Full Step");
+  nox.sublist("Direction").set("Method", "Newton");
+  const Teuchos::RCP<std::ostream> nowhere = Teuchos::rcp(new Teuchos::oblackholestream);
+  nox.sublist("Printing").set("Output Information", 0);
+  nox.sublist("Printing").set("Output Stream", nowhere);
+  nox.sublist("Printing").set("Error Stream", nowhere);
+  auto& stepper = list->sublist("LOCA").sublist("Stepper");
+  stepper.set("Continuation Method", method);
+  stepper.set("Continuation Parameter", parameter);
+  stepper.set("Initial Value", value);
+  stepper.set("Max Value", 1e300);
+  stepper.set("Min Value", -1e300);
+  stepper.set("Bordered Solver Method", "Bordering");
+  stepper.set("Compute Eigenvalues", false);
+  merge(parameters.nox, nox);
+  merge(parameters.loca, list->sublist("LOCA"));
+  return list;
+}
+
+struct Loca {
+  Teuchos::RCP<LOCA::GlobalData> global;
+  explicit Loca(const Teuchos::RCP<Teuchos::ParameterList>& list) : global(LOCA::createGlobalData(list)) {}
+  ~Loca() { LOCA::destroyGlobalData(global); }
+};
+
+}  // namespace
+
+Attempt controlled_step(System& system, const State& start, Control& control, double step, const State& guess,
+                        const StepperParameters& parameters) {
+  system.set_frozen(control.freezes_damage());
+  control.start_at({start.d, start.load_factor, *system.laws_at(start.d, start.load_factor)}, std::abs(step));
+  const auto active = std::make_shared<ActiveControl>(ActiveControl{&control});
+  const Teuchos::RCP<LOCA::MultiContinuation::ConstraintInterface> constraint =
+      Teuchos::rcp(new ControlConstraint(system, active, start));
+  const auto list = common_list("Natural", "s", 0.0, parameters);
+  auto& constraints = list->sublist("LOCA").sublist("Constraints");
+  constraints.set("Constraint Object", constraint);
+  constraints.set("Constraint Parameter Names", Teuchos::rcp(new std::vector<std::string>{"lambda"}));
+  constraints.set("Bordered Solver Method", "Bordering");
+  list->sublist("LOCA").sublist("Predictor").set("Method", "Constant");
+  const Loca loca(list);
+  const auto group = Teuchos::rcp(new Group(loca.global, system, start, Metric::natural));
+  const auto test = Teuchos::rcp(new NewtonTest(system, active, parameters.newton));
+  Attempt out = SingleStep(loca.global, group, test, list, step).take(&guess);
+  system.set_frozen(false);
+  return out;
+}
+
+Attempt arc_length_step(System& system, const State& start, const ArcLength& arc, const StepperParameters& parameters) {
+  const auto list = common_list("Arc Length", "lambda", start.load_factor, parameters);
+  auto& stepper = list->sublist("LOCA").sublist("Stepper");
+  stepper.set("Enable Arc Length Scaling", true);
+  stepper.set("Initial Scale Factor", arc.load_weight);
+  stepper.set("Goal Arc Length Parameter Contribution", arc.goal);
+  stepper.set("Max Arc Length Parameter Contribution", 1.0);
+  stepper.set("Min Scale Factor", 0.0);
+  list->sublist("LOCA").sublist("Predictor").set("Method", "Tangent");
+  list->sublist("LOCA").sublist("Predictor").sublist("First Step Predictor").set("Method", "Tangent");
+  const Loca loca(list);
+  const auto group = Teuchos::rcp(new Group(loca.global, system, start, arc.metric));
+  const auto test =
+      Teuchos::rcp(new NewtonTest(system, std::make_shared<ActiveControl>(), parameters.newton));
+  return SingleStep(loca.global, group, test, list, arc.length).take(nullptr);
+}
+
+}  // namespace dda

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+
+#include "continuation/control/control.hpp"
+#include "continuation/loca/status_test.hpp"
+#include "framework/node.hpp"
+
+namespace dda {
+
+/// What one attempt at a step gave.
+struct Attempt {
+  bool converged = false;
+  State state;
+  int newton_iterations = 0;
+  double residual = 0;  ///< relative to the force level
+  std::string reason;   ///< why it failed
+};
+
+/// What every attempt needs beside the system: Newton's tolerances and the deck's `nox` and `loca` sublists.
+struct StepperParameters {
+  NewtonParameters newton;
+  Node nox, loca;
+};
+
+/// How an arc length is measured and which way it goes.
+struct ArcLength {
+  Metric metric = Metric::openings;
+  double load_weight = 1;  ///< θ, length of a unit load factor in the metric
+  double length = 0;       ///< signed: the sign is that of the load factor's first change
+  double goal = 0.5;       ///< θ λ'/‖(d', λ')‖ at the start, so that LOCA keeps θ
+};
+
+/// One LOCA::Stepper step from an equilibrium: natural continuation in the path parameter s, closed by the control as
+/// a LOCA constraint with unknown λ. Newton starts from `guess` (LOCA's predictor, given by the caller).
+Attempt controlled_step(System& system, const State& start, Control& control, double step, const State& guess,
+                        const StepperParameters& parameters);
+
+/// One LOCA::Stepper step by LOCA's arc length in λ with the tangent predictor.
+Attempt arc_length_step(System& system, const State& start, const ArcLength& arc, const StepperParameters& parameters);
+
+}  // namespace dda

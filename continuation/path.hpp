@@ -1,0 +1,144 @@
+#pragma once
+
+#include <functional>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "continuation/path_parameters.hpp"
+#include "continuation/walker.hpp"
+
+namespace dda {
+
+/// A value of a gauge on which a step is to end exactly.
+struct Landing {
+  std::string name;  ///< of the gauge
+  Functional gauge;
+  double value = 0;
+  bool ends_path = false;
+};
+
+/// An accepted point of the path.
+struct Point {
+  int step = 0;
+  std::string control;
+  int newton_iterations = 0;
+  double jump_energy = 0;  ///< released on the way here where no equilibrium path led [FL]
+  std::vector<std::string> landed;  ///< "cmod=0.1", "peak?" …: why fields should be kept here
+  bool is_highest = false;  ///< the largest load so far
+};
+
+/// Why and how a path ended.
+struct Ending {
+  enum class Kind { running, goal_reached, stopped_early, interrupted };
+  Kind kind = Kind::running;
+  std::string reason;
+};
+
+/// What the path remembers beside the walker; a restart brings it back.
+struct PathMemory {
+  double peak_load = 0;       ///< largest load so far, in the direction of the first loading
+  int direction = 0;          ///< sign of the load gauge in the first loading; 0 before it
+  double step = 0;            ///< size of the next step relative to the leaving tangent's unit; 0 = choose
+  std::string step_control;   ///< the control that size belongs to
+  double largest_displacement = 0;
+  double jump_energy = 0;
+  double last_quantum = 0;    ///< energy dissipated by the last good step
+  double driver = 0;          ///< what the driver remembers
+};
+
+/// The equilibrium path of the last stage as a range: `for (const Point& p : path)`.
+///
+/// Common to every control: the first crack is located by the event control; steps are sized by how well the tangent
+/// predicted the last one; a step across the limit point is shortened until the peak is bracketed; steps land on
+/// wanted gauge values; a converged step that no continuous path explains (its energies do not balance), or that
+/// retraces the unloading branch, is rejected; where Newton fails at the smallest step, sequentially linear steps
+/// carry on. The walker must stand at the start of the stage.
+class Path {
+ public:
+  Path(Walker& walker, const PathParameters& parameters, const GaugeBook& gauges, std::vector<Landing> landings);
+
+  /// The next accepted point, or nothing at the end; then `ending()` says why.
+  std::optional<Point> next();
+  const Ending& ending() const { return ending_; }
+  PathMemory memory() const;
+  void restore(const PathMemory& memory);
+  /// Called before each attempt; true ends the path as interrupted.
+  void interrupt_when(std::function<bool()> asked) { interrupted_ = std::move(asked); }
+  /// Told about every rejected attempt and rescue, for the log.
+  void report_to(std::function<void(const std::string& event, const std::string& text)> listener) {
+    report_ = std::move(listener);
+  }
+  /// The load gauge of the path.
+  const Functional& load_gauge() const { return load_; }
+
+  class Iterator {
+   public:
+    using iterator_concept = std::input_iterator_tag;
+    using difference_type = std::ptrdiff_t;
+    using value_type = Point;
+    explicit Iterator(Path* path) : path_(path) { ++*this; }
+    const Point& operator*() const { return *point_; }
+    Iterator& operator++() {
+      point_ = path_->next();
+      return *this;
+    }
+    void operator++(int) { ++*this; }
+    friend bool operator==(const Iterator& it, std::default_sentinel_t) { return !it.point_; }
+
+   private:
+    Path* path_;
+    std::optional<Point> point_;
+  };
+  Iterator begin() { return Iterator(this); }
+  std::default_sentinel_t end() const { return {}; }
+
+ private:
+  // One step.
+  std::optional<Point> take_step();
+  std::optional<Point> event_step();
+  std::optional<Point> linear_step();
+  std::optional<Point> controlled_step(const Move& move);
+  std::optional<Point> sequential_step(const std::string& control, double quantum);
+  std::optional<Candidate> try_step(const Move& move, double amount, std::string& why);
+  Attempt attempt(const Move& move, double amount);
+  std::string objection(const Candidate& candidate) const;
+
+  // Refinements of a converged step.
+  std::optional<double> before_peak(const Candidate& candidate, double amount) const;
+  struct Crossing {
+    Landing landing;
+    double share;
+  };
+  std::optional<Crossing> first_crossing(const Candidate& candidate) const;
+  std::optional<Point> land(const Candidate& beyond, const Crossing& crossing, const std::string& control);
+  std::optional<Point> rupture();
+
+  // Sizes and ends.
+  double first_amount() const;
+  double bounded(double amount) const;
+  void resize(const Candidate& candidate, double amount, const Move& move);
+  Point keep(Candidate candidate, const std::string& control);
+  std::vector<Landing> present_landings() const;
+  bool at_end();
+  std::optional<Point> end(Ending::Kind kind, std::string reason);
+  double load_of(const State& state) const;
+  double displacement_of(const State& state) const;
+  double displacement_rate(const Tangent& tangent) const;
+  void report(const std::string& event, const std::string& text) const {
+    if (report_) report_(event, text);
+  }
+
+  Walker& walker_;
+  const PathParameters& parameters_;
+  std::unique_ptr<Driver> driver_;
+  Functional load_;
+  std::vector<Landing> landings_;
+  PathMemory memory_;
+  Ending ending_;
+  std::function<bool()> interrupted_;
+  std::function<void(const std::string&, const std::string&)> report_;
+};
+
+}  // namespace dda

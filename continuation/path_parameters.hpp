@@ -1,0 +1,40 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "continuation/linear/linear_system.hpp"
+#include "continuation/strategy/driver.hpp"
+
+namespace dda {
+
+/// Step sizes as multiples of what the path itself suggests, and how closely it is followed.
+struct StepSizes {
+  double accuracy = 0.02;
+  double largest = 1;
+};
+
+/// Where the path is to end.
+struct StopRules {
+  double load_below = 0;
+  std::map<std::string, double> gauges;
+  int steps = 1000;
+};
+
+/// The deck's `path` section.
+struct PathParameters : StepperParameters {
+  DriverChoice control;
+  StepSizes step;
+  StopRules stop;
+  std::string load_gauge;
+  double peak_tolerance = 1e-4;
+  DirectSolverChoice linear;
+  LinearSystem::Update update = LinearSystem::Update::low_rank;
+  std::vector<std::string> expected_to_stop;
+  Position where;
+};
+
+Schema<PathParameters> path_schema();
+
+}  // namespace dda

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "continuation/walker.hpp"
+#include "framework/family.hpp"
+
+namespace dda {
+
+/// What a driver wants next.
+struct Move {
+  std::string control;                ///< name for the record
+  std::shared_ptr<Control> equation;  ///< null for an arc length
+  std::optional<ArcLength> arc;
+  double rate = 0;  ///< change of the control's s per unit of the leaving tangent; the sign counts
+  bool to_event = false;  ///< s runs from 0 to 1 and ends on the next initiation
+};
+
+/// Which control comes next along the path.
+///
+/// `single` drivers keep to one control; `staged` chooses among them. What is common to all (first crack located by
+/// the event control, step sizes, limit point, landing, rescue) is the Path's.
+class Driver {
+ public:
+  virtual ~Driver() = default;
+  /// The next control from where the walker stands.
+  virtual Move next(Walker& walker) = 0;
+  /// Why this driver cannot go on from here although equilibria do; "" when it can.
+  virtual std::string obstacle(const Walker&) { return {}; }
+  /// Whether sequentially linear steps may carry on where this control fails.
+  virtual bool may_be_rescued() const { return false; }
+  /// The one number a driver remembers from its first step; a restart brings it back.
+  virtual double memory() const { return 0; }
+  virtual void restore(double) {}
+};
+
+/// Gauges by name and by kind, for drivers that need one.
+struct GaugeBook {
+  std::vector<NamedGauge> gauges;
+  std::string first_displacement, first_opening;  ///< names, "" when the deck has none
+};
+
+using DriverFamily = Family<Driver, const GaugeBook&>;
+using DriverChoice = Choice<Driver, const GaugeBook&>;
+
+/// The registry behind `path.control`.
+DriverFamily& drivers();
+
+/// The event control with its exact prediction; to_event.
+Move event_move(const Walker& walker);
+/// The dissipation control.
+Move dissipation_move(const Walker& walker);
+
+/// Load factor, beyond the present one along the leaving tangent, at which the next unbroken point reaches its κ;
+/// infinite when none does. Exact while no crack opens or closes on the way.
+double next_event(const Walker& walker);
+
+}  // namespace dda

@@ -1,0 +1,111 @@
+#pragma once
+
+#include <Teuchos_RCP.hpp>
+#include <algorithm>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "continuation/linear/linear_system.hpp"
+#include "continuation/loca/state_vector.hpp"
+#include "models/equilibrium.hpp"
+
+namespace dda {
+
+/// A state of the structure: displacements and load factor of one stage.
+struct State {
+  std::vector<double> d;
+  double load_factor = 0;
+};
+
+/// What the laws say at a state.
+struct LawValues {
+  std::vector<Vec2> opening;   ///< q
+  std::vector<Vec2> traction;  ///< t
+  std::vector<Mat2> tangent;   ///< D
+};
+
+/// Which inner product a v · w an arc length measures steps with: displacements with rotations and strains times the
+/// block's size, or the openings of the points that can crack, Σ W q·q.
+enum class Metric { natural, openings };
+
+/// Equilibrium with its memory: what every LOCA group of a run shares.
+///
+///     R(d, λ) = K0 d + Bᵀ W (t(q; h) − P B d) − f(λ),      K = K0 + Bᵀ W (D − P) B
+///
+/// The history changes only in `commit`; groups are cloned freely and hold no memory of their own.
+/// With `frozen` damage the laws answer with their secant at the committed history (event control).
+class System {
+ public:
+  System(const Equilibrium& equilibrium, const DirectSolverChoice& solver, LinearSystem::Update update);
+
+  const Equilibrium& equilibrium() const { return equilibrium_; }
+  const Loading& loading() const { return *loading_; }
+  void set_stage(std::size_t stage);
+  LinearSystem& linear() { return linear_; }
+  const LinearSystem& linear() const { return linear_; }
+  const std::vector<History>& history() const { return history_; }
+  void set_history(std::vector<History> history);
+  bool frozen() const { return frozen_; }
+  void set_frozen(bool frozen);
+  const Teuchos::RCP<const TpetraMap>& map() const { return map_; }
+
+  /// Laws at (d, λ) with the committed history, or the given one.
+  LawValues laws(std::span<const double> d, double load_factor) const;
+  /// The same, remembered: the groups and the control of one Newton iteration ask at the same place.
+  std::shared_ptr<const LawValues> laws_at(std::span<const double> d, double load_factor);
+  /// R, size n; also counts as an evaluation.
+  void residual(std::span<const double> d, double load_factor, const LawValues& laws, std::span<double> out) const;
+  /// ∂R/∂λ, size n.
+  void load_derivative(const LawValues& laws, std::span<double> out) const;
+
+  /// A number for a new tangent, and its placement in the linear system. False when it is singular.
+  std::size_t new_stamp() { return ++stamps_; }
+  bool use_tangent(std::size_t stamp, std::span<const Mat2> tangents);
+  /// Folds a stiffness into the base of the linear system.
+  void rebase(std::span<const Mat2> tangents);
+
+  /// v ← W v of the metric.
+  void apply_metric(Metric metric, std::span<double> v) const;
+
+  /// ‖R‖ with moments and stress resultants divided by the blocks' size [F].
+  double residual_norm(std::span<const double> r) const;
+  /// The force level that a residual is compared with: ‖V C ε / size‖ over the blocks, at least a tenth of the largest
+  /// that was accepted so far, so that an unloaded end of the path can still be reached [F].
+  double force_level(std::span<const double> d) const;
+  void remember_force_level(std::span<const double> d) { highest_level_ = std::max(highest_level_, block_forces(d)); }
+  double highest_force_level() const { return highest_level_; }
+  void restore_force_level(double level) { highest_level_ = level; }
+
+  /// History after accepting (d): κ grows to q_eq, points on their surface are marked as loading.
+  std::vector<History> next_history(std::span<const double> d, double load_factor) const;
+  /// κ of a point, at least that of its initiation [L].
+  double kappa(std::size_t p, const History& h) const;
+
+  /// A fingerprint of which points load, are closed or ruptured at these openings.
+  std::size_t active_set(const LawValues& laws) const;
+
+  /// Σ W G(κ), dissipated energy [FL].
+  double dissipated(const std::vector<History>& history) const;
+  /// Energy stored in blocks, joints, supports and weak springs, without the driven springs' own [FL].
+  double stored(const State& state, const LawValues& laws) const;
+
+ private:
+  double block_forces(std::span<const double> d) const;
+
+  const Equilibrium& equilibrium_;
+  const Loading* loading_;
+  LinearSystem linear_;
+  std::vector<History> history_;
+  bool frozen_ = false;
+  double highest_level_ = 0;
+  struct Remembered {
+    State at;
+    std::shared_ptr<const LawValues> laws;
+  };
+  Remembered remembered_;
+  std::size_t stamps_ = 0, used_stamp_ = 0;
+  Teuchos::RCP<const TpetraMap> map_;
+};
+
+}  // namespace dda

@@ -1,0 +1,96 @@
+#include "continuation/walker.hpp"
+
+#include <cmath>
+
+namespace dda {
+
+Walker::Walker(System& system, StepperParameters parameters)
+    : system_(system), parameters_(std::move(parameters)) {
+  here_.state.d.assign(system.equilibrium().num_unknowns(), 0.0);
+  here_.history = system.history();
+  begin_stage(0);
+}
+
+void Walker::begin_stage(std::size_t stage) {
+  system_.set_stage(stage);
+  here_.state.load_factor = 0;
+  here_.load = value(system_.loading().load);
+  leaving_ = leaving_tangent(system_, here_.state);
+}
+
+Attempt Walker::attempt(Control& control, double step, const State& guess) {
+  Attempt out = controlled_step(system_, here_.state, control, step, guess, parameters_);
+  effort_.newton_iterations += out.newton_iterations;
+  if (!out.converged) ++effort_.rejected;
+  return out;
+}
+
+Attempt Walker::attempt(const ArcLength& arc) {
+  Attempt out = arc_length_step(system_, here_.state, arc, parameters_);
+  effort_.newton_iterations += out.newton_iterations;
+  if (!out.converged) ++effort_.rejected;
+  return out;
+}
+
+State Walker::ahead(double amount) const {
+  State out = here_.state;
+  for (std::size_t i = 0; i < out.d.size(); ++i) out.d[i] += amount * leaving_.d[i];
+  out.load_factor += amount * leaving_.load_factor;
+  return out;
+}
+
+void Walker::fill_energies(Candidate& candidate) {
+  const State& at = candidate.state;
+  candidate.dissipated = system_.dissipated(candidate.history);
+  candidate.stored = system_.stored(at, *system_.laws_at(at.d, at.load_factor));
+  candidate.load = system_.loading().load.value(at.d, at.load_factor);
+}
+
+Candidate Walker::evaluate(const Attempt& attempt) {
+  Candidate out{.state = attempt.state, .history = system_.next_history(attempt.state.d, attempt.state.load_factor),
+                .arriving = {}, .newton_iterations = attempt.newton_iterations, .residual = attempt.residual};
+  const std::vector<History> before = system_.history();
+  system_.set_history(out.history);
+  out.arriving = arriving_tangent(system_, out.state);
+  fill_energies(out);
+  const double dissipated = out.dissipated - here_.dissipated;
+  const bool smooth = dissipated > 0 && leaving_.dissipates && out.arriving.dissipates;
+  out.work = here_.work + external_work(system_, here_.state, out.state, leaving_, out.arriving,
+                                        smooth ? dissipated : 0.0);
+  system_.set_history(before);
+  return out;
+}
+
+void Walker::accept(Candidate candidate) {
+  here_ = std::move(candidate);
+  system_.set_history(here_.history);
+  if (system_.linear().wants_rebase()) {
+    system_.set_frozen(true);
+    const auto secant = system_.laws_at(here_.state.d, here_.state.load_factor);
+    system_.set_frozen(false);
+    system_.rebase(secant->tangent);
+  }
+  system_.remember_force_level(here_.state.d);
+  leaving_ = leaving_tangent(system_, here_.state);
+  ++effort_.accepted;
+}
+
+double Walker::jump(const State& state, std::vector<History> history) {
+  Candidate next{.state = state, .history = std::move(history), .arriving = {}};
+  system_.set_history(next.history);
+  fill_energies(next);
+  next.work = here_.work + external_work(system_, here_.state, next.state, leaving_, {}, 0.0);
+  const double released = (next.work - here_.work) - (next.stored - here_.stored) - (next.dissipated - here_.dissipated);
+  accept(std::move(next));
+  return released;
+}
+
+void Walker::restore(const Candidate& at, const std::vector<History>& history, const Effort& effort) {
+  here_ = at;
+  here_.history = history;
+  system_.set_history(history);
+  effort_ = effort;
+  leaving_ = leaving_tangent(system_, here_.state);
+}
+
+}  // namespace dda

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "continuation/energy.hpp"
+#include "continuation/loca/stepper.hpp"
+#include "continuation/tangent.hpp"
+
+namespace dda {
+
+/// Counts of a run.
+struct Effort {
+  int accepted = 0;
+  int rejected = 0;
+  int rescues = 0;
+  int newton_iterations = 0;
+};
+
+/// An equilibrium that a step may accept, with all that judging it needs.
+struct Candidate {
+  State state;
+  std::vector<History> history;
+  Tangent arriving;
+  double dissipated = 0;  ///< since the start of the run [FL]
+  double stored = 0;      ///< [FL]
+  double work = 0;        ///< since the start of the run [FL]
+  double load = 0;        ///< load gauge
+  int newton_iterations = 0;
+  double residual = 0;
+};
+
+/// Stands on an equilibrium of the path, tries steps from it, and moves when one is kept.
+///
+/// Owns no law and no equation: it puts together system, tangents, energies and LOCA steps.
+class Walker {
+ public:
+  Walker(System& system, StepperParameters parameters);
+
+  System& system() { return system_; }
+  const System& system() const { return system_; }
+  const State& state() const { return here_.state; }
+  const Candidate& here() const { return here_; }
+  const Tangent& leaving() const { return leaving_; }
+  const Effort& effort() const { return effort_; }
+  Effort& effort() { return effort_; }
+  const StepperParameters& parameters() const { return parameters_; }
+  double value(const Functional& gauge) const { return gauge.value(here_.state.d, here_.state.load_factor); }
+
+  /// Tries a step under a control; Newton starts from the guess.
+  Attempt attempt(Control& control, double step, const State& guess);
+  /// Tries an arc-length step.
+  Attempt attempt(const ArcLength& arc);
+  /// Everything about a converged attempt; the walker stays where it is.
+  Candidate evaluate(const Attempt& attempt);
+  /// Moves to a candidate.
+  void accept(Candidate candidate);
+  /// Moves to an equilibrium that no continuous step led to; returns the energy released on the way [FL].
+  double jump(const State& state, std::vector<History> history);
+
+  /// The point that lies `amount` further along the leaving tangent, in its own unit.
+  State ahead(double amount) const;
+
+  /// Starts the next stage at the present state with load factor 0.
+  void begin_stage(std::size_t stage);
+  /// Puts the walker on a stored equilibrium.
+  void restore(const Candidate& at, const std::vector<History>& history, const Effort& effort);
+
+ private:
+  void fill_energies(Candidate& candidate);
+
+  System& system_;
+  StepperParameters parameters_;
+  Candidate here_;
+  Tangent leaving_;
+  Effort effort_;
+};
+
+}  // namespace dda

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace dda {
+
+/// HDF5 could not do what was asked; says what, without the file's name. Stays inside framework/output.
+class Hdf5Error : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Another program holds the lock of a file that is to be changed; waiting may help.
+class Hdf5Locked : public Hdf5Error {
+ public:
+  using Hdf5Error::Hdf5Error;
+};
+
+/// An open HDF5 file: named arrays, texts and attributes; groups on the way to a name are made as needed.
+///
+/// Arrays have `width` columns; width 1 makes them one-dimensional. Every method throws Hdf5Error.
+class Hdf5File {
+ public:
+  enum class Access { read, append };
+
+  /// Appending changes nothing on the disk before close(), see hdf5_overlay.hpp.
+  static Hdf5File open(const std::filesystem::path& path, Access access);
+  /// A file in memory: empty, or from the bytes of one.
+  static Hdf5File in_memory();
+  static Hdf5File from_bytes(const std::string& bytes);
+  ~Hdf5File();
+  Hdf5File(Hdf5File&& other) noexcept;
+  Hdf5File& operator=(Hdf5File&&) = delete;
+
+  void write(const std::string& name, std::span<const double> values, std::size_t width = 1);
+  void write(const std::string& name, std::span<const std::int64_t> values, std::size_t width = 1);
+  void write(const std::string& name, const std::vector<std::string>& texts);
+  void make_group(const std::string& name);
+  void remove(const std::string& name);
+
+  std::vector<double> numbers(const std::string& name) const;
+  std::vector<std::int64_t> integers(const std::string& name) const;
+  std::vector<std::string> texts(const std::string& name) const;
+  /// Length of the first dimension.
+  std::size_t num_rows(const std::string& name) const;
+  /// Members of a group by name, in alphabetical order; empty when there is no such group.
+  std::vector<std::string> members(const std::string& group) const;
+  bool has(const std::string& name) const;
+
+  void set_attribute(const std::string& object, const std::string& name, double value);
+  void set_attribute(const std::string& object, const std::string& name, std::int64_t value);
+  void set_attribute(const std::string& object, const std::string& name, const std::string& value);
+  double number_attribute(const std::string& object, const std::string& name) const;
+  std::int64_t integer_attribute(const std::string& object, const std::string& name) const;
+  std::string text_attribute(const std::string& object, const std::string& name) const;
+  bool has_attribute(const std::string& object, const std::string& name) const;
+
+  /// The whole file as bytes.
+  std::string bytes() const;
+  /// Flushes and closes; the destructor closes too, but cannot report a failure.
+  void close();
+
+ private:
+  explicit Hdf5File(std::int64_t id) : id_(id) {}
+  std::int64_t id_ = -1;
+};
+
+}  // namespace dda

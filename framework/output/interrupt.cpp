@@ -1,0 +1,37 @@
+#include "framework/output/interrupt.hpp"
+
+#include <unistd.h>
+
+namespace dda {
+namespace {
+
+constexpr int exit_code_interrupted = 130;
+volatile std::sig_atomic_t flag = 0;
+
+void on_signal(int) {
+  if (flag != 0) _exit(exit_code_interrupted);
+  flag = 1;
+}
+
+}  // namespace
+
+InterruptGuard::InterruptGuard() {
+  flag = 0;
+  struct sigaction action {};
+  action.sa_handler = on_signal;
+  action.sa_flags = SA_RESTART;
+  sigaction(SIGINT, &action, &interrupt_);
+  sigaction(SIGTERM, &action, &terminate_);
+  action.sa_handler = SIG_IGN;
+  sigaction(SIGXFSZ, &action, &file_size_);
+}
+
+InterruptGuard::~InterruptGuard() {
+  sigaction(SIGINT, &interrupt_, nullptr);
+  sigaction(SIGTERM, &terminate_, nullptr);
+  sigaction(SIGXFSZ, &file_size_, nullptr);
+}
+
+bool interrupted() { return flag != 0; }
+
+}  // namespace dda

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdio>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace dda {
+
+/// What the user sees of one accepted step.
+struct ProgressPoint {
+  int step = 0;
+  double load_factor = 0;
+  std::string control;                                 ///< name of the control of this step
+  std::vector<std::pair<std::string, double>> gauges;  ///< name and value, the most telling first
+  int iterations = 0;
+  double step_size = 0;
+  double goal = std::numeric_limits<double>::quiet_NaN();  ///< part of the way done, 0 to 1; NaN = unknown
+};
+
+/// One line for a step of at most `width` characters: what does not fit is left out, gauges first.
+std::string progress_line(const ProgressPoint& point, std::size_t width);
+
+/// Shows a run while it goes: one line that renews itself on a terminal, plain lines elsewhere, nothing when
+/// quiet.
+class Progress {
+ public:
+  enum class Style { live, lines, quiet };
+
+  /// Style by what the stream is: live on a terminal, plain lines in a file or pipe.
+  static Progress for_stream(std::FILE* stream, bool quiet);
+  Progress(std::FILE* stream, Style style);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void show(const ProgressPoint& point);
+  /// A line that stays, above the live line.
+  void note(std::string_view text);
+  /// Ends the live line; the last one shown stays.
+  void finish();
+
+ private:
+  std::size_t width() const;
+
+  std::FILE* stream_;
+  Style style_;
+  std::size_t shown_ = 0;  ///< characters of the live line now on the terminal
+};
+
+}  // namespace dda

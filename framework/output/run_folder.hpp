@@ -1,0 +1,47 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace dda {
+
+/// What to do when the wanted run folder already holds something.
+enum class IfExists {
+  number,    ///< take the next free of NAME-2, NAME-3, ...
+  refuse,    ///< throw OutputError
+  overwrite  ///< remove the files an earlier run left there; anything else in the folder is kept
+};
+
+/// The folder that holds everything one run writes; it exists and is writable once constructed.
+///
+/// Throws OutputError, with the folder and the reason, when it cannot be made; then nothing is left behind.
+class RunFolder {
+ public:
+  static RunFolder create(const std::filesystem::path& wanted, IfExists policy);
+  /// The folder of an earlier run, to be continued. Throws InputError when there is none.
+  static RunFolder open(const std::filesystem::path& existing);
+
+  const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path file(std::string_view name) const { return path_ / name; }
+
+ private:
+  explicit RunFolder(std::filesystem::path path) : path_(std::move(path)) {}
+  std::filesystem::path path_;
+};
+
+/// Where a deck's results go unless told otherwise: runs/NAME, NAME being the deck's own name, or that of its
+/// folder when the file is called "deck".
+std::filesystem::path default_run_folder(const std::filesystem::path& deck);
+
+/// How far a written file must have got: to_disk survives a power failure, to_system only a killed process.
+enum class Flush { to_disk, to_system };
+
+/// Writes the whole text or nothing: aside (`.part`), flushed, then renamed over `path`.
+/// Throws OutputError (file, reason); an older file of that name is then left as it was.
+void write_whole(const std::filesystem::path& path, std::string_view text, Flush flush = Flush::to_disk);
+
+/// The whole content of a file. Throws InputError naming it when it cannot be read.
+std::string read_whole(const std::filesystem::path& path);
+
+}  // namespace dda

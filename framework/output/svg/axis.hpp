@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace dda::svg {
+
+/// An interval that grows to hold every finite number it is shown.
+struct Range {
+  double low = 0, high = 0;
+  bool empty = true;
+
+  void include(double value);
+  /// Wider by `part` of its length at both ends; a range of no length becomes one around its value.
+  Range widened(double part) const;
+};
+
+/// A number on an axis and what is written there.
+struct Tick {
+  double value;
+  std::string label;
+};
+
+/// Round numbers across a range, and the factor or offset taken out of their labels.
+///
+///     value = offset + label · 10^exponent,    scale = "×10⁻⁶" or "+ 1000000" or ""
+///
+/// Steps are 1, 2 or 5 times a power of ten.
+struct Axis {
+  Range range;
+  std::vector<Tick> ticks;
+  std::string scale;
+};
+
+/// About `wanted` ticks on a range that is not empty.
+Axis make_axis(const Range& range, int wanted);
+
+}  // namespace dda::svg

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "meshing/layout.hpp"
+
+namespace dda {
+
+/// Finer elements near a named curve.
+struct Refinement {
+  std::string curve;
+  double size = 0;      ///< element size on the curve [L]
+  double growth = 0.2;  ///< increase of the element size per distance from it
+};
+
+/// What elements gmsh is to make. `size` 0 leaves the sizes to the geometry file.
+struct ElementWish {
+  double size = 0;
+  bool quads = false;  ///< recombine triangles; some may remain
+  std::optional<Refinement> refine;
+};
+
+using GmshParameters = std::map<std::string, double>;
+
+/// A geometry or mesh held by gmsh, which is started for it and stopped with it: one at a time.
+///
+/// gmsh lives in a module of its own that is loaded with the first model: its libraries take 0.07 s to load,
+/// which a scene of polygons and Voronoi cells need not pay.
+///
+/// Roles come from the names of physical groups:
+///     surfaces   material:NAME or material:NAME/REGION
+///     curves     interface:NAME, boundary:NAME, slit:NAME
+///     points     gauge:NAME
+/// All surfaces of one group are one region. Groups are told apart by (dimension, tag), names by role.
+/// Throws InputError for a missing file, a syntax error (with the line in that file), an untagged surface,
+/// an unknown role, an entity in two groups of one role. gmsh itself prints nothing.
+class GmshModel {
+ public:
+  /// A .geo file; parameters replace the values of DefineConstant, by variable name or by ONELAB name.
+  static std::shared_ptr<const GmshModel> from_geo(const std::string& file, const GmshParameters& parameters,
+                                                   const Position& where);
+  /// A .msh file, version 4.1 or 2.2.
+  static std::shared_ptr<const GmshModel> from_msh(const std::string& file, const Position& where);
+  /// Polygons, cut along their common borders and along the layout's lines.
+  static std::shared_ptr<const GmshModel> from_layout(const Layout& layout);
+
+  GmshModel() = default;
+  virtual ~GmshModel() = default;
+  GmshModel(const GmshModel&) = delete;
+  GmshModel& operator=(const GmshModel&) = delete;
+
+  /// Regions, outlines (curved borders as the file's element sizes divide them), lines and points.
+  virtual Layout layout() const = 0;
+
+  /// Triangles or quadrilaterals; of a .msh file those in it, whatever is wished.
+  virtual Cells mesh(const ElementWish& wish) const = 0;
+};
+
+/// What the gmsh module gives out under the symbol `dda_gmsh_module`.
+struct GmshModule {
+  std::shared_ptr<const GmshModel> (*from_geo)(const std::string&, const GmshParameters&, const Position&);
+  std::shared_ptr<const GmshModel> (*from_msh)(const std::string&, const Position&);
+  std::shared_ptr<const GmshModel> (*from_layout)(const Layout&);
+};
+
+}  // namespace dda

@@ -1,0 +1,65 @@
+#include "meshing/quality.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace dda {
+namespace {
+
+double aspect(const Block& block) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> principal(block.moments.second,
+                                                                 Eigen::EigenvaluesOnly);
+  return std::sqrt(principal.eigenvalues()[1] / principal.eigenvalues()[0]);
+}
+
+double shortest_side(const Block& block) {
+  double shortest = (block.outline.at(1) - block.outline.at(0)).norm();
+  for (std::size_t i = 1; i < block.outline.size(); ++i)
+    shortest = std::min(shortest, (block.outline.at(i + 1) - block.outline.at(i)).norm());
+  return shortest / std::sqrt(block.moments.area);
+}
+
+void include(Quality& quality, const Block& block) {
+  ++quality.blocks_by_corners[block.outline.size()];
+  quality.non_convex += is_convex(block.outline) ? 0 : 1;
+  quality.area += block.moments.area;
+  quality.smallest_area = std::min(quality.smallest_area, block.moments.area);
+  quality.largest_area = std::max(quality.largest_area, block.moments.area);
+  quality.worst_aspect = std::max(quality.worst_aspect, aspect(block));
+  quality.shortest_side = std::min(quality.shortest_side, shortest_side(block));
+}
+
+/// Root of b in a forest of parents, halving the way there.
+std::size_t root(std::vector<std::size_t>& parent, std::size_t b) {
+  while (parent[b] != b) b = parent[b] = parent[parent[b]];
+  return b;
+}
+
+}  // namespace
+
+Quality assess(const Assembly& assembly) {
+  Quality quality;
+  if (assembly.blocks.empty()) return quality;
+  quality.smallest_area = assembly.blocks[0].moments.area;
+  quality.shortest_side = shortest_side(assembly.blocks[0]);
+  for (const Block& block : assembly.blocks) include(quality, block);
+  return quality;
+}
+
+std::vector<std::vector<BlockId>> connected_groups(const Assembly& assembly) {
+  std::vector<std::size_t> parent(assembly.num_blocks());
+  std::iota(parent.begin(), parent.end(), std::size_t{0});
+  for (const Side& side : assembly.sides) {
+    const std::size_t a = root(parent, side.first.value()), b = root(parent, side.second.value());
+    parent[std::max(a, b)] = std::min(a, b);
+  }
+  std::map<std::size_t, std::vector<BlockId>> groups;  // by lowest block
+  for (std::size_t b = 0; b < parent.size(); ++b) groups[root(parent, b)].push_back(BlockId{b});
+  std::vector<std::vector<BlockId>> result;
+  for (auto& [lowest, members] : groups) result.push_back(std::move(members));
+  return result;
+}
+
+}  // namespace dda

@@ -1,0 +1,57 @@
+#include "meshing/subdivision/elements.hpp"
+
+#include <algorithm>
+
+namespace dda {
+namespace {
+
+Schema<Refinement> refinement_schema() {
+  return Schema<Refinement>("Finer elements near a named curve.")
+      .text("curve", &Refinement::curve, {.text = "Name of a curve of the scene."})
+      .number("size", &Refinement::size,
+              {.dimension = dimension::length, .bounds = above(0), .text = "Element size on the curve."})
+      .number("growth", &Refinement::growth,
+              {.fallback = 0.2,
+               .bounds = above(0),
+               .text = "Increase of the element size per distance from it."});
+}
+
+bool has_curve(const Layout& layout, const std::string& name) {
+  return std::any_of(layout.lines.begin(), layout.lines.end(),
+                     [&](const NamedLine& l) { return l.name == name; });
+}
+
+void check_parameters(const ElementParameters& parameters, const Layout& layout) {
+  if (!layout.model && !parameters.size)
+    throw InputError(parameters.where, "polygons need the parameter 'size' to be meshed");
+  if (!parameters.refine) return;
+  if (!parameters.size) throw InputError(parameters.where, "'refine' needs the parameter 'size' as well");
+  if (parameters.refine->size > *parameters.size)
+    throw InputError(parameters.where, "refine.size must be at most the size elsewhere");
+  if (!has_curve(layout, parameters.refine->curve))
+    throw InputError(parameters.where,
+                     "refine.curve: the scene has no curve '" + parameters.refine->curve + "'");
+}
+
+}  // namespace
+
+Schema<ElementParameters> element_schema(std::string text) {
+  return Schema<ElementParameters>(std::move(text))
+      .number("size", &ElementParameters::size,
+              {.dimension = dimension::length,
+               .bounds = above(0),
+               .text = "Length of an element's sides; without it as the geometry file says."})
+      .section("refine", &ElementParameters::refine, refinement_schema());
+}
+
+Cells divide_into_elements(const Layout& layout, const ElementParameters& parameters, bool quads) {
+  check_parameters(parameters, layout);
+  const ElementWish wish{parameters.size.value_or(0), quads, parameters.refine};
+  if (layout.model) return with_deck_lines(layout.model->mesh(wish), layout);
+  Cells cells = GmshModel::from_layout(layout)->mesh(wish);
+  // The polylines of the deck name the sides as well as the elements on them do, and are fewer.
+  cells.lines = layout.lines;
+  return cells;
+}
+
+}  // namespace dda

@@ -1,0 +1,26 @@
+#include "meshing/subdivision/elements.hpp"
+#include "meshing/subdivision/subdivision.hpp"
+
+namespace dda {
+namespace {
+
+class Triangles final : public Subdivision {
+ public:
+  explicit Triangles(ElementParameters parameters) : parameters_(std::move(parameters)) {}
+  Cells divide(const Layout& layout) const override {
+    return divide_into_elements(layout, parameters_, false);
+  }
+
+ private:
+  ElementParameters parameters_;
+};
+
+std::unique_ptr<Subdivision> make(const ElementParameters& parameters) {
+  return std::make_unique<Triangles>(parameters);
+}
+
+}  // namespace
+
+DDA_REGISTER(subdivisions(), "triangles", element_schema("Triangles by gmsh."), make);
+
+}  // namespace dda

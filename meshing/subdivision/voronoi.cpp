@@ -1,0 +1,107 @@
+#include "meshing/voronoi.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "meshing/subdivision/subdivision.hpp"
+
+namespace dda {
+namespace {
+
+struct VoronoiParameters {
+  std::optional<std::int64_t> blocks;
+  std::optional<double> size;
+  std::int64_t seed = 1, iterations = 20;
+};
+
+/// A part of a shape that no interface or slit crosses from border to border.
+struct Part {
+  Figure figure;
+  int region = 0;
+};
+
+class Voronoi final : public Subdivision {
+ public:
+  explicit Voronoi(VoronoiParameters parameters) : parameters_(parameters) {}
+  Cells divide(const Layout& layout) const override;
+
+ private:
+  std::vector<std::size_t> counts(const std::vector<Part>& parts) const;
+
+  VoronoiParameters parameters_;
+};
+
+/// Lines that cells have to follow: boundaries lie on the outline anyway.
+std::vector<std::vector<Vec2>> inner_lines(const Layout& layout) {
+  std::vector<std::vector<Vec2>> lines;
+  for (const NamedLine& line : layout.lines)
+    if (line.role != LineRole::boundary) lines.push_back(line.points);
+  return lines;
+}
+
+std::vector<Part> parts_of(const Layout& layout) {
+  std::vector<Part> parts;
+  for (const Shape& shape : layout.shapes)
+    for (Figure& figure : cut(shape.figure, inner_lines(layout))) {
+      figure.outline = without_collinear(figure.outline, 1e-9 * scene_size(layout));
+      parts.push_back({std::move(figure), shape.region});
+    }
+  return parts;
+}
+
+std::vector<std::size_t> Voronoi::counts(const std::vector<Part>& parts) const {
+  std::vector<double> areas;
+  for (const Part& part : parts) areas.push_back(area(part.figure));
+  if (parameters_.blocks) return share(static_cast<std::size_t>(*parameters_.blocks), areas);
+  std::vector<std::size_t> counts;
+  for (const double a : areas)
+    counts.push_back(
+        static_cast<std::size_t>(std::max(1.0, std::round(a / (*parameters_.size * *parameters_.size)))));
+  return counts;
+}
+
+Cells Voronoi::divide(const Layout& layout) const {
+  if (layout.model) require_sound(layout);
+  const std::vector<Part> parts = parts_of(layout);
+  const std::vector<std::size_t> blocks = counts(parts);
+  Cells result{{}, layout.lines};
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    // Parts of equal form must not get equal sites: each draws from its own seed.
+    const VoronoiWish wish{blocks[i],
+                           static_cast<std::uint64_t>(parameters_.seed) + 0x9e3779b97f4a7c15ULL * i,
+                           static_cast<int>(parameters_.iterations)};
+    for (Polygon& cell : cut_cells(centroidal_voronoi(parts[i].figure, wish), inner_lines(layout)))
+      result.cells.push_back({std::move(cell), parts[i].region});
+  }
+  return result;
+}
+
+Schema<VoronoiParameters> schema() {
+  using P = VoronoiParameters;
+  return Schema<P>("Centroidal Voronoi cells from random sites; interfaces and slits are followed.")
+      .integer(
+          "blocks", &P::blocks,
+          {.bounds = between(1, 1e7), .text = "Number of cells in the scene, shared by area; or give size."})
+      .number(
+          "size", &P::size,
+          {.dimension = dimension::length, .bounds = above(0), .text = "Square root of the mean cell area."})
+      .integer("seed", &P::seed, {.fallback = 1, .bounds = at_least(0), .text = "Selects the random sites."})
+      .integer("iterations", &P::iterations,
+               {.fallback = 20,
+                .bounds = between(0, 10000),
+                .text = "How often each site is moved to the centroid of its cell (Lloyd)."})
+      .check([](const P& p, const Position& where, Findings& findings) {
+        if (p.blocks.has_value() == p.size.has_value())
+          findings.add(where, "voronoi needs either 'blocks' or 'size'");
+      });
+}
+
+std::unique_ptr<Subdivision> make(const VoronoiParameters& parameters) {
+  return std::make_unique<Voronoi>(parameters);
+}
+
+}  // namespace
+
+DDA_REGISTER(subdivisions(), "voronoi", schema(), make);
+
+}  // namespace dda

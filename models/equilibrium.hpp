@@ -1,0 +1,96 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "models/block_matrix.hpp"
+#include "models/functional.hpp"
+#include "models/interface_point.hpp"
+#include "models/support.hpp"
+
+namespace dda {
+
+/// A named scalar recorded at every step.
+struct NamedGauge {
+  std::string name;
+  Functional functional;
+  Dimension dimension;
+};
+
+/// External work of one driven spring: ∫ force d(displacement).
+struct WorkPair {
+  Functional force, displacement;
+};
+
+/// The loads of one stage with everything before it at full value.
+///
+///     f(λ) = dead + λ reference          size 6 · blocks
+///     q0(λ) = dead_offset + λ reference_offset    2 per crackable point, from initial stress; empty when there is none
+struct Loading {
+  std::string name;
+  std::vector<double> dead, reference;
+  std::vector<double> dead_offset, reference_offset;
+  /// The parts of `dead` and `reference` that are forces, not the far ends of driven springs: they do the work.
+  std::vector<double> dead_work, reference_work;
+  std::vector<WorkPair> driven;
+  Functional load;                              ///< the load gauge: λ Σ|force|, or the sum of the driven reactions
+  std::map<std::string, Functional> reactions;  ///< by support and driven spring
+  std::vector<NamedGauge> gauges;               ///< as the deck names them
+};
+
+/// Equilibrium of the blocks: four operators, nothing about solvers.
+///
+///     intact   K0 = K_b + Bᵀ W P B       constant, symmetric positive definite        [F/L and lengths]
+///     q        = B d + q0(λ)             2 per point that can crack                    [L]
+///     residual R = K0 d + Bᵀ W (t(q; h) − P B d) − f(λ)    size 6 · blocks
+///     tangent  K = K0 + Bᵀ W (D − P) B
+///
+/// K_b holds strain energy, springs and, for consistent joints, −Sᵀ W P⁻¹ S with S d = {σ}n.
+/// Only points that can crack are asked at run time; bonds are part of K0.
+class Equilibrium {
+ public:
+  Equilibrium(const Body& body, const ModelParameters& model);
+
+  std::size_t num_blocks() const { return num_blocks_; }
+  std::size_t num_unknowns() const { return block_unknowns * num_blocks_; }
+  std::size_t num_points() const { return set_.points.size(); }
+  /// Points 0 … num_crackable()−1 can crack; the operators below act on these.
+  std::size_t num_crackable() const { return set_.num_crackable; }
+  const InterfaceSet& interfaces() const { return set_; }
+  const InterfacePoint& point(std::size_t p) const { return set_.points[p]; }
+  const BlockMatrix& intact() const { return intact_; }
+  const std::vector<Loading>& stages() const { return stages_; }
+  /// Length scale of each block, √area [L]: makes rotations and strains comparable with translations.
+  const std::vector<double>& block_size() const { return block_size_; }
+  /// V C of each block, 3 × 3: stress resultants from strains [F L].
+  const std::vector<Mat3>& strain_stiffness() const { return strain_stiffness_; }
+
+  /// q = B d + q0(λ); q of size 2 · num_crackable().
+  void gather(const Loading& loading, std::span<const double> d, double load_factor, std::span<double> q) const;
+  /// q = B d without offsets, for directions.
+  void gather(std::span<const double> d, std::span<double> q) const;
+  /// f += Bᵀ W t for the points given; t of size 2 · num_crackable().
+  void scatter_add(std::span<const double> t, std::span<double> f) const;
+  /// One point's opening from its rows.
+  Vec2 opening(std::size_t p, std::span<const double> d) const;
+
+  /// Stiffness of the springs that loads drive; their own energy is not the structure's.
+  const std::vector<Spring>& driven_springs() const { return driven_; }
+
+ private:
+  void assemble(const Body& body, const ModelParameters& model, const std::vector<Spring>& springs);
+  void add_spring(const Spring& spring);
+
+  std::size_t num_blocks_;
+  InterfaceSet set_;
+  std::vector<Spring> driven_;
+  BlockMatrix intact_;
+  std::vector<Loading> stages_;
+  std::vector<double> block_size_;
+  std::vector<Mat3> strain_stiffness_;
+};
+
+}  // namespace dda

@@ -1,0 +1,34 @@
+#include "models/interface/law.hpp"
+#include "models/gauge/gauge.hpp"
+#include "models/load/load.hpp"
+#include "models/material/material.hpp"
+#include "models/treatment/treatment.hpp"
+
+namespace dda {
+
+MaterialFamily& materials() {
+  static MaterialFamily family("material", "What the inside of a block stores.");
+  return family;
+}
+
+LawFamily& interface_laws() {
+  static LawFamily family("law", "What an interface does with its opening.");
+  return family;
+}
+
+TreatmentFamily& treatments() {
+  static TreatmentFamily family("treatment", "How the two sides of an interface are joined.");
+  return family;
+}
+
+GaugeFamily& gauges() {
+  static GaugeFamily family("gauge", "A scalar recorded at every step.");
+  return family;
+}
+
+LoadFamily& loads() {
+  static LoadFamily family("load", "What acts on the structure in a stage.");
+  return family;
+}
+
+}  // namespace dda

@@ -1,0 +1,39 @@
+#include "models/gauge/gauge.hpp"
+#include "models/place_schema.hpp"
+
+namespace dda {
+namespace {
+
+struct DisplacementParameters : Place {
+  Vec2 direction = Vec2::Zero();
+  Position where;
+};
+
+/// Displacement of a point along a direction, l · u.
+class Displacement final : public Gauge {
+ public:
+  explicit Displacement(DisplacementParameters p) : p_(std::move(p)) {}
+  Functional functional(const GaugeSources& sources) const override {
+    if (p_.direction.norm() == 0) throw InputError(p_.where, "`direction` must not be zero");
+    return displacement_at(sources.assembly, p_, p_.direction.normalized(), p_.where);
+  }
+  Dimension dimension() const override { return dimension::length; }
+
+ private:
+  DisplacementParameters p_;
+};
+
+Schema<DisplacementParameters> schema() {
+  using P = DisplacementParameters;
+  Schema<P> s("Displacement of a point along a direction.");
+  add_place(s);
+  return s.point("direction", &P::direction, {.dimension = dimension::none, .text = "Direction (lx, ly), any length."});
+}
+
+std::unique_ptr<Gauge> make(const DisplacementParameters& p) { return std::make_unique<Displacement>(p); }
+
+}  // namespace
+
+DDA_REGISTER(gauges(), "displacement", schema(), make);
+
+}  // namespace dda

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <map>
+#include <memory>
+
+#include "framework/family.hpp"
+#include "meshing/assembly.hpp"
+#include "models/functional.hpp"
+
+namespace dda {
+
+/// What a gauge may read: places of the assembly and reactions by name.
+struct GaugeSources {
+  const Assembly& assembly;
+  const std::map<std::string, Functional>& reactions;
+};
+
+/// A scalar of the state recorded at every step, linear in (d, λ).
+class Gauge {
+ public:
+  virtual ~Gauge() = default;
+  /// The scalar. Throws InputError when its place is not on the structure.
+  virtual Functional functional(const GaugeSources& sources) const = 0;
+  /// What it measures: [L] for displacements, [F] for reactions.
+  virtual Dimension dimension() const = 0;
+};
+
+using GaugeFamily = Family<Gauge>;
+using GaugeChoice = Choice<Gauge>;
+
+/// The registry of gauges.
+GaugeFamily& gauges();
+
+}  // namespace dda

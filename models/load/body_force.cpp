@@ -1,0 +1,57 @@
+#include <algorithm>
+
+#include "framework/suggestion.hpp"
+#include "models/load/load.hpp"
+
+namespace dda {
+namespace {
+
+struct BodyForceParameters {
+  Vec2 force = Vec2::Zero();
+  std::vector<std::string> materials;
+  Position where;
+};
+
+/// A force per volume, such as self-weight: f += ∫ Tᵀ b dV, which acts on the centroid's translations alone.
+class BodyForce final : public Load {
+ public:
+  explicit BodyForce(BodyForceParameters p) : p_(std::move(p)) {}
+  void add_to(StageLoads& stage, const Body& body) const override {
+    check_materials(body);
+    for (std::size_t i = 0; i < body.assembly.num_blocks(); ++i) {
+      if (!acts_on(body.assembly.regions[static_cast<std::size_t>(body.assembly.blocks[i].region)].material)) continue;
+      const Vec2 force = body.volume(BlockId{i}) * p_.force;
+      add_point_force(stage, body, BlockId{i}, body.assembly.blocks[i].moments.centroid, force);
+      stage.resultant += force.norm();
+    }
+  }
+
+ private:
+  bool acts_on(const std::string& material) const {
+    return p_.materials.empty() || std::ranges::find(p_.materials, material) != p_.materials.end();
+  }
+  void check_materials(const Body& body) const {
+    std::vector<std::string> known;
+    for (const Region& region : body.assembly.regions) known.push_back(region.material);
+    for (const std::string& name : p_.materials)
+      if (std::ranges::find(known, name) == known.end())
+        throw InputError(p_.where, "unknown material '" + name + "'" + suggest(name, known));
+  }
+  BodyForceParameters p_;
+};
+
+Schema<BodyForceParameters> schema() {
+  using P = BodyForceParameters;
+  return Schema<P>("A force per volume, such as self-weight.")
+      .point("force", &P::force, {.dimension = dimension::body_force, .text = "Force per volume (bx, by)."})
+      .texts("materials", &P::materials,
+             {.fallback = std::vector<std::string>{}, .text = "Materials it acts on; all when empty."});
+}
+
+std::unique_ptr<Load> make(const BodyForceParameters& p) { return std::make_unique<BodyForce>(p); }
+
+}  // namespace
+
+DDA_REGISTER(loads(), "body_force", schema(), make);
+
+}  // namespace dda

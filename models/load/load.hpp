@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "framework/family.hpp"
+#include "models/body.hpp"
+#include "models/functional.hpp"
+
+namespace dda {
+
+/// A stiff spring whose far end the stage moves: paper eqs 16-22.
+struct DrivenSpring {
+  std::string name;
+  Functional displacement;  ///< l · u of the driven point
+  double prescribed = 0;    ///< δ at full stage value [L]
+};
+
+/// What one stage adds at its full value.
+struct StageLoads {
+  std::vector<double> force;         ///< work-conjugate to d, size 6 · blocks
+  std::vector<Vec3> initial_stress;  ///< by block [F/L²]; empty when there is none
+  std::vector<DrivenSpring> driven;
+  double resultant = 0;              ///< Σ |force| of the single loads [F]
+};
+
+/// Something that acts on the structure in a stage.
+class Load {
+ public:
+  virtual ~Load() = default;
+  /// Adds the load at full value. Throws InputError when its place is not on the body.
+  virtual void add_to(StageLoads& stage, const Body& body) const = 0;
+};
+
+/// Adds the force vector F at point x of a block: f += Tᵀ F.
+void add_point_force(StageLoads& stage, const Body& body, BlockId id, const Vec2& x, const Vec2& force);
+
+using LoadFamily = Family<Load>;
+using LoadChoice = Choice<Load>;
+
+/// The registry of loads.
+LoadFamily& loads();
+
+}  // namespace dda

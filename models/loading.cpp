@@ -1,0 +1,178 @@
+#include "models/loading.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+
+namespace dda {
+namespace {
+
+using Vector = std::vector<double>;
+
+void add_scaled(double scale, const Vector& from, Vector& to) {
+  to.resize(from.size(), 0.0);
+  for (std::size_t i = 0; i < from.size(); ++i) to[i] += scale * from[i];
+}
+
+/// Offsets P⁻¹{σ0}n of the crackable points, and the force Sᵀ W P⁻¹ {σ0}n they exert through the subtracted energy.
+struct StressOffset {
+  Vector openings, force;
+};
+
+StressOffset stress_offset(const Body& body, const InterfaceSet& set, const std::vector<Vec3>& stress) {
+  StressOffset out{Vector(2 * set.num_crackable, 0.0), Vector(block_unknowns * body.assembly.num_blocks(), 0.0)};
+  for (std::size_t p = 0; p < set.points.size(); ++p) {
+    const InterfacePoint& point = set.points[p];
+    if (point.rows.first_stress.isZero() && point.rows.second_stress.isZero()) continue;
+    // The weights of {σ}n are those of the rows: S_i = w_i N C_i E.
+    const auto traction = [&](const Mat26& rows, BlockId id) -> Vec2 {
+      return rows.rightCols<3>() * body.material(id).stiffness().inverse() * stress[id.value()];
+    };
+    const Vec2 mean = traction(point.rows.first_stress, point.first) + traction(point.rows.second_stress, point.second);
+    const Vec2 offset = mean.cwiseQuotient(point.trial_stiffness());
+    // ψ(B d + q0) − ½ {σ}n P⁻¹ {σ}n: a bond contributes −Bᵀ W P q0, every point +Sᵀ W P⁻¹ {σ0}n.
+    Eigen::Map<Vec6> f_first(out.force.data() + 6 * point.first.value());
+    Eigen::Map<Vec6> f_second(out.force.data() + 6 * point.second.value());
+    f_first += point.weight * point.rows.first_stress.transpose() * offset;
+    f_second += point.weight * point.rows.second_stress.transpose() * offset;
+    if (p < set.num_crackable) {
+      Eigen::Map<Vec2>(out.openings.data() + 2 * p) = offset;
+    } else {
+      f_first -= point.weight * point.rows.first.transpose() * mean;
+      f_second -= point.weight * point.rows.second.transpose() * mean;
+    }
+  }
+  return out;
+}
+
+/// Force of a driven spring, r = p̄ (δ_dead + δ_ref λ − l·u).
+Functional driven_reaction(const Spring& spring, double dead, double reference) {
+  Functional out;
+  out.add(-spring.stiffness, spring.displacement);
+  out.constant = spring.stiffness * dead;
+  out.per_load_factor = spring.stiffness * reference;
+  return out;
+}
+
+/// Builds the Loading of each stage in turn.
+class StageMaker {
+ public:
+  StageMaker(const Body& body, const ModelParameters& model, const InterfaceSet& interfaces,
+             const std::vector<Spring>& supports, const LoadProgramme& programme, Findings& findings)
+      : body_(body), model_(model), interfaces_(interfaces), supports_(supports), programme_(programme),
+        findings_(findings) {
+    const std::size_t n = block_unknowns * body.assembly.num_blocks();
+    so_far_.dead.assign(n, 0.0);
+    so_far_.dead_work.assign(n, 0.0);
+    driven_so_far_.assign(programme.driven.size(), 0.0);
+  }
+
+  std::vector<Loading> make() {
+    std::vector<Loading> out;
+    std::size_t first_driven = 0;
+    for (std::size_t s = 0; s < programme_.stages.size(); ++s) {
+      out.push_back(stage(s, first_driven));
+      first_driven += programme_.stages[s].driven.size();
+      absorb(out.back());
+    }
+    return out;
+  }
+
+ private:
+  Loading stage(std::size_t index, std::size_t first_driven) {
+    const StageLoads& loads = programme_.stages[index];
+    Loading out = so_far_;
+    out.name = model_.stages[index].name;
+    out.reference = out.reference_work = loads.force;
+    if (!loads.initial_stress.empty()) {
+      const StressOffset offset = stress_offset(body_, interfaces_, loads.initial_stress);
+      out.reference_offset = offset.openings;
+      add_scaled(1, offset.force, out.reference);
+      add_scaled(1, offset.force, out.reference_work);
+    }
+    Vector reference(programme_.driven.size(), 0.0);
+    for (std::size_t i = 0; i < loads.driven.size(); ++i) {
+      const Spring& spring = programme_.driven[first_driven + i];
+      reference[first_driven + i] = loads.driven[i].prescribed;
+      spring.displacement.add_gradient(spring.stiffness * loads.driven[i].prescribed, out.reference);
+    }
+    add_reactions(out, reference);
+    out.load = load_gauge(out, loads, first_driven);
+    add_gauges(out, index + 1 == programme_.stages.size());
+    for (std::size_t i = 0; i < reference.size(); ++i) driven_so_far_[i] += reference[i];
+    return out;
+  }
+
+  void add_reactions(Loading& out, const Vector& driven_reference) {
+    for (const Spring& spring : supports_) out.reactions[spring.reaction].add(-spring.stiffness, spring.displacement);
+    for (std::size_t i = 0; i < programme_.driven.size(); ++i) {
+      const Spring& spring = programme_.driven[i];
+      const Functional force = driven_reaction(spring, driven_so_far_[i], driven_reference[i]);
+      out.reactions[spring.reaction].add(1, force);
+      out.driven.push_back({force, spring.displacement});
+    }
+  }
+
+  /// λ Σ|force|; with driven springs the sum of their reactions; λ itself when the loads have no resultant.
+  Functional load_gauge(const Loading& out, const StageLoads& loads, std::size_t first_driven) const {
+    if (loads.driven.empty()) return {.rows = {}, .per_load_factor = loads.resultant > 0 ? loads.resultant : 1.0};
+    Functional sum;
+    for (std::size_t i = 0; i < loads.driven.size(); ++i) sum.add(1, out.driven[first_driven + i].force);
+    return sum;
+  }
+
+  void add_gauges(Loading& out, bool report) {
+    for (const auto& [name, choice] : model_.gauge_names) {
+      try {
+        const auto gauge = choice.make();
+        out.gauges.push_back({name, gauge->functional({body_.assembly, out.reactions}), gauge->dimension()});
+      } catch (const InputError& error) {
+        if (report) findings_.add(error);
+      }
+    }
+  }
+
+  /// A finished stage is dead in the next.
+  void absorb(const Loading& stage) {
+    add_scaled(1, stage.reference, so_far_.dead);
+    add_scaled(1, stage.reference_work, so_far_.dead_work);
+    if (!stage.reference_offset.empty()) add_scaled(1, stage.reference_offset, so_far_.dead_offset);
+  }
+
+  const Body& body_;
+  const ModelParameters& model_;
+  const InterfaceSet& interfaces_;
+  const std::vector<Spring>& supports_;
+  const LoadProgramme& programme_;
+  Findings& findings_;
+  Loading so_far_;
+  Vector driven_so_far_;
+};
+
+}  // namespace
+
+LoadProgramme make_loads(const Body& body, const ModelParameters& model, Findings& findings) {
+  LoadProgramme out;
+  const double stiffness = model.support_stiffness * body.largest_modulus() * body.thickness;
+  for (const StageParameters& stage : model.stages) {
+    StageLoads loads;
+    loads.force.assign(block_unknowns * body.assembly.num_blocks(), 0.0);
+    for (const LoadChoice& load : stage.loads) {
+      try {
+        load.make()->add_to(loads, body);
+      } catch (const InputError& error) {
+        findings.add(error);
+      }
+    }
+    for (const DrivenSpring& driven : loads.driven) out.driven.push_back({driven.name, driven.displacement, stiffness});
+    out.stages.push_back(std::move(loads));
+  }
+  return out;
+}
+
+std::vector<Loading> make_stages(const Body& body, const ModelParameters& model, const InterfaceSet& interfaces,
+                                 const std::vector<Spring>& supports, const LoadProgramme& programme,
+                                 Findings& findings) {
+  return StageMaker(body, model, interfaces, supports, programme, findings).make();
+}
+
+}  // namespace dda

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "models/equilibrium.hpp"
+
+namespace dda {
+
+/// Everything the loads of a deck become, stage by stage.
+struct LoadProgramme {
+  std::vector<StageLoads> stages;
+  std::vector<Spring> driven;  ///< every driven spring of every stage
+};
+
+/// Asks the loads of every stage for their forces; places outside the structure are findings.
+LoadProgramme make_loads(const Body& body, const ModelParameters& model, Findings& findings);
+
+/// The stages as Loading: forces before a stage are dead in it; offsets of initial stress; reactions and gauges.
+std::vector<Loading> make_stages(const Body& body, const ModelParameters& model, const InterfaceSet& interfaces,
+                                 const std::vector<Spring>& supports, const LoadProgramme& programme,
+                                 Findings& findings);
+
+}  // namespace dda

@@ -1,0 +1,51 @@
+#include "models/material/material.hpp"
+
+namespace dda {
+namespace {
+
+struct LinearElasticParameters {
+  double young_modulus = 0;
+  double poisson_ratio = 0;
+};
+
+/// Isotropic linear elasticity.
+///
+///     plane stress:  C = E/(1−ν²) [1 ν 0; ν 1 0; 0 0 (1−ν)/2]
+///     plane strain:  the same with E → E/(1−ν²), ν → ν/(1−ν)
+class LinearElastic final : public Material {
+ public:
+  LinearElastic(const LinearElasticParameters& p, Plane plane) : p_(p), plane_(plane) {}
+
+  Mat3 stiffness() const override {
+    const bool strain = plane_ == Plane::strain;
+    const double nu = strain ? p_.poisson_ratio / (1 - p_.poisson_ratio) : p_.poisson_ratio;
+    const double e = strain ? p_.young_modulus / (1 - p_.poisson_ratio * p_.poisson_ratio) : p_.young_modulus;
+    Mat3 c;
+    c << 1, nu, 0, nu, 1, 0, 0, 0, (1 - nu) / 2;
+    return e / (1 - nu * nu) * c;
+  }
+  double modulus() const override { return p_.young_modulus; }
+
+ private:
+  LinearElasticParameters p_;
+  Plane plane_;
+};
+
+Schema<LinearElasticParameters> schema() {
+  using P = LinearElasticParameters;
+  return Schema<P>("Isotropic linear elasticity.")
+      .number("young_modulus", &P::young_modulus,
+              {.dimension = dimension::stress, .bounds = above(0), .text = "Young's modulus E."})
+      .number("poisson_ratio", &P::poisson_ratio,
+              {.fallback = 0.2, .bounds = strictly_between(-1, 0.5), .text = "Poisson's ratio ν."});
+}
+
+std::unique_ptr<Material> make(const LinearElasticParameters& p, Plane plane) {
+  return std::make_unique<LinearElastic>(p, plane);
+}
+
+}  // namespace
+
+DDA_REGISTER(materials(), "linear_elastic", schema(), make);
+
+}  // namespace dda

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <memory>
+
+#include "framework/family.hpp"
+#include "models/kinematics/first_order.hpp"
+
+namespace dda {
+
+/// Which out-of-plane condition the two-dimensional model stands for.
+enum class Plane { stress, strain };
+
+/// What the inside of a block stores: ψ(ε) = ½ εᵀ C ε [F/L²], σ = C ε.
+class Material {
+ public:
+  virtual ~Material() = default;
+  /// C, 3 × 3, symmetric positive definite, for (εx, εy, γxy) → (σx, σy, τxy) [F/L²].
+  virtual Mat3 stiffness() const = 0;
+  /// A modulus [F/L²] by which springs tied to the material are scaled (Young's modulus).
+  virtual double modulus() const = 0;
+};
+
+using MaterialFamily = Family<Material, Plane>;
+using MaterialChoice = Choice<Material, Plane>;
+
+/// The registry of materials.
+MaterialFamily& materials();
+
+}  // namespace dda

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "framework/schema.hpp"
+#include "models/gauge/gauge.hpp"
+#include "models/interface/law.hpp"
+#include "models/load/load.hpp"
+#include "models/material/material.hpp"
+#include "models/place.hpp"
+#include "models/treatment/treatment.hpp"
+
+namespace dda {
+
+/// Where the points of a straight side stand: two Gauss points, its two ends, its middle.
+enum class PointRule { gauss, vertices, midpoint };
+
+/// An entry of `interfaces`: by material pair when `between` is given, else by the name of its curve.
+struct InterfaceParameters {
+  std::vector<std::string> between;
+  LawChoice law;
+  TreatmentChoice treatment;
+  PointRule points = PointRule::gauss;
+  Position where;
+};
+
+/// What a support holds.
+enum class Fix { x, y, xy, normal, rotation };
+
+/// An entry of `supports`: stiff springs at a point or along a named boundary.
+struct SupportParameters {
+  std::optional<Vec2> at, inside;
+  std::optional<std::string> on;
+  std::optional<Fix> fix;
+  std::optional<Vec2> direction;
+  std::optional<double> stiffness;
+  Position where;
+};
+
+/// An entry of `stages`; every stage but the last is brought to its full value and stays.
+struct StageParameters {
+  std::string name;
+  std::vector<LoadChoice> loads;
+  Position where;
+};
+
+/// The mechanical sections of a deck.
+struct ModelParameters {
+  double thickness = 1;
+  Plane plane = Plane::stress;
+  std::map<std::string, MaterialChoice> material_names;
+  std::vector<std::pair<std::string, InterfaceParameters>> interfaces;
+  std::vector<std::pair<std::string, SupportParameters>> supports;
+  std::vector<StageParameters> stages;
+  std::vector<std::pair<std::string, GaugeChoice>> gauge_names;
+  double support_stiffness = 1e5;
+  double weak_springs = 1e-12;
+  Position where;
+};
+
+/// Declares thickness, plane, materials, interfaces, supports, stages, gauges of a deck whose struct derives from
+/// ModelParameters.
+template <class P>
+void add_model(Schema<P>& schema);
+
+Kind<InterfaceParameters> interface_kind();
+Kind<SupportParameters> support_kind();
+Kind<StageParameters> stage_kind();
+
+template <class P>
+void add_model(Schema<P>& schema) {
+  schema.number("thickness", &P::thickness, {.dimension = dimension::length, .bounds = above(0), .text = "Thickness."})
+      .one_of("plane", &P::plane, {{"stress", Plane::stress}, {"strain", Plane::strain}},
+              {.fallback = Plane::stress, .text = "Plane stress or plane strain."})
+      .map("materials", &P::material_names, materials().kind(), {.at_least = 1, .text = "Materials by name."})
+      .map("interfaces", &P::interfaces, interface_kind(),
+           {.fallback = {{}}, .text = "Interfaces by the name of their curve, or of a pair of materials (`between`)."})
+      .map("supports", &P::supports, support_kind(), {.at_least = 1, .text = "Stiff springs that hold the structure."})
+      .list("stages", &P::stages, stage_kind(),
+            {.at_least = 1, .text = "Loads in their order; the last stage is the one multiplied by the load factor."})
+      .map("gauges", &P::gauge_names, gauges().kind(),
+           {.fallback = {{}}, .text = "Scalars recorded at every step, by name."})
+      .number("support_stiffness", &P::support_stiffness,
+              {.fallback = 1e5, .bounds = above(0), .text = "Stiffness of supports in units of E · thickness."})
+      .number("weak_springs", &P::weak_springs,
+              {.fallback = 1e-12, .bounds = at_least(0),
+               .text = "Springs that hold every block's centroid, in units of E · thickness."});
+}
+
+}  // namespace dda

@@ -1,0 +1,149 @@
+#include "models/support.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/SVD>
+
+#include "meshing/quality.hpp"
+
+namespace dda {
+namespace {
+
+using Directions = std::vector<std::pair<std::string, Vec2>>;
+
+/// Name suffix and direction of each translation that is held.
+Directions directions(const SupportParameters& p, const Vec2& normal) {
+  if (p.direction) return {{"", p.direction->normalized()}};
+  switch (*p.fix) {
+    case Fix::x: return {{"", Vec2::UnitX()}};
+    case Fix::y: return {{"", Vec2::UnitY()}};
+    case Fix::xy: return {{".x", Vec2::UnitX()}, {".y", Vec2::UnitY()}};
+    case Fix::normal: return {{"", normal}};
+    case Fix::rotation: break;
+  }
+  return {};
+}
+
+/// Adds the springs of one support.
+class SupportMaker {
+ public:
+  SupportMaker(const Body& body, double stiffness, std::vector<Spring>& out)
+      : body_(body), stiffness_(stiffness), out_(out) {}
+
+  void add(const std::string& name, const SupportParameters& p) {
+    const double stiffness = p.stiffness.value_or(stiffness_);
+    if (p.at) add_at(name, p, stiffness);
+    else add_along(name, p, stiffness);
+  }
+
+ private:
+  void add_at(const std::string& name, const SupportParameters& p, double stiffness) {
+    const Place place{*p.at, p.inside};
+    if (p.fix == Fix::rotation)
+      for (const BlockId id : blocks_of(body_.assembly, place, p.where)) add_rotation(name, id, stiffness);
+    for (const auto& [suffix, direction] : directions(p, Vec2::Zero()))
+      for (const BlockId id : blocks_of(body_.assembly, place, p.where))
+        add_spring(name + suffix, {id, *p.at, direction}, stiffness);
+  }
+
+  void add_along(const std::string& name, const SupportParameters& p, double stiffness) {
+    for (const BoundaryPoint& point : boundary_points(body_.assembly, *p.on, p.where)) {
+      if (p.fix == Fix::rotation) add_rotation(name, point.block, stiffness);
+      for (const auto& [suffix, direction] : directions(p, point.normal))
+        add_spring(name + suffix, {point.block, point.x, direction}, stiffness);
+    }
+  }
+
+  struct Held {
+    BlockId block;
+    Vec2 x, direction;
+  };
+  void add_spring(const std::string& name, const Held& held, double stiffness) {
+    const Mat26 t = displacement_rows(held.x - body_.block(held.block).moments.centroid);
+    out_.push_back({name, {.rows = {{held.block, t.transpose() * held.direction}}}, stiffness});
+  }
+  /// A rotational spring p̄ A on r0.
+  void add_rotation(const std::string& name, BlockId id, double stiffness) {
+    out_.push_back({name, {.rows = {{id, Vec6::Unit(2)}}}, stiffness * body_.block(id).moments.area});
+  }
+
+  const Body& body_;
+  double stiffness_;
+  std::vector<Spring>& out_;
+};
+
+/// Rows of the springs of a group on its three rigid motions (x, y, rotation about the centre, scaled to lengths).
+Eigen::MatrixXd rigid_rows(const Body& body, const std::vector<Spring>& springs, const std::vector<bool>& member,
+                           const Vec2& centre, double size) {
+  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(springs.size()), 3);
+  for (std::size_t s = 0; s < springs.size(); ++s)
+    for (const auto& [block, row] : springs[s].displacement.rows) {
+      if (!member[block.value()]) continue;
+      const Vec2 x = body.block(block).moments.centroid - centre;
+      const double turn = (row[2] - row[0] * x.y() + row[1] * x.x()) / size;
+      rows.row(static_cast<Eigen::Index>(s)) += Eigen::RowVector3d(row[0], row[1], turn);
+    }
+  rows.rowwise().normalize();
+  return rows;
+}
+
+/// "translation in x", "translation in y", "rotation", or "rotation about (x, y)".
+std::string motion_name(const Eigen::Vector3d& motion, const Vec2& centre, double size) {
+  constexpr double small = 1e-6;
+  if (std::abs(motion[2]) < small) {
+    if (std::abs(motion[1]) < small) return "translation in x";
+    if (std::abs(motion[0]) < small) return "translation in y";
+    return fmt::format("translation along ({:.3g}, {:.3g})", motion[0], motion[1]);
+  }
+  const Vec2 pole = centre + size / motion[2] * Vec2(-motion[1], motion[0]);
+  return fmt::format("rotation about ({:.4g}, {:.4g})", pole.x(), pole.y());
+}
+
+std::string free_motions(const Eigen::MatrixXd& rows, const Vec2& centre, double size) {
+  const Eigen::Matrix3d gram = rows.transpose() * rows;
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(gram, Eigen::ComputeFullV);
+  std::vector<Eigen::Vector3d> free;
+  for (int i = 0; i < 3; ++i)
+    if (svd.singularValues()[i] <= 1e-12 * std::max(1.0, svd.singularValues()[0])) free.push_back(svd.matrixV().col(i));
+  if (free.size() == 3) return "translation in x, translation in y, rotation";
+  std::string names;
+  for (const auto& motion : free) names += (names.empty() ? "" : ", ") + motion_name(motion, centre, size);
+  return names;
+}
+
+}  // namespace
+
+std::vector<Spring> make_supports(const Body& body, const ModelParameters& model, Findings& findings) {
+  std::vector<Spring> out;
+  SupportMaker maker(body, model.support_stiffness * body.largest_modulus() * body.thickness, out);
+  for (const auto& [name, support] : model.supports) {
+    try {
+      maker.add(name, support);
+    } catch (const InputError& error) {
+      findings.add(error);
+    }
+  }
+  return out;
+}
+
+void check_rigid_motions(const Body& body, const std::vector<Spring>& springs, const Position& where,
+                         Findings& findings) {
+  for (const auto& group : connected_groups(body.assembly)) {
+    std::vector<bool> member(body.assembly.num_blocks(), false);
+    Vec2 centre = Vec2::Zero();
+    double area = 0;
+    for (const BlockId id : group) {
+      member[id.value()] = true;
+      centre += body.block(id).moments.area * body.block(id).moments.centroid;
+      area += body.block(id).moments.area;
+    }
+    centre /= area;
+    const double size = std::sqrt(area);
+    const std::string names = free_motions(rigid_rows(body, springs, member, centre, size), centre, size);
+    if (!names.empty())
+      findings.add(where, fmt::format("no support holds the {} blocks around ({:.4g}, {:.4g}) against: {}", group.size(),
+                                      centre.x(), centre.y(), names));
+  }
+}
+
+}  // namespace dda

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "meshing/assembly.hpp"
+#include "models/kinematics/first_order.hpp"
+
+namespace dda {
+
+/// Trace constant of a block with constant stress, exact for any polygon and any elasticity [F/L³].
+///
+///     c = max over σ of  ∮ |σ n|² ds / (A σ : C⁻¹ : σ)
+///
+/// the largest eigenvalue of a 3 × 3 symmetric pencil. The consistent interface is stable for k > ½ c.
+double trace_constant(const Block& block, const Mat3& stiffness);
+
+}  // namespace dda

@@ -1,0 +1,145 @@
+#include "studies/command_line.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <functional>
+
+#include "framework/output/provenance.hpp"
+#include "framework/suggestion.hpp"
+#include "studies/commands.hpp"
+
+namespace dda {
+namespace {
+
+using Command = int (*)(const CommandLine&);
+
+constexpr const char* footer =
+    "Exit codes: 0 goal reached, 2 wrong input, 3 stopped early (results valid), 4 output or internal error,\n"
+    "130 interrupted (continue with `dda resume`).";
+
+/// The program's grammar; the values land in a CommandLine.
+class Grammar {
+ public:
+  Grammar() : app_("Discontinuous deformation analysis of concrete fracture along the whole equilibrium path.", "dda") {
+    app_.footer(footer);
+    app_.set_version_flag("--version", "ddapath " + provenance().version);
+    app_.require_subcommand(1);
+    add_solving();
+    add_looking();
+  }
+
+  /// What is wrong with names of commands and options, with a suggestion; "" when nothing is.
+  std::string unknown_name(int argc, char** argv) const;
+
+  CLI::App& app() { return app_; }
+  int execute() const {
+    for (const auto& [sub, command] : commands_)
+      if (sub->parsed()) return command(line_);
+    return 2;
+  }
+
+ private:
+  CLI::App* add(const std::string& name, const std::string& text, Command command) {
+    CLI::App* sub = app_.add_subcommand(name, text);
+    commands_.emplace_back(sub, command);
+    return sub;
+  }
+  void add_deck(CLI::App* sub) {
+    sub->add_option("deck", line_.deck, "The deck, a YAML file")->required();
+    add_set(sub);
+  }
+  void add_set(CLI::App* sub) {
+    sub->add_option("--set", line_.overrides, "Overrides a parameter of the deck: path.to.key=value; may be repeated")
+        ->allow_extra_args(false);
+  }
+  void add_output(CLI::App* sub) {
+    sub->add_option("--folder", line_.run.folder, "Where results go; runs/<name of the deck> if not given");
+    sub->add_flag("--overwrite", line_.run.overwrite, "Replace the results of an earlier run in that folder");
+    sub->add_flag("--quiet", line_.run.quiet, "No progress lines");
+  }
+  void add_solving();
+  void add_looking();
+
+  CLI::App app_;
+  CommandLine line_;
+  std::vector<std::pair<CLI::App*, Command>> commands_;
+};
+
+void Grammar::add_solving() {
+  CLI::App* run = add("run", "Follow the equilibrium path of a deck into a run folder", command_run);
+  add_deck(run);
+  add_output(run);
+  CLI::App* resume = add("resume", "Continue an interrupted run, or a finished one under another control or stopping rule",
+                         command_resume);
+  resume->add_option("run", line_.runs, "The run folder")->required()->expected(1);
+  add_set(resume);
+  add_output(resume);
+  CLI::App* compare = add("compare", "Run a deck under several controls and compare the paths", command_compare);
+  add_deck(compare);
+  compare->add_option("--controls", line_.controls, "Names of controls, separated by commas")->delimiter(',')->required();
+  add_output(compare);
+}
+
+void Grammar::add_looking() {
+  add_deck(add("check", "Read, mesh and validate a deck; print counts, quality and predicted size without solving",
+               command_check));
+  CLI::App* explain = add("explain", "The manual of the deck: a section, a family, or family/name", command_explain);
+  explain->add_option("topic", line_.topic, "Such as `path`, `law` or `law/linear_softening`");
+  explain->add_flag("--json", line_.json, "The JSON schema of decks, for editors");
+  CLI::App* plot = add("plot", "Overlay the load-displacement curves of runs", command_plot);
+  plot->add_option("runs", line_.runs, "Run folders")->required();
+  plot->add_option("--out", line_.out, "The figure")->capture_default_str();
+}
+
+std::string Grammar::unknown_name(int argc, char** argv) const {
+  if (argc < 2) return {};
+  const std::string first = argv[1];
+  std::vector<std::string> names;
+  const CLI::App* chosen = &app_;
+  for (const auto& [sub, command] : commands_) {
+    names.push_back(sub->get_name());
+    if (sub->get_name() == first) chosen = sub;
+  }
+  if (chosen == &app_ && !first.starts_with('-')) return fmt::format("unknown command '{}'{}", first, suggest(first, names));
+  std::vector<std::string> options;
+  for (const CLI::Option* option : chosen->get_options())
+    for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    const std::string name = word.substr(0, word.find('='));
+    if (!word.starts_with("--") || word == "--" || std::ranges::find(options, name) != options.end()) continue;
+    return fmt::format("unknown option '{}'{}", name, suggest(name, options));
+  }
+  return {};
+}
+
+int complain(const std::string& text, int code) {
+  fmt::print(stderr, "{}\n", text);
+  return code;
+}
+
+}  // namespace
+
+int run_command_line(int argc, char** argv) {
+  try {
+    Grammar grammar;
+    if (const std::string wrong = grammar.unknown_name(argc, argv); !wrong.empty())
+      return complain("dda: " + wrong + "\nRun `dda --help` for what there is.", 2);
+    try {
+      grammar.app().parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+      return grammar.app().exit(error) == 0 ? 0 : 2;
+    }
+    return grammar.execute();
+  } catch (const InputError& error) {
+    return complain(error.what(), 2);
+  } catch (const OutputError& error) {
+    return complain(fmt::format("dda: {}", error.what()), 4);
+  } catch (const std::exception& error) {
+    return complain(fmt::format("dda: internal error: {}", error.what()), 4);
+  }
+}
+
+}  // namespace dda

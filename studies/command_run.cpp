@@ -1,0 +1,16 @@
+#include <fmt/format.h>
+
+#include "studies/commands.hpp"
+#include "studies/summary.hpp"
+
+namespace dda {
+
+int command_run(const CommandLine& line) {
+  const DeckFile deck = read_deck(line.deck, line.overrides);
+  std::optional<MpiSession> mpi;
+  const RunResult result = run_deck(deck, line.run, mpi);
+  fmt::print("{}\n", last_line(result));
+  return exit_code_of(result.ending);
+}
+
+}  // namespace dda

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "studies/run.hpp"
+
+namespace dda {
+
+/// What the program's commands take from the command line.
+struct CommandLine {
+  std::filesystem::path deck;                ///< run, check, compare
+  std::vector<std::filesystem::path> runs;   ///< plot, and the one of resume
+  std::vector<std::string> overrides;        ///< --set
+  std::vector<std::string> controls;         ///< compare
+  std::string topic;                         ///< explain
+  std::filesystem::path out = "curves.svg";  ///< plot
+  bool json = false;
+  RunOptions run;
+};
+
+/// Each does one command and gives the program's exit code. They throw InputError and OutputError.
+int command_run(const CommandLine& line);
+int command_resume(const CommandLine& line);
+int command_check(const CommandLine& line);
+int command_explain(const CommandLine& line);
+int command_plot(const CommandLine& line);
+int command_compare(const CommandLine& line);
+
+}  // namespace dda

@@ -1,0 +1,63 @@
+#include "studies/deck.hpp"
+
+#include "framework/output/provenance.hpp"
+#include "framework/output/run_folder.hpp"
+
+namespace dda {
+namespace {
+
+Schema<Units> units_schema() {
+  using P = Units;
+  return Schema<P>("The two units every number of the deck is in; nothing is converted.")
+      .text("length", &P::length, {.fallback = "mm", .text = "Unit of length."})
+      .text("force", &P::force, {.fallback = "N", .text = "Unit of force."});
+}
+
+Schema<RecordParameters> record_schema() {
+  using P = RecordParameters;
+  return Schema<P>("What is kept beside the curve.")
+      .integer("fields_every", &P::fields_every,
+               {.fallback = 10, .bounds = at_least(0),
+                .text = "Fields are stored every so many steps (0 = never), and always at landings, peak and end."})
+      .map("at", &P::at, list_of(number_kind({}, {})),
+           {.fallback = {{}}, .text = "Gauge values on which steps land exactly and fields are stored."})
+      .text("folder", &P::folder, {.fallback = "", .text = "Run folder; runs/<name of the deck> if empty."});
+}
+
+Schema<Deck> make_schema() {
+  Schema<Deck> schema("A structure, its loads, and the path that is to be followed.");
+  schema.text("title", &Deck::title, {.fallback = "", .text = "What this deck is about."})
+      .section("units", &Deck::units, units_schema())
+      .section("scene", &Deck::scene, scene_schema());
+  add_model(schema);
+  return schema.section("path", &Deck::path, path_schema()).section("record", &Deck::record, record_schema());
+}
+
+}  // namespace
+
+const Schema<Deck>& deck_schema() {
+  static const Schema<Deck> schema = make_schema();
+  return schema;
+}
+
+DeckFile read_deck(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
+  return deck_from_text(read_whole(path), path, overrides);
+}
+
+DeckFile deck_from_text(const std::string& text, const std::filesystem::path& path,
+                        const std::vector<std::string>& overrides) {
+  DeckFile out{.path = path, .text = text, .overrides = overrides, .deck = {}};
+  Node root = parse_yaml(text, path.string());
+  for (const std::string& assignment : overrides) set_value(root, assignment);
+  out.deck = deck_schema().read(root);
+  return out;
+}
+
+std::string effective_deck(const DeckFile& file) {
+  std::string out = "# Every parameter of " + file.path.filename().string() + " as ddapath " + provenance().version +
+                    " read it.\n";
+  for (const std::string& assignment : file.overrides) out += "# --set " + assignment + "\n";
+  return out + to_yaml(deck_schema().echo(file.deck));
+}
+
+}  // namespace dda

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "continuation/path_parameters.hpp"
+#include "framework/units.hpp"
+#include "meshing/scene.hpp"
+#include "models/parameters.hpp"
+
+namespace dda {
+
+/// The deck's `record` section: what is kept beside the curve.
+struct RecordParameters {
+  int fields_every = 10;
+  std::map<std::string, std::vector<double>> at;
+  std::string folder;
+};
+
+/// A whole deck.
+struct Deck : ModelParameters {
+  std::string title;
+  Units units;
+  Scene scene;
+  PathParameters path;
+  RecordParameters record;
+};
+
+/// The one declaration of a deck: reading, explain, JSON schema and effective deck come from it.
+const Schema<Deck>& deck_schema();
+
+/// A deck as read: its text, its tree with overrides, and its values.
+struct DeckFile {
+  std::filesystem::path path;
+  std::string text;
+  std::vector<std::string> overrides;
+  Deck deck;
+};
+
+/// Reads, overrides and validates a deck. Throws InputError with every finding.
+DeckFile read_deck(const std::filesystem::path& path, const std::vector<std::string>& overrides);
+
+/// The same for a deck held as text; `path` is what positions say and where relative file names start.
+DeckFile deck_from_text(const std::string& text, const std::filesystem::path& path,
+                        const std::vector<std::string>& overrides);
+
+/// The deck with every default, below a comment that names the program's version and the overrides.
+std::string effective_deck(const DeckFile& file);
+
+}  // namespace dda

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+
+#include "framework/output/restart_file.hpp"
+#include "studies/run_memory.hpp"
+#include "studies/simulation.hpp"
+
+namespace dda {
+
+/// Everything that the next step depends on, and what the run's files need to go on.
+RestartData restart_data(const Simulation& simulation, const RunMemory& memory, const DeckFile& deck);
+
+/// The deck of an interrupted run with further overrides; its text is that of the original.
+DeckFile deck_of(const RestartData& data, const std::filesystem::path& folder,
+                 const std::vector<std::string>& overrides);
+
+/// Puts a prepared simulation where the run stood; `begin_path` is called here.
+/// Throws InputError when the deck's structure has another size now.
+RunMemory restore(const RestartData& data, const std::filesystem::path& folder, Simulation& simulation);
+
+}  // namespace dda

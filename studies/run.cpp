@@ -1,0 +1,126 @@
+#include "studies/run.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "framework/output/interrupt.hpp"
+#include "studies/restart.hpp"
+#include "studies/summary.hpp"
+
+namespace dda {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Which folder a new run gets. A folder that the user named and that holds something is the user's to decide about.
+RunFolder new_folder(const DeckFile& deck, const RunOptions& options) {
+  fs::path wanted = options.folder;
+  if (wanted.empty()) wanted = deck.deck.record.folder;
+  const bool is_named = !wanted.empty();
+  if (!is_named) wanted = default_run_folder(deck.path);
+  if (options.overwrite) return RunFolder::create(wanted, IfExists::overwrite);
+  if (!is_named) return RunFolder::create(wanted, IfExists::number);
+  std::error_code error;
+  if (fs::is_directory(wanted, error) && !fs::is_empty(wanted, error))
+    throw InputError(Position{wanted.string()}, "the run folder exists and is not empty; choose another one or give "
+                                                "--overwrite");
+  return RunFolder::create(wanted, IfExists::refuse);
+}
+
+void write_decks(const RunFolder& folder, const DeckFile& deck) {
+  write_whole(folder.file("deck.yaml"), deck.text, Flush::to_system);
+  write_whole(folder.file("effective_deck.yaml"), effective_deck(deck), Flush::to_system);
+}
+
+void start_mpi(std::optional<MpiSession>& mpi, Timings& timings) {
+  if (mpi) return;
+  const auto scope = timings.measure("MPI");
+  mpi.emplace();
+}
+
+/// Follows the path to its end; `obstacle` says why it cannot even begin.
+RunResult follow(Simulation& simulation, const RunFolder& folder, RunRecorder& recorder, Timings& timings,
+                 const std::string& obstacle, bool quiet) {
+  Ending ending{Ending::Kind::stopped_early, obstacle};
+  if (obstacle.empty()) {
+    Progress progress = Progress::for_stream(stderr, quiet);
+    const InterruptGuard guard;
+    Path& path = simulation.path();
+    path.interrupt_when(interrupted);
+    const auto scope = timings.measure("path");
+    for (const Point& point : path) {
+      recorder.record(point);
+      progress.show(recorder.progress());
+    }
+    ending = path.ending();
+    progress.finish();
+  }
+  RunResult out{folder.path(), ending, recorder.finish(ending), recorder.measures(), recorder.trace()};
+  return out;
+}
+
+/// The files that a continued run goes on with.
+void copy_run(const fs::path& from, const RunFolder& to) {
+  for (const char* name : {"curve.csv", "curve.units.json", "log.jsonl", "run.h5", "run.xdmf", "restart.h5"}) {
+    std::error_code error;
+    fs::copy_file(from / name, to.file(name), fs::copy_options::overwrite_existing, error);
+    if (error) throw OutputError(fmt::format("cannot copy '{}': {}", (from / name).string(), error.message()));
+  }
+}
+
+/// The conclusions of a run that goes on are not those of the whole.
+void remove_conclusions(const RunFolder& folder) {
+  for (const char* name : {"summary.json", "curve.svg", "deformed.svg"}) {
+    std::error_code ignored;
+    fs::remove(folder.file(name), ignored);
+  }
+}
+
+}  // namespace
+
+RunResult run_deck(const DeckFile& deck, const RunOptions& options, std::optional<MpiSession>& mpi) {
+  Timings timings;
+  timings.end_start_up();
+  Simulation simulation(deck.deck, timings);
+  start_mpi(mpi, timings);
+  simulation.prepare();
+  const RunFolder folder = new_folder(deck, options);
+  write_decks(folder, deck);
+  const std::string obstacle = simulation.apply_dead_loads();
+  simulation.walker().effort().accepted = 0;  // steps are counted along the path
+  simulation.begin_path();
+  RunRecorder recorder(folder, simulation, deck, timings);
+  return follow(simulation, folder, recorder, timings, obstacle, options.quiet);
+}
+
+RunResult resume_run(const fs::path& existing, const std::vector<std::string>& overrides, const RunOptions& options,
+                     std::optional<MpiSession>& mpi) {
+  Timings timings;
+  const RunFolder source = RunFolder::open(existing);
+  const RestartData data = read_restart(source.file("restart.h5"));
+  const DeckFile deck = deck_of(data, existing, overrides);
+  timings.end_start_up();
+  Simulation simulation(deck.deck, timings);
+  start_mpi(mpi, timings);
+  simulation.prepare();
+  const RunMemory memory = restore(data, existing, simulation);
+  const bool in_place = options.folder.empty();
+  const RunFolder folder = in_place ? source : new_folder(deck, options);
+  if (!in_place) copy_run(existing, folder);
+  remove_conclusions(folder);
+  write_decks(folder, deck);
+  RunRecorder recorder(folder, simulation, deck, timings, memory);
+  return follow(simulation, folder, recorder, timings, "", options.quiet);
+}
+
+std::string last_line(const RunResult& result) {
+  const auto& summary = result.summary;
+  return fmt::format("{}: {}{} — peak {:.6g} {} at step {}, {} steps, {:.2f} s", result.folder.string(),
+                     status_of(result.ending), result.ending.reason.empty() ? "" : " (" + result.ending.reason + ")",
+                     summary["peak"]["load"].get<double>(), result.measures.load_unit(),
+                     summary["peak"]["step"].get<int>(), summary["steps"].get<int>(),
+                     summary["timings"]["total"].get<double>());
+}
+
+}  // namespace dda

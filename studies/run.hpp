@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "continuation/mpi_session.hpp"
+#include "studies/deck.hpp"
+#include "studies/run_recorder.hpp"
+
+namespace dda {
+
+/// Where a run writes and what it shows.
+struct RunOptions {
+  std::filesystem::path folder;  ///< empty: the deck's own, or runs/<name of the deck> with the next free number
+  bool overwrite = false;
+  bool quiet = false;
+};
+
+/// What a run came to.
+struct RunResult {
+  std::filesystem::path folder;
+  Ending ending;
+  nlohmann::ordered_json summary;
+  Measures measures;
+  std::vector<TracePoint> trace;
+};
+
+/// Follows the path of a deck into a new run folder. MPI is started when the deck turns out valid, and must outlive
+/// the call. Throws InputError (nothing written) and OutputError.
+RunResult run_deck(const DeckFile& deck, const RunOptions& options, std::optional<MpiSession>& mpi);
+
+/// Continues the run in `folder`, in place or, when the options name another folder, in a copy.
+RunResult resume_run(const std::filesystem::path& folder, const std::vector<std::string>& overrides,
+                     const RunOptions& options, std::optional<MpiSession>& mpi);
+
+/// One line: folder, status, reason, peak, steps, time.
+std::string last_line(const RunResult& result);
+
+}  // namespace dda

@@ -1,0 +1,171 @@
+#include "studies/run_recorder.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "framework/output/provenance.hpp"
+#include "studies/pictures.hpp"
+#include "studies/restart.hpp"
+#include "studies/summary.hpp"
+
+namespace dda {
+namespace {
+
+Measures measures_of(const Simulation& simulation) {
+  const Deck& deck = simulation.deck();
+  const Loading& loading = simulation.loading();
+  Dimension dimension = loading.load.rows.empty() && loading.load.per_load_factor == 1 ? dimension::none : dimension::force;
+  for (const NamedGauge& gauge : loading.gauges)
+    if (gauge.name == deck.path.load_gauge) dimension = gauge.dimension;
+  if (deck.path.load_gauge.empty() && dimension == dimension::none) dimension = dimension::force;
+  return {loading, simulation.path().load_gauge(), unit_of(dimension, deck.units), deck.units};
+}
+
+ResultsFile::Texts texts_of(const DeckFile& deck) {
+  auto out = to_texts(provenance());
+  out["deck"] = deck.text;
+  out["effective_deck"] = effective_deck(deck);
+  return out;
+}
+
+CurveTable open_curve(const RunFolder& folder, const Measures& measures, const std::optional<RunMemory>& memory) {
+  const auto file = folder.file("curve.csv");
+  if (!memory) return {file, measures.columns()};
+  return CurveTable::resume(file, measures.columns(), static_cast<std::size_t>(memory->last_step) + 1);
+}
+
+ResultsFile open_results(const RunFolder& folder, const Fields& fields, const DeckFile& deck,
+                         const std::optional<RunMemory>& memory) {
+  if (memory) return ResultsFile::resume(folder.path(), memory->last_step);
+  return {folder.path(), fields.mesh(), texts_of(deck)};
+}
+
+}  // namespace
+
+RunRecorder::RunRecorder(const RunFolder& folder, Simulation& simulation, const DeckFile& deck, Timings& timings,
+                         std::optional<RunMemory> memory)
+    : folder_(folder),
+      simulation_(simulation),
+      deck_(deck),
+      timings_(timings),
+      measures_(measures_of(simulation)),
+      fields_(simulation.body(), simulation.deck(), simulation.equilibrium(), simulation.deck().units),
+      memory_(memory.value_or(RunMemory{})),
+      log_(folder.file("log.jsonl"), memory ? FileWriter::Mode::append : FileWriter::Mode::create),
+      curve_(open_curve(folder, measures_, memory)),
+      results_(open_results(folder, fields_, deck, memory)) {
+  simulation.path().report_to([this](const std::string& event, const std::string& text) {
+    log_.info(event, {{"step", memory_.last_step + 1}, {"text", text}});
+  });
+  if (memory) {
+    const std::vector<int> steps = results_.steps();
+    last_stored_ = steps.empty() ? -1 : steps.back();
+    last_ = measures_.measure(simulation.walker(), memory_.last_step, "resumed", 0);
+    log_.info("resumed", {{"step", memory_.last_step}});
+  } else {
+    start();
+  }
+  trace_.push_back(trace_point(simulation.walker(), measures_));
+}
+
+void RunRecorder::start() {
+  log_.info("started", {{"version", provenance().version}, {"deck", deck_.path.string()}, {"overrides", deck_.overrides}});
+  for (const std::string& notice : simulation_.equilibrium().interfaces().notices)
+    log_.warning("notice", {{"text", notice}});
+  memory_.start = memory_.peak = last_ = measures_.measure(simulation_.walker(), 0, "start", 0);
+  curve_.append(Measures::cells(last_));
+}
+
+StoredState RunRecorder::here() const {
+  return {memory_.last_step, simulation_.walker().state(), simulation_.system().history()};
+}
+
+bool RunRecorder::is_due(const Point& point) const {
+  const int every = simulation_.deck().record.fields_every;
+  return !point.landed.empty() || (every > 0 && point.step % every == 0);
+}
+
+void RunRecorder::record(const Point& point) {
+  const auto scope = timings_.measure("output");
+  const Measurement now =
+      measures_.measure(simulation_.walker(), point.step, point.control, point.newton_iterations);
+  keep_peak(point, now);
+  memory_.last_step = point.step;
+  last_ = now;
+  curve_.append(Measures::cells(now));
+  log_step(point, now);
+  trace_.push_back(trace_point(simulation_.walker(), measures_));
+  if (!is_due(point)) return;
+  store_here();
+  write_restart_file();
+}
+
+/// The state of the highest load is held back until the load falls, so that only the peak itself is stored.
+void RunRecorder::keep_peak(const Point& point, const Measurement& now) {
+  if (point.is_highest) {
+    memory_.peak = now;
+    memory_.peak_state = {point.step, simulation_.walker().state(), simulation_.system().history()};
+    memory_.is_peak_stored = false;
+  } else if (!memory_.is_peak_stored) {
+    store(*memory_.peak_state);
+    memory_.is_peak_stored = true;
+  }
+}
+
+void RunRecorder::store(const StoredState& at) {
+  if (at.step <= last_stored_) return;
+  const auto scope = timings_.measure("fields");
+  results_.store(fields_.snapshot(at));
+  last_stored_ = at.step;
+}
+
+void RunRecorder::store_here() { store(here()); }
+
+void RunRecorder::write_restart_file() {
+  const auto scope = timings_.measure("restart file");
+  write_restart(folder_.file("restart.h5"), restart_data(simulation_, memory_, deck_));
+}
+
+void RunRecorder::log_step(const Point& point, const Measurement& now) {
+  Log::Fields fields{{"step", point.step}, {"control", point.control}, {"load_factor", now.load_factor},
+                     {"load", now.load}, {"newton_iterations", point.newton_iterations}};
+  if (!point.landed.empty()) fields["landed"] = point.landed;
+  if (point.jump_energy != 0) fields["jump_energy"] = point.jump_energy;
+  log_.info("step", fields);
+}
+
+nlohmann::ordered_json RunRecorder::finish(const Ending& ending) {
+  nlohmann::ordered_json out;
+  {
+    const auto scope = timings_.measure("output");
+    store_here();
+    if (memory_.peak_state && memory_.peak_state->step == last_stored_) memory_.is_peak_stored = true;
+    write_restart_file();
+    const auto inner = timings_.measure("figures");
+    write_pictures(folder_, fields_, measures_, memory_, here());
+  }
+  log_.info("ended", {{"status", status_of(ending)}, {"reason", ending.reason}});
+  out = summarise(simulation_, memory_, measures_, ending);
+  out["notices"] = simulation_.equilibrium().interfaces().notices;
+  out["timings"] = to_json(timings_);
+  write_whole(folder_.file("summary.json"), out.dump(2) + "\n");
+  return out;
+}
+
+ProgressPoint RunRecorder::progress() const {
+  const Walker& walker = simulation_.walker();
+  const StopRules& stop = simulation_.deck().path.stop;
+  ProgressPoint out{.step = last_.step, .load_factor = last_.load_factor, .control = last_.control,
+                    .gauges = {{"load", last_.load}}, .iterations = last_.newton_iterations,
+                    .step_size = simulation_.path().memory().step};
+  for (std::size_t i = 0; i < measures_.num_gauges(); ++i)
+    out.gauges.emplace_back(measures_.names()[i].name, last_.values[i]);
+  const double peak = std::abs(memory_.peak.load), now = std::abs(last_.load);
+  double goal = static_cast<double>(last_.step) / stop.steps;
+  if (peak > 0 && walker.here().dissipated > 0)
+    goal = std::max(goal, (peak - now) / (peak * (1 - stop.load_below)));
+  out.goal = std::clamp(goal, 0.0, 1.0);
+  return out;
+}
+
+}  // namespace dda

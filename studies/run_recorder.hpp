@@ -1,0 +1,61 @@
+#pragma once
+
+#include <optional>
+
+#include "framework/output/log.hpp"
+#include "framework/output/progress.hpp"
+#include "framework/output/run_folder.hpp"
+#include "studies/run_memory.hpp"
+#include "studies/simulation.hpp"
+#include "studies/trace.hpp"
+
+namespace dda {
+
+/// Writes everything that a run folder holds while a path is followed.
+///
+/// Every accepted step is a row of curve.csv and a line of log.jsonl; fields and the restart file follow at landings,
+/// at the peak, every record.fields_every steps and at the end. summary.json comes last: a folder without it does not
+/// hold a whole result. Throws OutputError.
+class RunRecorder {
+ public:
+  /// `memory` is that of the run to be continued, or nothing for a new one.
+  RunRecorder(const RunFolder& folder, Simulation& simulation, const DeckFile& deck, Timings& timings,
+              std::optional<RunMemory> memory = {});
+
+  void record(const Point& point);
+  /// Fields of the end, restart file, figures, summary; gives the summary.
+  nlohmann::ordered_json finish(const Ending& ending);
+
+  Log& log() { return log_; }
+  const Measures& measures() const { return measures_; }
+  const RunMemory& memory() const { return memory_; }
+  const std::vector<TracePoint>& trace() const { return trace_; }
+  /// What the progress line shows of the last step.
+  ProgressPoint progress() const;
+
+ private:
+  void start();
+  void keep_peak(const Point& point, const Measurement& now);
+  void store(const StoredState& at);
+  void store_here();
+  void write_restart_file();
+  void log_step(const Point& point, const Measurement& now);
+  bool is_due(const Point& point) const;
+  StoredState here() const;
+
+  const RunFolder& folder_;
+  Simulation& simulation_;
+  const DeckFile& deck_;
+  Timings& timings_;
+  Measures measures_;
+  Fields fields_;
+  RunMemory memory_;
+  Log log_;
+  CurveTable curve_;
+  ResultsFile results_;
+  int last_stored_ = -1;
+  Measurement last_;
+  std::vector<TracePoint> trace_;
+};
+
+}  // namespace dda

@@ -1,0 +1,87 @@
+#include "studies/simulation.hpp"
+
+#include "continuation/dead_load.hpp"
+#include "framework/suggestion.hpp"
+
+namespace dda {
+namespace {
+
+/// The materials of the regions; an unknown name is a finding.
+std::vector<std::shared_ptr<const Material>> materials_of(const Assembly& assembly, const Deck& deck) {
+  Findings findings;
+  std::map<std::string, std::shared_ptr<const Material>> made;
+  std::vector<std::string> names;
+  for (const auto& [name, choice] : deck.material_names) {
+    made[name] = choice.make(deck.plane);
+    names.push_back(name);
+  }
+  std::vector<std::shared_ptr<const Material>> out;
+  for (const Region& region : assembly.regions) {
+    if (!made.contains(region.material))
+      findings.add(deck.scene.where, "region '" + region.name + "' is of material '" + region.material +
+                                         "', which `materials` does not describe" + suggest(region.material, names));
+    out.push_back(made[region.material]);
+  }
+  findings.throw_if_any();
+  return out;
+}
+
+}  // namespace
+
+Simulation::Simulation(const Deck& deck, Timings& timings) : deck_(deck), timings_(timings) {
+  {
+    const auto scope = timings.measure("meshing");
+    assembly_ = std::make_unique<const Assembly>(mesh(deck.scene));
+  }
+  const auto scope = timings.measure("equilibrium");
+  body_ = std::make_unique<const Body>(Body{*assembly_, deck.thickness, materials_of(*assembly_, deck)});
+  equilibrium_ = std::make_unique<const Equilibrium>(*body_, deck);
+  gauges_.gauges = loading().gauges;
+  for (const auto& [name, choice] : deck.gauge_names) {
+    if (choice.name() == "displacement" && gauges_.first_displacement.empty()) gauges_.first_displacement = name;
+    if (choice.name() == "relative_displacement" && gauges_.first_opening.empty()) gauges_.first_opening = name;
+  }
+  deck.path.control.make(gauges_);  // a control that names no known gauge is found before anything is solved
+  landings();
+}
+
+void Simulation::prepare() {
+  const auto scope = timings_.measure("factorisation");
+  system_ = std::make_unique<System>(*equilibrium_, deck_.path.linear, deck_.path.update);
+  walker_ = std::make_unique<Walker>(*system_, deck_.path);
+}
+
+std::string Simulation::apply_dead_loads() {
+  const auto scope = timings_.measure("dead loads");
+  const std::size_t stages = equilibrium_->stages().size();
+  for (std::size_t stage = 0; stage + 1 < stages; ++stage) {
+    walker_->begin_stage(stage);
+    if (std::string why = apply_full_stage(*walker_); !why.empty())
+      return "stage '" + walker_->system().loading().name + "' cannot be carried: " + why;
+  }
+  walker_->begin_stage(stages - 1);
+  return {};
+}
+
+void Simulation::begin_path() { path_ = std::make_unique<Path>(*walker_, deck_.path, gauges_, landings()); }
+
+const Functional& Simulation::gauge(const std::string& name, const Position& where) const {
+  std::vector<std::string> names{"load"};
+  for (const NamedGauge& gauge : gauges_.gauges) {
+    if (gauge.name == name) return gauge.functional;
+    names.push_back(gauge.name);
+  }
+  if (name == "load") return loading().load;
+  throw InputError(where, "unknown gauge '" + name + "'" + suggest(name, names));
+}
+
+std::vector<Landing> Simulation::landings() const {
+  std::vector<Landing> out;
+  for (const auto& [name, values] : deck_.record.at)
+    for (const double value : values) out.push_back({name, gauge(name, deck_.where), value, false});
+  for (const auto& [name, value] : deck_.path.stop.gauges)
+    out.push_back({name, gauge(name, deck_.path.where), value, true});
+  return out;
+}
+
+}  // namespace dda

@@ -1,0 +1,139 @@
+"""The checker itself: made-up files that break one rule each, and their neighbours that do not."""
+
+import contextlib
+import io
+import tempfile
+import unittest
+from pathlib import Path
+
+import check
+import rules
+
+
+def messages(path, *lines):
+    return [message for _, message in rules.findings(path, "\n".join(lines))]
+
+
+class IncludeDirections(unittest.TestCase):
+    def test_every_include_to_the_right_is_found(self):
+        for i, own in enumerate(rules.FOLDERS):
+            for target in rules.FOLDERS[i + 1 :]:
+                found = messages(f"{own}/a.cpp", f'#include "{target}/b.hpp"')
+                self.assertEqual(len(found), 1, (own, target))
+                self.assertIn(f"{own} must not include {target}/b.hpp", found[0])
+
+    def test_own_folder_and_folders_to_the_left_are_free(self):
+        for i, own in enumerate(rules.FOLDERS):
+            for target in rules.FOLDERS[: i + 1]:
+                self.assertEqual(messages(f"{own}/deep/a.hpp", f'#include "{target}/b.hpp"'), [])
+
+    def test_other_spellings_are_found(self):
+        for line in ('#include <models/law.hpp>', ' #  include "models/law.hpp"', '#include "../models/law.hpp"'):
+            self.assertEqual(len(messages("meshing/a.cpp", line)), 1, line)
+
+    def test_line_number(self):
+        text = '#pragma once\n\n#include "studies/main.hpp"\n'
+        self.assertEqual([line for line, _ in rules.findings("models/a.hpp", text)], [3])
+
+    def test_a_comment_and_a_string_are_no_includes(self):
+        self.assertEqual(messages("meshing/a.cpp", '// #include "models/law.hpp"', 'f("#include <mpi.h>");'), [])
+
+    def test_tests_include_everything(self):
+        self.assertEqual(messages("tests/unit/a.cpp", '#include "studies/a.hpp"', "#include <mpi.h>"), [])
+
+
+class Libraries(unittest.TestCase):
+    # One header of each kind; the file that may include it comes second.
+    HEADERS = (
+        ("gmsh.h", "meshing/gmsh/a.cpp"),
+        ("geos_c.h", "meshing/a.cpp"),
+        ("hdf5.h", "framework/output/a.cpp"),
+        ("yaml-cpp/yaml.h", "framework/a.cpp"),
+        ("NOX_Utils.H", "continuation/a.hpp"),
+        ("LOCA_Stepper.H", "continuation/a.hpp"),
+        ("LOCA.H", "continuation/a.cpp"),
+        ("Tpetra_Vector.hpp", "continuation/a.hpp"),
+        ("Teuchos_RCP.hpp", "continuation/a.hpp"),
+        ("Amesos2.hpp", "continuation/a.cpp"),
+        ("Thyra_VectorBase.hpp", "continuation/a.cpp"),
+        ("AnasaziBlockKrylovSchur.hpp", "continuation/a.cpp"),
+        ("dmumps_c.h", "continuation/a.cpp"),
+        ("cholmod.h", "continuation/a.cpp"),
+        ("mpi.h", "continuation/a.hpp"),
+        ("CLI/CLI.hpp", "studies/main.cpp"),
+    )
+
+    def test_each_is_free_in_its_folder(self):
+        for header, home in self.HEADERS:
+            self.assertEqual(messages(home, f"#include <{header}>"), [], header)
+
+    def test_each_is_found_in_every_other_folder(self):
+        for header, home in self.HEADERS:
+            for folder in rules.FOLDERS:
+                if folder != rules.folder_of(home):
+                    found = messages(f"{folder}/a.cpp", f"#include <{header}>")
+                    self.assertEqual(len(found), 1, (header, folder))
+
+    def test_headers_hide_what_belongs_into_cpp_files(self):
+        for header in ("gmsh.h", "geos_c.h", "hdf5.h", "yaml-cpp/yaml.h"):
+            home = dict(self.HEADERS)[header].replace(".cpp", ".hpp")
+            self.assertIn(".cpp files only", messages(home, f"#include <{header}>")[0])
+
+    def test_free_libraries(self):
+        for folder in rules.FOLDERS:
+            found = messages(f"{folder}/a.hpp", "#include <Eigen/Core>", "#include <fmt/format.h>", "#include <map>")
+            self.assertEqual(found, [])
+
+
+class Text(unittest.TestCase):
+    def test_length(self):
+        self.assertEqual(messages("models/a.cpp", *["int a;"] * 400), [])
+        self.assertIn("401 lines", messages("models/a.cpp", *["int a;"] * 401)[0])
+
+    def test_unfinished_work(self):
+        for word in ("TO" + "DO", "FIX" + "ME"):
+            self.assertEqual(len(messages("tests/a.cpp", f"// {word}: later")), 1)
+            self.assertEqual(messages("tests/a.cpp", f"int {word}S_;"), [])
+
+
+class Tree(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = Path(folder.name)
+        for name in rules.FOLDERS:
+            self.write(f"{name}/a.hpp", "#pragma once\n")
+
+    def write(self, path, text):
+        file = self.root / path
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text, encoding="utf-8")
+
+    def run_main(self):
+        with contextlib.redirect_stdout(io.StringIO()) as output:
+            code = check.main(self.root)
+        return code, output.getvalue()
+
+    def test_a_clean_tree_passes(self):
+        self.assertEqual(self.run_main(), (0, "5 files obey the rules\n"))
+
+    def test_a_broken_file_deep_inside_fails_with_its_place(self):
+        self.write("models/interface/law.cpp", '#include <map>\n#include "continuation/path.hpp"\n')
+        code, output = self.run_main()
+        self.assertEqual(code, 1)
+        self.assertIn("models/interface/law.cpp:2: models must not include continuation/path.hpp", output)
+
+    def test_a_missing_folder_fails(self):
+        (self.root / "models" / "a.hpp").unlink()
+        (self.root / "models").rmdir()
+        code, output = self.run_main()
+        self.assertEqual(code, 1)
+        self.assertIn("models: folder not found", output)
+
+    def test_what_was_built_is_not_read(self):
+        self.write("build/release/generated/a.cpp", '// FIX' + 'ME\n')
+        self.assertEqual(self.run_main()[0], 0)
+
+
+if __name__ == "__main__":
+    unittest.main()

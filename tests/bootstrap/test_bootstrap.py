@@ -1,0 +1,154 @@
+"""bootstrap on a toy project: packages, configuration, build, and what is handed on. Nothing is installed."""
+
+import unittest
+
+from toy import CMAKE, Toy
+
+
+class Commands(unittest.TestCase):
+    def setUp(self):
+        self.toy = Toy(self)
+
+    def test_help_needs_nothing(self):
+        for arguments in ([], ["help"], ["--help"]):
+            result = self.toy.run(*arguments)
+            self.assertEqual(result.returncode, 0)
+            self.assertIn("Usage: ./bootstrap", result.stdout)
+        self.assertEqual(self.toy.calls("dpkg-query"), [])
+
+    def test_unknown_command(self):
+        result = self.toy.run("rum", "deck.yaml")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("unknown command 'rum'", result.stderr)
+        self.assertEqual(self.toy.calls("dpkg-query"), [])
+
+    def test_packages_are_unique(self):
+        names = self.toy.run("packages").stdout.split()
+        self.assertEqual(len(names), len(set(names)))
+        self.assertIn("libtrilinos-nox-dev", names)
+
+
+class Packages(unittest.TestCase):
+    # All but two are there; one of these is known to dpkg and removed.
+    SOME = """shift 2
+for package; do case $package in
+  libgmsh-dev) ;;
+  cmake) echo "config-files $package" ;;
+  *) echo "installed $package" ;;
+esac; done
+exit 1"""
+
+    def setUp(self):
+        self.toy = Toy(self)
+
+    def test_nothing_is_done_when_all_are_there(self):
+        self.assertEqual(self.toy.run("build").returncode, 0)
+        self.assertEqual(self.toy.calls("apt-get"), [])
+
+    def test_only_what_is_missing_is_installed(self):
+        self.toy.tool("dpkg-query", self.SOME)
+        result = self.toy.run("build")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        update, install = self.toy.calls("apt-get")
+        self.assertTrue(update.endswith(" update"))
+        self.assertTrue(install.endswith(" install --no-install-recommends cmake libgmsh-dev"), install)
+
+    def test_sudo_only_if_not_root(self):
+        self.toy.tool("dpkg-query", self.SOME)
+        self.toy.tool("id", "echo 1000")
+        self.toy.tool("sudo", '[ "$1" = -v ] || exec "$@"')
+        self.assertEqual(self.toy.run("build").returncode, 0)
+        self.assertEqual(len(self.toy.calls("sudo")), 3)
+        self.assertEqual(len(self.toy.calls("apt-get")), 2)
+
+    def test_failed_installation_shows_why(self):
+        self.toy.tool("dpkg-query", self.SOME)
+        self.toy.tool("apt-get", 'case "$*" in *install*) echo "E: Unable to locate package"; exit 100;; esac')
+        result = self.toy.run("build")
+        self.assertEqual(result.returncode, 4)
+        self.assertIn("E: Unable to locate package", result.stderr)
+        self.assertIn("Debian 12", result.stderr)
+
+    def test_stale_package_lists_do_not_stop_it(self):
+        self.toy.tool("dpkg-query", self.SOME)
+        self.toy.tool("apt-get", 'case "$*" in *update*) exit 100;; esac')
+        self.assertEqual(self.toy.run("build").returncode, 0)
+
+    def test_no_rights(self):
+        self.toy.tool("dpkg-query", self.SOME)
+        self.toy.tool("id", "echo 1000")
+        self.toy.borrow("bash", "dirname", "sed", "grep")
+        result = self.toy.run("build", only_tools=True)
+        self.assertEqual(result.returncode, 4)
+        self.assertIn("apt-get install --no-install-recommends cmake libgmsh-dev", result.stderr)
+
+    def test_not_debian(self):
+        (self.toy.tools / "dpkg-query").unlink()
+        self.toy.borrow("bash", "dirname")
+        result = self.toy.run("build", only_tools=True)
+        self.assertEqual(result.returncode, 4)
+        self.assertIn("not a Debian system", result.stderr)
+
+
+class Builds(unittest.TestCase):
+    def setUp(self):
+        self.toy = Toy(self)
+
+    def test_dda_gets_arguments_and_folder_and_keeps_its_exit_code(self):
+        elsewhere = self.toy.root.parent / "my decks"
+        elsewhere.mkdir()
+        result = self.toy.run("run", "deck.yaml", "--set", "a=b c", folder=elsewhere)
+        self.assertEqual(result.returncode, 3)
+        self.assertEqual(result.stdout, f"arguments: run deck.yaml --set a=b c\nfolder: {elsewhere}\n")
+
+    def test_a_failing_configuration_is_shown(self):
+        self.toy.write("CMakeLists.txt", CMAKE + 'message(FATAL_ERROR "no such library")')
+        result = self.toy.run("run", "deck.yaml")
+        self.assertEqual(result.returncode, 4)
+        self.assertIn("no such library", result.stderr)
+
+    def test_a_failing_build_is_shown_without_its_progress_and_can_be_repaired(self):
+        self.toy.write("CMakeLists.txt", CMAKE + "add_custom_target(broken ALL COMMAND echo oh dear && false)")
+        result = self.toy.run("build")
+        self.assertEqual(result.returncode, 4)
+        self.assertIn("oh dear", result.stderr)
+        self.assertNotIn("[1/", result.stderr)
+        self.toy.write("CMakeLists.txt", CMAKE)
+        self.assertEqual(self.toy.run("build").returncode, 0)
+
+    def test_a_moved_project_is_configured_again(self):
+        self.assertEqual(self.toy.run("build").returncode, 0)
+        self.toy.root = self.toy.root.rename(self.toy.root.parent / "moved")
+        result = self.toy.run("build")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("configuring", result.stderr)
+
+
+class Tests(unittest.TestCase):
+    def setUp(self):
+        self.toy = Toy(self)
+
+    def test_all_run_under_one_summary_at_the_end(self):
+        result = self.toy.run(script=".ci/run")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("100% tests passed, 0 tests failed out of 2", result.stdout)
+        self.assertTrue(result.stdout.splitlines()[-1].startswith("Total Test time"))
+
+    def test_label(self):
+        for arguments in (["--label", "fast"], ["--label=fast"], ["-R", "quick"]):
+            result = self.toy.run("test", *arguments)
+            self.assertIn("0 tests failed out of 1", result.stdout)
+            self.assertIn("quick", result.stdout)
+
+    def test_no_test_is_a_failure(self):
+        self.assertNotEqual(self.toy.run("test", "--label", "quicker").returncode, 0)
+
+    def test_exit_code_of_a_failed_test_is_kept(self):
+        self.toy.write("CMakeLists.txt", CMAKE + "add_test(NAME wrong COMMAND ${CMAKE_COMMAND} -E false)")
+        result = self.toy.run("test")
+        self.assertEqual(result.returncode, 8)
+        self.assertIn("1 tests failed out of 3", result.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()
