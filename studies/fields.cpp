@@ -82,7 +82,7 @@ Fields::Interface Fields::interface_at(const StoredState& at) const {
 }
 
 StoredField Fields::displacement_of_blocks(const State& state) const {
-  StoredField out{"displacement", units_.length, Place::block_vertex, 2, {}, "x y z"};
+  StoredField out{"displacement", units_.length, FieldPlace::block_vertex, 2, {}, "x y z"};
   for (std::size_t b = 0; b < body_.assembly.num_blocks(); ++b)
     for (const Vec2& x : body_.assembly.blocks[b].outline.vertices)
       append(displacement(BlockId(b), x, state.d), out.values);
@@ -91,7 +91,7 @@ StoredField Fields::displacement_of_blocks(const State& state) const {
 
 /// The mean of both sides, so that a crack is drawn between its faces.
 StoredField Fields::displacement_of_segments(const State& state) const {
-  StoredField out{"displacement", units_.length, Place::segment_end, 2, {}, "x y z"};
+  StoredField out{"displacement", units_.length, FieldPlace::segment_end, 2, {}, "x y z"};
   for (std::size_t p = 0; p < segments_.size(); ++p)
     for (const Vec2& x : segments_[p]) {
       const InterfacePoint& point = equilibrium_.point(p);
@@ -101,8 +101,8 @@ StoredField Fields::displacement_of_segments(const State& state) const {
 }
 
 void Fields::add_blocks(const State& state, Snapshot& out) const {
-  StoredField strain{"strain", "", Place::block, 3, {}, "xx yy 2xy"};
-  StoredField stress{"stress", label(dimension::stress, units_), Place::block, 3, {}, "xx yy xy"};
+  StoredField strain{"strain", "", FieldPlace::block, 3, {}, "xx yy 2xy"};
+  StoredField stress{"stress", label(dimension::stress, units_), FieldPlace::block, 3, {}, "xx yy xy"};
   for (std::size_t b = 0; b < body_.assembly.num_blocks(); ++b) {
     const Vec3 e = Eigen::Map<const Vec3>(state.d.data() + block_unknowns * b + 3);
     Vec3 s = body_.material(BlockId(b)).stiffness() * e;
@@ -120,10 +120,10 @@ void Fields::add_points(const StoredState& at, Snapshot& out) const {
   Interface here = interface_at(at);
   const std::string stress = label(dimension::stress, units_);
   out.fields.push_back(displacement_of_segments(at.state));
-  out.fields.push_back({"opening", units_.length, Place::segment, 2, flat(here.opening), "n s"});
-  out.fields.push_back({"jump", units_.length, Place::segment, 2, flat(here.jump), "n s"});
-  out.fields.push_back({"traction", stress, Place::segment, 2, flat(here.traction), "n s"});
-  out.fields.push_back({"damage", "", Place::segment, 1, std::move(here.damage), ""});
+  out.fields.push_back({"opening", units_.length, FieldPlace::segment, 2, flat(here.opening), "n s"});
+  out.fields.push_back({"jump", units_.length, FieldPlace::segment, 2, flat(here.jump), "n s"});
+  out.fields.push_back({"traction", stress, FieldPlace::segment, 2, flat(here.traction), "n s"});
+  out.fields.push_back({"damage", "", FieldPlace::segment, 1, std::move(here.damage), ""});
 }
 
 Snapshot Fields::snapshot(const StoredState& at) const {

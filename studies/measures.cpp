@@ -56,8 +56,8 @@ Measurement Measures::measure(const Walker& walker, int step, const std::string&
   return out;
 }
 
-std::vector<Cell> Measures::cells(const Measurement& m) {
-  std::vector<Cell> out{std::int64_t{m.step}, m.load_factor, m.control, std::int64_t{m.newton_iterations},
+std::vector<TableCell> Measures::cells(const Measurement& m) {
+  std::vector<TableCell> out{std::int64_t{m.step}, m.load_factor, m.control, std::int64_t{m.newton_iterations},
                         m.dissipated,         m.stored,      m.work,    m.load};
   out.insert(out.end(), m.values.begin(), m.values.end());
   return out;

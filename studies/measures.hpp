@@ -28,7 +28,7 @@ class Measures {
   /// A reaction whose name is taken by a gauge or a fixed column is called reaction_<name>.
   std::vector<Column> columns() const;
   Measurement measure(const Walker& walker, int step, const std::string& control, int newton_iterations) const;
-  static std::vector<Cell> cells(const Measurement& measurement);
+  static std::vector<TableCell> cells(const Measurement& measurement);
 
   /// Names and units in the order of Measurement::values; gauges stand first.
   const std::vector<Column>& names() const { return names_; }

@@ -24,7 +24,7 @@ std::string quoted(const std::string& text) {
   return result + '"';
 }
 
-std::string text_of(const Cell& cell) {
+std::string text_of(const TableCell& cell) {
   if (const auto* number = std::get_if<double>(&cell)) return shortest(*number);
   if (const auto* integer = std::get_if<std::int64_t>(&cell)) return std::to_string(*integer);
   return quoted(std::get<std::string>(cell));
@@ -80,7 +80,7 @@ CurveTable CurveTable::resume(const fs::path& path, std::vector<Column> columns,
   return {FileWriter(path, FileWriter::Mode::append), std::move(columns), num_rows};
 }
 
-void CurveTable::append(std::span<const Cell> row) {
+void CurveTable::append(std::span<const TableCell> row) {
   if (row.size() != columns_.size()) {
     throw std::invalid_argument(fmt::format("{} cells for {} columns", row.size(), columns_.size()));
   }

@@ -18,7 +18,7 @@ struct Column {
   std::string unit;
 };
 
-using Cell = std::variant<double, std::int64_t, std::string>;
+using TableCell = std::variant<double, std::int64_t, std::string>;
 
 /// `curve.csv`: one flushed row per accepted step, so that a run can be watched and killed at any time.
 ///
@@ -35,7 +35,7 @@ class CurveTable {
                            std::size_t num_rows);
 
   /// One cell per column, in their order.
-  void append(std::span<const Cell> row);
+  void append(std::span<const TableCell> row);
   std::size_t num_rows() const { return num_rows_; }
   const std::vector<Column>& columns() const { return columns_; }
 

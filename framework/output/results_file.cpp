@@ -73,7 +73,7 @@ ResultsFile::Sizes sizes_of(const Hdf5File& file) {
 
 std::string group_of(int step) { return fmt::format("/field/{:06}", step); }
 
-bool on_segments(Place place) { return place == Place::segment || place == Place::segment_end; }
+bool on_segments(FieldPlace place) { return place == FieldPlace::segment || place == FieldPlace::segment_end; }
 
 ResultsFile::FieldEntry entry_of(const StoredField& field, int step) {
   const std::string group = group_of(step) + (on_segments(field.place) ? "/segments/" : "/");
@@ -123,7 +123,7 @@ void append(const fs::path& path, std::chrono::milliseconds patience, const Chan
 }
 
 ResultsFile::FieldEntry read_entry(const Hdf5File& file, const std::string& dataset) {
-  const auto place = static_cast<Place>(file.integer_attribute(dataset, "place"));
+  const auto place = static_cast<FieldPlace>(file.integer_attribute(dataset, "place"));
   const std::size_t rows = std::max<std::size_t>(file.num_rows(dataset), 1);
   const auto components = static_cast<int>(file.numbers(dataset).size() / rows);
   return {dataset.substr(dataset.rfind('/') + 1), dataset, place, std::max(components, 1)};

@@ -20,7 +20,7 @@ struct ResultsMesh {
 };
 
 /// What one row of a field belongs to.
-enum class Place { block, block_vertex, segment, segment_end };
+enum class FieldPlace { block, block_vertex, segment, segment_end };
 
 /// A named array over the blocks, their vertices (block after block, in the order of their outlines), the
 /// segments, or the segments' two ends.
@@ -30,7 +30,7 @@ enum class Place { block, block_vertex, segment, segment_end };
 struct StoredField {
   std::string name;
   std::string unit;
-  Place place = Place::block;
+  FieldPlace place = FieldPlace::block;
   int components = 1;
   std::vector<double> values;
   std::string labels;
@@ -76,7 +76,7 @@ class ResultsFile {
   struct FieldEntry {
     std::string name;
     std::string dataset;
-    Place place;
+    FieldPlace place;
     int components;
   };
   struct StepEntry {

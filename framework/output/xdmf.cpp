@@ -57,7 +57,7 @@ class Writer {
         fmt::format("          <Topology TopologyType=\"Mixed\" NumberOfElements=\"{}\">{}</Topology>\n",
                     sizes_.blocks, item("/mesh/mixed", std::to_string(sizes_.mixed), "Int"));
     return grid("blocks", topology + points("/mesh/vertices", sizes_.vertices) + region() +
-                              fields(entry, Place::block, Place::block_vertex));
+                              fields(entry, FieldPlace::block, FieldPlace::block_vertex));
   }
 
   std::string segments(const ResultsFile::StepEntry& entry) const {
@@ -66,7 +66,7 @@ class Writer {
         "</Topology>\n",
         sizes_.segments, item("/mesh/segments", fmt::format("{} 2", sizes_.segments), "Int"));
     return grid("interfaces", topology + points("/mesh/segment_ends", 2 * sizes_.segments) +
-                                  fields(entry, Place::segment, Place::segment_end));
+                                  fields(entry, FieldPlace::segment, FieldPlace::segment_end));
   }
 
   static std::string grid(const char* name, const std::string& content) {
@@ -80,7 +80,7 @@ class Writer {
         item("/mesh/region", std::to_string(sizes_.blocks), "Int"));
   }
 
-  std::string fields(const ResultsFile::StepEntry& entry, Place cell, Place node) const {
+  std::string fields(const ResultsFile::StepEntry& entry, FieldPlace cell, FieldPlace node) const {
     std::string text;
     for (const ResultsFile::FieldEntry& field : entry.fields) {
       if (field.place == cell || field.place == node) text += attribute(field, field.place == node);
@@ -108,15 +108,15 @@ class Writer {
 
 }  // namespace
 
-std::size_t num_places(const ResultsFile::Sizes& sizes, Place place) {
+std::size_t num_places(const ResultsFile::Sizes& sizes, FieldPlace place) {
   switch (place) {
-    case Place::block:
+    case FieldPlace::block:
       return sizes.blocks;
-    case Place::block_vertex:
+    case FieldPlace::block_vertex:
       return sizes.vertices;
-    case Place::segment:
+    case FieldPlace::segment:
       return sizes.segments;
-    case Place::segment_end:
+    case FieldPlace::segment_end:
       return 2 * sizes.segments;
   }
   return 0;

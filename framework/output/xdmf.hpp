@@ -14,6 +14,6 @@ std::string xdmf_text(const std::string& h5_name, const ResultsFile::Sizes& size
                       const std::vector<ResultsFile::StepEntry>& steps);
 
 /// How many rows a field on `place` has.
-std::size_t num_places(const ResultsFile::Sizes& sizes, Place place);
+std::size_t num_places(const ResultsFile::Sizes& sizes, FieldPlace place);
 
 }  // namespace dda

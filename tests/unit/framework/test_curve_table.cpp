@@ -17,7 +17,7 @@ using ::testing::HasSubstr;
 
 const std::vector<Column> columns = {{"step", ""}, {"load_factor", ""}, {"cmod", "mm"}, {"control", ""}};
 
-std::vector<Cell> row(std::int64_t step, double load, const std::string& control) {
+std::vector<TableCell> row(std::int64_t step, double load, const std::string& control) {
   return {step, load, load / 3, control};
 }
 
@@ -35,7 +35,7 @@ TEST(CurveTable, NumbersReadBackExactly) {
   const std::vector<double> values = {
       0.1, 1.0 / 3.0, 1e-300, -5e-324, 1.7976931348623157e308, 123456789012345680.0, -0.0};
   CurveTable table(scratch / "c.csv", {{"x", "mm"}});
-  for (const double value : values) table.append(std::vector<Cell>{value});
+  for (const double value : values) table.append(std::vector<TableCell>{value});
   const std::vector<double> read = read_csv(scratch / "c.csv").numbers("x");
   ASSERT_EQ(read.size(), values.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -47,8 +47,8 @@ TEST(CurveTable, NumbersReadBackExactly) {
 TEST(CurveTable, NotANumberAndInfinityReadBack) {
   const Scratch scratch;
   CurveTable table(scratch / "c.csv", {{"x", ""}});
-  table.append(std::vector<Cell>{std::nan("")});
-  table.append(std::vector<Cell>{-std::numeric_limits<double>::infinity()});
+  table.append(std::vector<TableCell>{std::nan("")});
+  table.append(std::vector<TableCell>{-std::numeric_limits<double>::infinity()});
   const std::vector<double> read = read_csv(scratch / "c.csv").numbers("x");
   EXPECT_TRUE(std::isnan(read.at(0)));
   EXPECT_EQ(read.at(1), -std::numeric_limits<double>::infinity());
@@ -58,7 +58,7 @@ TEST(CurveTable, TextsWithCommasQuotesAndLineBreaksReadBack) {
   const Scratch scratch;
   const std::vector<std::string> texts = {"a,b", "say \"yes\"", "two\nlines", "\"", "", "plain"};
   CurveTable table(scratch / "c.csv", {{"text, with comma", ""}, {"n", ""}});
-  for (const std::string& text : texts) table.append(std::vector<Cell>{text, std::int64_t{1}});
+  for (const std::string& text : texts) table.append(std::vector<TableCell>{text, std::int64_t{1}});
   EXPECT_EQ(read_csv(scratch / "c.csv").texts("text, with comma"), texts);
 }
 
@@ -117,7 +117,7 @@ TEST(CurveTable, AKilledWriterLeavesItsRows) {
 TEST(CurveTable, WrongNumberOfCellsIsTheCallersMistake) {
   const Scratch scratch;
   CurveTable table(scratch / "c.csv", columns);
-  EXPECT_THROW(table.append(std::vector<Cell>{1.0}), std::invalid_argument);
+  EXPECT_THROW(table.append(std::vector<TableCell>{1.0}), std::invalid_argument);
 }
 
 TEST(ReadCsv, NamesWhatIsWrong) {

@@ -31,9 +31,9 @@ Snapshot snapshot(int step) {
   return {step,
           0.1 * x,
           {{"load_factor", 2.0 * x}},
-          {{"displacement", "mm", Place::block_vertex, 2, std::vector<double>(14, x), "x y"},
-           {"stress", "MPa", Place::block, 3, {x, 2, 3, 4, 5, 6}, "xx yy xy"},
-           {"damage", "", Place::segment, 1, {0.5}, ""}}};
+          {{"displacement", "mm", FieldPlace::block_vertex, 2, std::vector<double>(14, x), "x y"},
+           {"stress", "MPa", FieldPlace::block, 3, {x, 2, 3, 4, 5, 6}, "xx yy xy"},
+           {"damage", "", FieldPlace::segment, 1, {0.5}, ""}}};
 }
 
 Hdf5File reading(const ResultsFile& results) {

@@ -14,11 +14,11 @@ using ::testing::Not;
 const ResultsFile::Sizes sizes{2, 7, 11, 1, true};
 
 std::vector<ResultsFile::StepEntry> two_steps() {
-  return {{1, 0.5, {{"stress", "/field/000001/stress", Place::block, 3}}},
+  return {{1, 0.5, {{"stress", "/field/000001/stress", FieldPlace::block, 3}}},
           {2,
            1.5,
-           {{"displacement", "/field/000002/displacement", Place::block_vertex, 3},
-            {"damage", "/field/000002/segments/damage", Place::segment, 1}}}};
+           {{"displacement", "/field/000002/displacement", FieldPlace::block_vertex, 3},
+            {"damage", "/field/000002/segments/damage", FieldPlace::segment, 1}}}};
 }
 
 /// Whether every element is closed, in order.
@@ -60,7 +60,7 @@ TEST(Xdmf, NoInterfaceGridWithoutSegments) {
 }
 
 TEST(Xdmf, NamesAreEscaped) {
-  const std::string text = xdmf_text("a&b.h5", sizes, {{1, 1, {{"<\"x\">", "/f", Place::block, 1}}}});
+  const std::string text = xdmf_text("a&b.h5", sizes, {{1, 1, {{"<\"x\">", "/f", FieldPlace::block, 1}}}});
   EXPECT_THAT(text, HasSubstr("a&amp;b.h5:/f"));
   EXPECT_THAT(text, HasSubstr("&lt;&quot;x&quot;>"));
 }
