@@ -200,11 +200,18 @@ Attempt Path::attempt(const Move& move, double amount) {
   return walker_.attempt(arc);
 }
 
+/// Work of the step that neither storage nor dissipation explains: quadrature error, or a jump [FL].
+double Path::unaccounted(const Candidate& candidate) const {
+  const Candidate& here = walker_.here();
+  return std::abs((candidate.work - here.work) - (candidate.stored - here.stored) -
+                  (candidate.dissipated - here.dissipated));
+}
+
 /// Why a converged state is not the next point of this path; "" when it is.
 std::string Path::objection(const Candidate& candidate) const {
   const Candidate& here = walker_.here();
   const double dissipated = candidate.dissipated - here.dissipated, work = candidate.work - here.work;
-  const double missing = std::abs(work - (candidate.stored - here.stored) - dissipated);
+  const double missing = unaccounted(candidate);
   constexpr double of_dissipation = 0.1, of_total = 0.02, of_work = 0.01;
   if (missing > of_dissipation * std::max(dissipated, of_total * candidate.dissipated) + of_work * std::abs(work))
     return fmt::format("the step jumps: {:.1e} of its work is unaccounted for", missing / std::abs(work));
@@ -350,7 +357,8 @@ void Path::resize(const Candidate& candidate, double amount, const Move& move) {
   const double displacement =
       std::abs(displacement_of(predicted) - displacement_of(candidate.state)) /
       std::max(memory_.largest_displacement, std::abs(displacement_of(candidate.state)));
-  const double strayed = std::max({load, displacement, 1e-12});
+  constexpr double balance_share = 0.005;  // of the accuracy, for the energy a step leaves unaccounted for
+  const double strayed = std::max({load, displacement, unaccounted(candidate) / candidate.work / balance_share, 1e-12});
   memory_.step = amount * std::clamp(std::sqrt(parameters_.step.accuracy / strayed), 0.3, 2.0);
   memory_.step_control = move.control;
 }

@@ -104,6 +104,7 @@ class Path {
   std::optional<Candidate> try_step(const Move& move, double amount, std::string& why);
   Attempt attempt(const Move& move, double amount);
   std::string objection(const Candidate& candidate) const;
+  double unaccounted(const Candidate& candidate) const;
 
   // Refinements of a converged step.
   std::optional<double> before_peak(const Candidate& candidate, double amount) const;

@@ -3,7 +3,6 @@
 #include <Tpetra_Core.hpp>
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace dda {
 
@@ -19,7 +18,7 @@ System::System(const Equilibrium& equilibrium, const DirectSolverChoice& solver,
 void System::set_stage(std::size_t stage) {
   loading_ = &equilibrium_.stages()[stage];
   remembered_.laws.reset();
-  linear_.keep_solution_of(loading_->reference);
+  linear_.keep_solutions_of(loading_->reference, loading_->dead);
 }
 
 void System::set_history(std::vector<History> history) {
@@ -36,11 +35,6 @@ bool System::use_tangent(std::size_t stamp, std::span<const Mat2> tangents) {
   if (stamp == used_stamp_) return true;
   used_stamp_ = linear_.set_tangent(tangents) ? stamp : 0;
   return used_stamp_ != 0;
-}
-
-void System::rebase(std::span<const Mat2> tangents) {
-  used_stamp_ = 0;
-  if (!linear_.rebase(tangents)) throw std::runtime_error("the secant stiffness is singular");
 }
 
 std::shared_ptr<const LawValues> System::laws_at(std::span<const double> d, double load_factor) {
@@ -80,6 +74,12 @@ void System::residual(std::span<const double> d, double load_factor, const LawVa
     correction[p] = laws.traction[p] - stiffness.cwiseProduct(jump);
   }
   equilibrium_.scatter_add({correction.data()->data(), 2 * correction.size()}, out);
+}
+
+bool System::solve_base_residual(std::span<const double> d, double load_factor, const LawValues& laws,
+                                 std::span<double> y) {
+  if (!loading_->dead_offset.empty() || !loading_->reference_offset.empty()) return false;
+  return linear_.solve_base_residual({d, load_factor, laws.traction}, y);
 }
 
 void System::load_derivative(const LawValues& laws, std::span<double> out) const {

@@ -56,14 +56,14 @@ class System {
   std::shared_ptr<const LawValues> laws_at(std::span<const double> d, double load_factor);
   /// R, size n; also counts as an evaluation.
   void residual(std::span<const double> d, double load_factor, const LawValues& laws, std::span<double> out) const;
+  /// K_base⁻¹ R by what is kept of earlier solves; false when that is not enough (LinearSystem::solve_base_residual).
+  bool solve_base_residual(std::span<const double> d, double load_factor, const LawValues& laws, std::span<double> y);
   /// ∂R/∂λ, size n.
   void load_derivative(const LawValues& laws, std::span<double> out) const;
 
   /// A number for a new tangent, and its placement in the linear system. False when it is singular.
   std::size_t new_stamp() { return ++stamps_; }
   bool use_tangent(std::size_t stamp, std::span<const Mat2> tangents);
-  /// Folds a stiffness into the base of the linear system.
-  void rebase(std::span<const Mat2> tangents);
 
   /// v ← W v of the metric.
   void apply_metric(Metric metric, std::span<double> v) const;

@@ -48,18 +48,19 @@ Tangent oriented(Direction from) {
   out.dissipates = from.any_flag && from.dissipation_rate != 0;
   const double per_unit = out.dissipates ? 1 / from.dissipation_rate : 1.0;
   out.d = std::move(from.d);
+  out.opening_rate = std::move(from.opening_rate);
   for (double& value : out.d) value *= per_unit;
+  for (double& value : out.opening_rate) value *= per_unit;
   out.load_factor = per_unit;
   return out;
 }
 
-/// Unflags what unloads in the orientation that dissipates; false when there was nothing to unflag.
-bool prune(System& system, const Direction& found) {
-  const double sign = found.dissipation_rate >= 0 ? 1 : -1;
+/// Unflags what unloads; false when there was nothing to unflag.
+bool prune(System& system, const Tangent& found) {
   std::vector<History> history = system.history();
   bool changed = false;
-  for (std::size_t p = 0; p < history.size(); ++p)
-    if (history[p].loading && sign * found.opening_rate[p] < 0) {
+  for (std::size_t p = 0; p < found.opening_rate.size(); ++p)
+    if (history[p].loading && found.opening_rate[p] < 0) {
       history[p].loading = false;
       changed = true;
     }
@@ -71,11 +72,9 @@ bool prune(System& system, const Direction& found) {
 
 Tangent arriving_tangent(System& system, const State& state) { return oriented(direction(system, state)); }
 
-Tangent leaving_tangent(System& system, const State& state) {
-  for (;;) {
-    Direction found = direction(system, state);
-    if (!found.regular || !prune(system, found)) return oriented(std::move(found));
-  }
+Tangent leaving_tangent(System& system, const State& state, Tangent arriving) {
+  while (!arriving.d.empty() && prune(system, arriving)) arriving = oriented(direction(system, state));
+  return arriving;
 }
 
 }  // namespace dda

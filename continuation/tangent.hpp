@@ -16,6 +16,7 @@ struct Tangent {
   std::vector<double> d;
   double load_factor = 0;
   bool dissipates = false;
+  std::vector<double> opening_rate;  ///< e · q̇ of the points flagged as loading, 0 elsewhere; negative = unloads
 
   /// Rate of a gauge along the direction.
   double rate(const Functional& gauge) const {
@@ -28,7 +29,7 @@ struct Tangent {
 Tangent arriving_tangent(System& system, const State& state);
 
 /// The direction in which the path goes on: points that would unload are taken off the set, and unflagged in the
-/// history, until all that are left load.
-Tangent leaving_tangent(System& system, const State& state);
+/// history, until all that are left load. Starts from the arriving tangent of the same state.
+Tangent leaving_tangent(System& system, const State& state, Tangent arriving);
 
 }  // namespace dda

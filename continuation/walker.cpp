@@ -15,7 +15,7 @@ void Walker::begin_stage(std::size_t stage) {
   system_.set_stage(stage);
   here_.state.load_factor = 0;
   here_.load = value(system_.loading().load);
-  leaving_ = leaving_tangent(system_, here_.state);
+  leaving_ = leaving_tangent(system_, here_.state, arriving_tangent(system_, here_.state));
 }
 
 Attempt Walker::attempt(Control& control, double step, const State& guess) {
@@ -64,14 +64,9 @@ Candidate Walker::evaluate(const Attempt& attempt) {
 void Walker::accept(Candidate candidate) {
   here_ = std::move(candidate);
   system_.set_history(here_.history);
-  if (system_.linear().wants_rebase()) {
-    system_.set_frozen(true);
-    const auto secant = system_.laws_at(here_.state.d, here_.state.load_factor);
-    system_.set_frozen(false);
-    system_.rebase(secant->tangent);
-  }
   system_.remember_force_level(here_.state.d);
-  leaving_ = leaving_tangent(system_, here_.state);
+  if (here_.arriving.d.empty()) here_.arriving = arriving_tangent(system_, here_.state);
+  leaving_ = leaving_tangent(system_, here_.state, here_.arriving);
   ++effort_.accepted;
 }
 
@@ -85,12 +80,12 @@ double Walker::jump(const State& state, std::vector<History> history) {
   return released;
 }
 
-void Walker::restore(const Candidate& at, const std::vector<History>& history, const Effort& effort) {
-  here_ = at;
+void Walker::restore(Candidate at, std::vector<History> history, const Effort& effort, Tangent leaving) {
+  here_ = std::move(at);
   here_.history = history;
-  system_.set_history(history);
+  system_.set_history(std::move(history));
   effort_ = effort;
-  leaving_ = leaving_tangent(system_, here_.state);
+  leaving_ = std::move(leaving);
 }
 
 }  // namespace dda

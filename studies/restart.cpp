@@ -74,10 +74,28 @@ PathMemory take_path(const RestartData& data) {
           .jump_energy = n.at(3), .last_quantum = n.at(4), .driver = n.at(5)};
 }
 
+void put(RestartData& data, const Tangent& leaving) {
+  data.numbers["leaving.d"] = leaving.d;
+  data.numbers["leaving.load_factor"] = {leaving.load_factor};
+  data.numbers["leaving.opening_rate"] = leaving.opening_rate;
+  data.integers["leaving.dissipates"] = {leaving.dissipates};
+}
+
+Tangent take_leaving(const RestartData& data) {
+  Tangent out;
+  out.d = data.numbers.at("leaving.d");
+  out.load_factor = data.numbers.at("leaving.load_factor").at(0);
+  out.opening_rate = data.numbers.at("leaving.opening_rate");
+  out.dissipates = data.integers.at("leaving.dissipates").at(0) != 0;
+  return out;
+}
+
 void put(RestartData& data, const Walker& walker) {
   const Candidate& here = walker.here();
   put(data, "here", StoredState{walker.effort().accepted, here.state, walker.system().history()});
-  data.numbers["walker"] = {here.dissipated, here.stored, here.work, here.load, here.residual};
+  data.numbers["walker"] = {here.dissipated, here.stored, here.work,
+                            here.load,       here.residual, walker.system().highest_force_level()};
+  put(data, walker.leaving());
   const Effort& effort = walker.effort();
   data.integers["effort"] = {effort.accepted, effort.rejected, effort.rescues, effort.newton_iterations};
   const LinearSystem& linear = walker.system().linear();
@@ -110,7 +128,8 @@ void restore_walker(const RestartData& data, Walker& walker) {
   const Numbers& n = data.numbers.at("walker");
   const Candidate at{.state = here.state, .history = here.history, .arriving = {}, .dissipated = n.at(0),
                      .stored = n.at(1), .work = n.at(2), .load = n.at(3), .residual = n.at(4)};
-  walker.restore(at, here.history, take_effort(data));
+  walker.system().restore_force_level(n.at(5));
+  walker.restore(at, here.history, take_effort(data), take_leaving(data));
 }
 
 }  // namespace

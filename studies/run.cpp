@@ -45,7 +45,6 @@ RunResult follow(Simulation& simulation, const RunFolder& folder, RunRecorder& r
   Ending ending{Ending::Kind::stopped_early, obstacle};
   if (obstacle.empty()) {
     Progress progress = Progress::for_stream(stderr, quiet);
-    const InterruptGuard guard;
     Path& path = simulation.path();
     path.interrupt_when(interrupted);
     const auto scope = timings.measure("path");
@@ -81,6 +80,7 @@ void remove_conclusions(const RunFolder& folder) {
 
 RunResult run_deck(const DeckFile& deck, const RunOptions& options, std::optional<MpiSession>& mpi) {
   Timings timings;
+  const InterruptGuard guard;
   timings.end_start_up();
   Simulation simulation(deck.deck, timings);
   start_mpi(mpi, timings);
@@ -97,6 +97,7 @@ RunResult run_deck(const DeckFile& deck, const RunOptions& options, std::optiona
 RunResult resume_run(const fs::path& existing, const std::vector<std::string>& overrides, const RunOptions& options,
                      std::optional<MpiSession>& mpi) {
   Timings timings;
+  const InterruptGuard guard;
   const RunFolder source = RunFolder::open(existing);
   const RestartData data = read_restart(source.file("restart.h5"));
   const DeckFile deck = deck_of(data, existing, overrides);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace dda {
 
@@ -35,26 +36,35 @@ bool LinearSystem::rebase(std::span<const Mat2> tangents) {
   active_.clear();
   z_.clear();
   std::ranges::fill(slot_, -1);
-  kept_solution_.clear();
+  reference_.solution.clear();
+  dead_.solution.clear();
   ++num_factorisations_;
   return solver_->factor(matrix_with(tangents));
 }
 
 bool LinearSystem::restore(std::span<const Mat2> base, std::span<const std::size_t> updated) {
   if (!rebase(base)) return false;
-  for (const std::size_t point : updated) add_columns(point);
+  for (const std::size_t point : updated)
+    if (slot_[point] < 0) add_columns(point);
   return true;
 }
 
-bool LinearSystem::wants_rebase() const {
-  const double rank = 2 * static_cast<double>(updated_.size());
-  constexpr double iterations_per_base = 10, smallest_rank = 48;
-  return rank > smallest_rank && iterations_per_base * 2.0 / 3.0 * rank * rank * rank > solver_->factor_flops();
+/// The dense part of a few iterations, ⅔ r³ each, against one factorisation.
+std::size_t LinearSystem::most_columns() const {
+  constexpr double iterations_per_base = 5, fewest = 48;
+  return static_cast<std::size_t>(std::max(fewest, std::cbrt(1.5 * solver_->factor_flops() / iterations_per_base)));
 }
 
 bool LinearSystem::set_tangent(std::span<const Mat2> tangents) {
-  if (update_ == Update::refactorise)
-    return std::ranges::equal(tangents, base_) || rebase(tangents);
+  if (update_ == Update::refactorise) return std::ranges::equal(tangents, base_) || rebase(tangents);
+  std::vector<bool> new_batch(tangents.size() / batch + 1, false);
+  std::size_t columns = 2 * updated_.size();
+  for (std::size_t p = 0; p < tangents.size(); ++p) {
+    if (tangents[p] == base_[p] || slot_[p] >= 0 || new_batch[p / batch]) continue;
+    new_batch[p / batch] = true;
+    columns += 2 * batch;
+  }
+  if (columns > most_columns()) return rebase(tangents);
   tangent_.assign(tangents.begin(), tangents.end());
   active_.clear();
   for (std::size_t p = 0; p < tangents.size(); ++p) {
@@ -65,29 +75,39 @@ bool LinearSystem::set_tangent(std::span<const Mat2> tangents) {
   return factor_small();
 }
 
-/// Computes Z for one point and its couplings in G with every point before it. Always one point at a time, so that
-/// a restored run makes the same numbers.
+/// Computes Z for the batch of a point, and its couplings in G with every point before it.
 void LinearSystem::add_columns(std::size_t point) {
-  const std::size_t s = updated_.size();
-  slot_[point] = static_cast<int>(s);
-  updated_.push_back(point);
-  z_.resize(2 * n() * updated_.size(), 0.0);
-  const std::span<double> columns(z_.data() + 2 * n() * s, 2 * n());
-  const InterfacePoint& at = equilibrium_.point(point);
-  for (int c = 0; c < 2; ++c) {
-    const std::span<double> column = columns.subspan(static_cast<std::size_t>(c) * n(), n());
-    Eigen::Map<Vec6>(column.data() + 6 * at.first.value()) += at.rows.first.row(c).transpose();
-    Eigen::Map<Vec6>(column.data() + 6 * at.second.value()) += at.rows.second.row(c).transpose();
+  const std::size_t first = updated_.size(), begin = point / batch * batch;
+  const std::size_t end = std::min(begin + batch, equilibrium_.num_crackable());
+  for (std::size_t p = begin; p < end; ++p) {
+    slot_[p] = static_cast<int>(updated_.size());
+    updated_.push_back(p);
   }
-  solver_->solve(columns, 2);
-  num_solves_ += 2;
-  if (g_.rows() < static_cast<Eigen::Index>(2 * s + 2)) g_.conservativeResize(4 * static_cast<Eigen::Index>(s) + 16, 4 * static_cast<Eigen::Index>(s) + 16);
-  for (std::size_t a = 0; a <= s; ++a)
-    for (int c = 0; c < 2; ++c) {
-      const auto row = static_cast<Eigen::Index>(2 * a), column = static_cast<Eigen::Index>(2 * s) + c;
-      g_.block<2, 1>(row, column) = rows_times(updated_[a], columns.subspan(static_cast<std::size_t>(c) * n(), n()));
-      if (a < s) g_.block<1, 2>(column, row) = g_.block<2, 1>(row, column).transpose();
+  z_.resize(2 * n() * updated_.size(), 0.0);
+  for (std::size_t p = begin; p < end; ++p) {
+    const InterfacePoint& at = equilibrium_.point(p);
+    for (std::size_t c = 0; c < 2; ++c) {
+      double* column = z_.data() + (2 * static_cast<std::size_t>(slot_[p]) + c) * n();
+      Eigen::Map<Vec6>(column + 6 * at.first.value()) += at.rows.first.row(static_cast<Eigen::Index>(c)).transpose();
+      Eigen::Map<Vec6>(column + 6 * at.second.value()) += at.rows.second.row(static_cast<Eigen::Index>(c)).transpose();
     }
+  }
+  const std::size_t columns = 2 * (end - begin);
+  solver_->solve({z_.data() + 2 * n() * first, columns * n()}, static_cast<int>(columns));
+  num_solves_ += columns;
+  extend_couplings(first);
+}
+
+void LinearSystem::extend_couplings(std::size_t first_new) {
+  const auto needed = static_cast<Eigen::Index>(2 * updated_.size());
+  if (g_.rows() < needed) g_.conservativeResize(2 * needed, 2 * needed);
+  for (std::size_t s = first_new; s < updated_.size(); ++s)
+    for (std::size_t a = 0; a < updated_.size(); ++a)
+      for (std::size_t c = 0; c < 2; ++c) {
+        const auto row = static_cast<Eigen::Index>(2 * a), col = static_cast<Eigen::Index>(2 * s + c);
+        g_.block<2, 1>(row, col) = rows_times(updated_[a], column(s, c));
+        if (a < first_new) g_.block<1, 2>(col, row) = g_.block<2, 1>(row, col).transpose();
+      }
 }
 
 bool LinearSystem::factor_small() {
@@ -105,42 +125,74 @@ bool LinearSystem::factor_small() {
   return std::isfinite(pivots.sum()) && pivots.minCoeff() > 0;
 }
 
-void LinearSystem::keep_solution_of(std::vector<double> b) {
-  kept_ = std::move(b);
-  kept_solution_.clear();
+void LinearSystem::keep_solutions_of(std::vector<double> reference, std::vector<double> dead) {
+  reference_ = {std::move(reference), {}};
+  dead_ = {std::move(dead), {}};
 }
 
-void LinearSystem::base_solve(std::span<const double> b, std::span<double> x) {
-  const bool same = std::ranges::equal(b, kept_);
-  const bool opposite = !same && std::ranges::equal(b, kept_, [](double u, double v) { return u == -v; });
-  if ((same || opposite) && !kept_solution_.empty()) {
-    for (std::size_t i = 0; i < x.size(); ++i) x[i] = same ? kept_solution_[i] : -kept_solution_[i];
-    return;
-  }
-  std::ranges::copy(b, x.begin());
-  solver_->solve(x, 1);
+const std::vector<double>& LinearSystem::solution_of(Kept& kept) {
+  if (!kept.solution.empty()) return kept.solution;
+  kept.solution = kept.right;
+  if (std::ranges::all_of(kept.right, [](double value) { return value == 0; })) return kept.solution;
+  solver_->solve(kept.solution, 1);
   ++num_solves_;
-  if (!same && !opposite) return;
-  kept_solution_.assign(x.begin(), x.end());
-  if (opposite)
-    for (double& value : kept_solution_) value = -value;
+  return kept.solution;
+}
+
+void LinearSystem::solve_base(std::span<const double> b, std::span<double> y) {
+  if (std::ranges::equal(b, reference_.right)) {
+    std::ranges::copy(solution_of(reference_), y.begin());
+  } else if (std::ranges::equal(b, reference_.right, [](double u, double v) { return u == -v; })) {
+    std::ranges::transform(solution_of(reference_), y.begin(), std::negate{});
+  } else {
+    std::ranges::copy(b, y.begin());
+    solver_->solve(y, 1);
+    ++num_solves_;
+  }
+}
+
+bool LinearSystem::solve_base_residual(const Iterate& at, std::span<double> y) {
+  std::vector<std::pair<std::size_t, Vec2>> forces;
+  for (std::size_t p = 0; p < at.traction.size(); ++p) {
+    const Vec2 linear = base_[p] * equilibrium_.opening(p, at.d);
+    const Vec2 z = at.traction[p] - linear;
+    constexpr double round_off = 1e-14;
+    if (z.norm() <= round_off * linear.norm()) continue;
+    if (slot_[p] < 0) return false;
+    forces.emplace_back(static_cast<std::size_t>(slot_[p]), equilibrium_.point(p).weight * z);
+  }
+  const std::vector<double>&live = solution_of(reference_), &dead = solution_of(dead_);
+  for (std::size_t i = 0; i < y.size(); ++i) y[i] = at.d[i] - at.load_factor * live[i] - dead[i];
+  const auto size = static_cast<Eigen::Index>(n());
+  Eigen::Map<Eigen::VectorXd> sum(y.data(), size);
+  for (const auto& [slot, z] : forces)
+    sum.noalias() += Eigen::Map<const Eigen::MatrixX2d>(column(slot, 0).data(), size, 2) * z;
+  return true;
 }
 
 void LinearSystem::solve(std::span<const double> b, std::span<double> x) {
-  base_solve(b, x);
+  solve_base(b, x);
+  correct(std::span<const std::span<double>>(&x, 1));
+}
+
+void LinearSystem::correct(std::span<const std::span<double>> solutions) const {
   if (active_.empty()) return;
-  Eigen::VectorXd right(static_cast<Eigen::Index>(2 * active_.size()));
+  const auto r = static_cast<Eigen::Index>(2 * active_.size());
+  const auto columns = static_cast<Eigen::Index>(solutions.size()), size = static_cast<Eigen::Index>(n());
+  Eigen::MatrixXd right(r, columns);
   for (std::size_t a = 0; a < active_.size(); ++a) {
     const Mat2 e = equilibrium_.point(active_[a]).weight * (tangent_[active_[a]] - base_[active_[a]]);
-    right.segment<2>(2 * static_cast<Eigen::Index>(a)) = e * rows_times(active_[a], x);
+    for (std::size_t c = 0; c < solutions.size(); ++c)
+      right.block<2, 1>(2 * static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(c)) =
+          e * rows_times(active_[a], solutions[c]);
   }
-  const Eigen::VectorXd c = small_.solve(right);
-  Eigen::VectorXd all = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(2 * updated_.size()));
-  for (std::size_t a = 0; a < active_.size(); ++a)
-    all.segment<2>(2 * slot_[active_[a]]) = c.segment<2>(2 * static_cast<Eigen::Index>(a));
-  const auto size = static_cast<Eigen::Index>(n());
-  Eigen::Map<Eigen::VectorXd>(x.data(), size).noalias() -=
-      Eigen::Map<const Eigen::MatrixXd>(z_.data(), size, static_cast<Eigen::Index>(2 * updated_.size())) * all;
+  const Eigen::MatrixXd shares = small_.solve(right);
+  for (std::size_t a = 0; a < active_.size(); ++a) {
+    const Eigen::Map<const Eigen::MatrixX2d> z(column(static_cast<std::size_t>(slot_[active_[a]]), 0).data(), size, 2);
+    for (Eigen::Index c = 0; c < columns; ++c)
+      Eigen::Map<Eigen::VectorXd>(solutions[static_cast<std::size_t>(c)].data(), size).noalias() -=
+          z * shares.block<2, 1>(2 * static_cast<Eigen::Index>(a), c);
+  }
 }
 
 void LinearSystem::multiply(std::span<const double> x, std::span<double> y) const {

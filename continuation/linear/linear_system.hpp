@@ -15,11 +15,19 @@ namespace dda {
 ///     K = K_base + Uᵀ E U,     U = rows B of the changed points,  E = W (D − D_base), 2 × 2 per point
 ///     K⁻¹ b = y − Z (1 + E G)⁻¹ E U y,   y = K_base⁻¹ b,  Z = K_base⁻¹ Uᵀ,  G = U Z
 ///
-/// Sherman-Morrison-Woodbury; columns of Z are computed when a point first changes and kept. `rebase` folds a
-/// stiffness into K_base and starts again, which pays when many points have changed.
+/// Sherman-Morrison-Woodbury; columns of Z are computed when a point first changes and kept. When so many points have
+/// changed that the dense part costs more than a factorisation, the present tangent becomes the base; that is decided
+/// by counts, never by clocks, so that runs repeat.
 class LinearSystem {
  public:
   enum class Update { low_rank, refactorise };
+
+  /// A Newton iterate: displacements, load factor and the tractions of the crackable points.
+  struct Iterate {
+    std::span<const double> d;
+    double load_factor;
+    std::span<const Vec2> traction;
+  };
 
   LinearSystem(const Equilibrium& equilibrium, const DirectSolverChoice& solver, Update update);
 
@@ -27,16 +35,21 @@ class LinearSystem {
   bool set_tangent(std::span<const Mat2> tangents);
   /// x = K⁻¹ b, both of size n.
   void solve(std::span<const double> b, std::span<double> x);
+  /// y = K_base⁻¹ b.
+  void solve_base(std::span<const double> b, std::span<double> y);
+  /// Turns solutions with K_base into solutions with K, all in one pass over Z.
+  void correct(std::span<const std::span<double>> solutions) const;
+  /// K_base⁻¹ R without a solve, from what is known of the iterate: with z = W (t − D_base B d)
+  ///
+  ///     K_base⁻¹ R = d − λ K_base⁻¹ f_ref − K_base⁻¹ f_dead + Z z
+  ///
+  /// False when a kept solution is missing or columns would have to be made for it.
+  bool solve_base_residual(const Iterate& at, std::span<double> y);
   /// y = K x.
   void multiply(std::span<const double> x, std::span<double> y) const;
 
-  /// K_base⁻¹ of this vector (or of its negative) is computed once per base.
-  void keep_solution_of(std::vector<double> b);
-
-  /// Folds the stiffnesses into K_base. False when singular.
-  bool rebase(std::span<const Mat2> tangents);
-  /// Whether so many points have changed that a new base is cheaper: decided by counts, never by clocks.
-  bool wants_rebase() const;
+  /// K_base⁻¹ of these (and of their negatives) is computed once per base.
+  void keep_solutions_of(std::vector<double> reference, std::vector<double> dead);
 
   /// What a restart must bring back: stiffness of the base, and the points whose columns are kept, in their order.
   const std::vector<Mat2>& base() const { return base_; }
@@ -47,10 +60,25 @@ class LinearSystem {
   std::size_t num_solves() const { return num_solves_; }
 
  private:
+  /// Points whose columns are made in one call of the solver; always the same partition, so that a restored run
+  /// makes the same numbers.
+  static constexpr std::size_t batch = 4;
+  struct Kept {
+    std::vector<double> right, solution;  ///< solution empty until asked for
+  };
+
+  /// Makes K_base the stiffness with these D. False when singular.
+  bool rebase(std::span<const Mat2> tangents);
+  /// Columns beyond which a new base is cheaper.
+  std::size_t most_columns() const;
   std::size_t n() const { return equilibrium_.num_unknowns(); }
   void add_columns(std::size_t point);
+  void extend_couplings(std::size_t first_new);
   bool factor_small();
-  void base_solve(std::span<const double> b, std::span<double> x);
+  const std::vector<double>& solution_of(Kept& kept);
+  std::span<const double> column(std::size_t slot, std::size_t component) const {
+    return {z_.data() + (2 * slot + component) * n(), n()};
+  }
   Vec2 rows_times(std::size_t point, std::span<const double> x) const { return equilibrium_.opening(point, x); }
   BlockMatrix matrix_with(std::span<const Mat2> tangents) const;
 
@@ -64,7 +92,7 @@ class LinearSystem {
   Eigen::MatrixXd g_;                  ///< U K_base⁻¹ Uᵀ, at least 2 · updated square
   std::vector<std::size_t> active_;    ///< updated points with E ≠ 0 now
   Eigen::PartialPivLU<Eigen::MatrixXd> small_;
-  std::vector<double> kept_, kept_solution_;
+  Kept reference_, dead_;
   std::size_t num_factorisations_ = 0, num_solves_ = 0;
 };
 

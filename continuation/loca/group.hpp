@@ -42,6 +42,8 @@ class Group final : public LOCA::Abstract::Group {
   ReturnType applyJacobian(const NOX::Abstract::Vector& in, NOX::Abstract::Vector& out) const override;
   ReturnType applyJacobianInverse(Teuchos::ParameterList&, const NOX::Abstract::Vector& in,
                                   NOX::Abstract::Vector& out) const override;
+  ReturnType applyJacobianInverseMultiVector(Teuchos::ParameterList&, const NOX::Abstract::MultiVector& in,
+                                             NOX::Abstract::MultiVector& out) const override;
   bool isF() const override { return valid_f_; }
   bool isJacobian() const override { return jacobian_stamp_ != 0; }
   bool isNewton() const override { return valid_newton_; }
@@ -71,6 +73,7 @@ class Group final : public LOCA::Abstract::Group {
  private:
   void invalidate();
   bool use_jacobian() const;
+  void solve_base(std::span<const double> b, std::span<double> y) const;
 
   System& system_;
   Metric metric_;

@@ -1,0 +1,147 @@
+#!/bin/bash
+# What a user does to a run: start it, interrupt it, kill it, resume it, give it no place to write.
+#   run_program_tests.sh PROGRAM BAR_DECK BEAM_DECK
+set -u
+program=$(realpath "$1")
+bar=$(realpath "$2")
+beam=$(realpath "$3")
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
+failed=0
+
+complain() {
+  echo "FAILED: $1"
+  failed=1
+}
+
+# expect CODE WHAT COMMAND...: the command's exit code; its output goes to said.log.
+expect() {
+  local code=$1 what=$2
+  shift 2
+  "$@" >said.log 2>&1
+  local got=$?
+  [ $got -eq "$code" ] || complain "$what: exit code $got instead of $code; it said: $(tail -n 3 said.log)"
+}
+
+said() { grep -qF -- "$1" said.log || complain "expected '$1' in: $(tail -n 3 said.log)"; }
+same() { cmp -s "$1" "$2" || complain "$1 and $2 differ"; }
+exists() { [ -e "$1" ] || complain "there is no $1"; }
+is_absent() { [ ! -e "$1" ] || complain "there is a $1"; }
+status_is() { grep -q "\"status\": \"$2\"" "$1/summary.json" || complain "$1 is not $2"; }
+
+whole_run() {
+  expect 0 "run" "$program" run "$bar" --folder whole --quiet
+  for file in deck.yaml effective_deck.yaml log.jsonl curve.csv curve.svg deformed.svg summary.json run.h5 run.xdmf restart.h5
+  do exists whole/$file; done
+  same whole/deck.yaml "$bar"
+  head -n 1 whole/curve.csv |
+    grep -q '^step,load_factor,control,newton_iterations,dissipated_energy,stored_energy,external_work,load,elongation,' ||
+    complain "the columns of curve.csv are others"
+  status_is whole goal_reached
+  expect 0 "run of the effective deck" "$program" run whole/effective_deck.yaml --folder again --quiet
+  same whole/curve.csv again/curve.csv
+}
+
+folders() {
+  cp whole/curve.csv before.csv
+  expect 2 "a folder that is taken" "$program" run "$bar" --folder whole --quiet
+  same whole/curve.csv before.csv
+  expect 0 "overwriting" "$program" run "$bar" --folder whole --quiet --overwrite
+  expect 0 "default folder" "$program" run "$bar" --quiet
+  expect 0 "default folder again" "$program" run "$bar" --quiet
+  exists runs/softening-bar/summary.json
+  exists runs/softening-bar-2/summary.json
+}
+
+resume_after_steps() {
+  expect 0 "whole beam" "$program" run "$beam" --folder beam --quiet
+  for steps in 3 17 31; do
+    expect 0 "first part" "$program" run "$beam" --folder part$steps --quiet --set path.stop.steps=$steps
+    expect 0 "second part" "$program" resume part$steps --quiet --set path.stop.steps=1000
+    same beam/curve.csv part$steps/curve.csv
+  done
+  expect 0 "resume of a finished run" "$program" resume beam --quiet
+  said "goal_reached"
+}
+
+resume_under_another_control() {
+  expect 0 "first part" "$program" run "$bar" --folder half --quiet --set path.stop.load_below=0.5
+  expect 0 "other control" "$program" resume half --folder other --quiet --set path.control=arc_length \
+    --set path.stop.load_below=0.3
+  grep -q ',arc_length,' other/curve.csv || complain "no arc-length step was taken"
+  expect 2 "another structure" "$program" resume half --quiet --set 'scene.subdivision={type: grid, size: 100}'
+  expect 3 "stopped early" "$program" run "$bar" --folder early --quiet --set path.control=opening
+  status_is early stopped_early
+  said "snaps back"
+}
+
+# The run is stopped by the signal as soon as its curve has some rows, then resumed to the same path.
+stop_and_resume() {
+  local signal=$1 folder=$2
+  "$program" run "$beam" --folder "$folder" --quiet --set record.fields_every=1 >said.log 2>&1 &
+  local pid=$!
+  for _ in $(seq 500); do
+    [ -e "$folder/curve.csv" ] && [ "$(wc -l <"$folder/curve.csv")" -ge 8 ] && break
+    sleep 0.01
+  done
+  kill -"$signal" $pid
+  wait $pid
+  code=$?
+  "$program" resume "$folder" --quiet >said.log 2>&1 || complain "resume after $signal: $(tail -n 1 said.log)"
+  same beam/curve.csv "$folder/curve.csv"
+}
+
+interrupted() {
+  stop_and_resume INT ctrl_c
+  [ $code -eq 130 ] || complain "Ctrl-C: exit code $code instead of 130"
+  stop_and_resume KILL killed
+  [ $code -eq 137 ] || complain "the run ended before it was killed"
+}
+
+no_place_to_write() {
+  echo >file
+  expect 4 "a folder below a file" "$program" run "$bar" --folder file/run --quiet
+  said "file/run"
+  (ulimit -f 16 && exec "$program" run "$beam" --folder full --quiet) >said.log 2>&1
+  [ $? -eq 4 ] || complain "full disk: exit code is not 4: $(tail -n 1 said.log)"
+  said "full/"
+  is_absent full/summary.json
+}
+
+command_line() {
+  expect 2 "unknown command" "$program" rnu "$bar"
+  said "did you mean 'run'?"
+  expect 2 "unknown option" "$program" run "$bar" --folde x
+  said "did you mean '--folder'?"
+  expect 2 "no deck" "$program" run
+  expect 0 "version" "$program" --version
+  expect 0 "help" "$program" --help
+  expect 0 "explain" "$program" explain law/linear_softening
+  said "tensile_strength"
+  expect 0 "schema" "$program" explain --json
+  expect 2 "unknown family" "$program" explain law/linear_softenin
+  expect 0 "check" "$program" check "$bar"
+  said "unknowns          12"
+  expect 2 "unknown key by --set" "$program" check "$bar" --set path.stop.step=3
+  said "did you mean 'steps'?"
+}
+
+comparing() {
+  expect 3 "compare" "$program" compare "$bar" --controls dissipation,opening --folder compared --quiet
+  expect 0 "compare, one expected to stop" "$program" compare "$bar" --controls dissipation,arc_length,opening \
+    --folder expected --quiet --set 'path.expected_to_stop=[opening]'
+  exists expected/compare.csv
+  exists expected/compare.md
+  exists expected/compare.svg
+  status_is expected/arc_length goal_reached
+  expect 2 "an unknown control" "$program" compare "$bar" --controls dissipation,arclength --folder nothing
+  is_absent nothing
+  expect 0 "plot" "$program" plot expected/dissipation expected/arc_length --out overlay.svg
+  exists overlay.svg
+}
+
+for part in ${PARTS:-whole_run folders resume_after_steps resume_under_another_control interrupted no_place_to_write command_line comparing}
+do $part; done
+exit $failed
