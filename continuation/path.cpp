@@ -98,7 +98,7 @@ std::optional<Point> Path::take_step() {
     return end(Ending::Kind::stopped_early, "the tangent stiffness is singular here");
   const bool cracked = walker_.here().dissipated > 0 || walker_.leaving().dissipates;
   if (!cracked) return event_step();
-  if (const std::string why = driver_->obstacle(walker_); !why.empty()) return end(Ending::Kind::stopped_early, why);
+  if (const std::string why = driver_->obstacle(walker_.leaving()); !why.empty()) return end(Ending::Kind::stopped_early, why);
   const Move move = driver_->next(walker_);
   if (!move.to_event) return controlled_step(move);
   if (!walker_.leaving().dissipates) return event_step();
@@ -109,7 +109,7 @@ std::optional<Point> Path::take_step() {
 std::optional<Point> Path::event_step() {
   const double amount = next_event(walker_);
   if (!std::isfinite(amount)) return linear_step();
-  driver_->obstacle(walker_);  // fixes the direction of a prescribed gauge on the elastic branch
+  driver_->obstacle(walker_.leaving());  // fixes the direction of a prescribed gauge on the elastic branch
   const Move move = event_move(walker_);
   std::string why;
   const auto candidate = try_step(move, amount, why);
@@ -172,6 +172,7 @@ std::optional<Point> Path::controlled_step(const Move& move) {
   if (auto point = rupture()) return point;
   if (driver_->may_be_rescued())
     if (auto point = sequential_step("sequentially_linear", memory_.last_quantum)) return point;
+  if (const std::string turned = turning_point(); !turned.empty()) return end(Ending::Kind::stopped_early, turned);
   return end(Ending::Kind::stopped_early, fmt::format("{} control found no next equilibrium: {}", move.control, why));
 }
 
@@ -297,6 +298,18 @@ std::optional<Point> Path::rupture() {
   point.landed.push_back("complete rupture");
   end(Ending::Kind::goal_reached, "complete rupture");
   return point;
+}
+
+/// Looks beyond the point where a control ends, by dissipation: the driver's own word if the path turns against it.
+std::string Path::turning_point() {
+  if (!walker_.leaving().dissipates) return {};
+  for (const double share : {0.01, 0.1, 1.0}) {
+    std::string why;
+    const auto beyond = try_step(dissipation_move(walker_), share * memory_.last_quantum, why);
+    if (!beyond) continue;
+    if (std::string turned = driver_->obstacle(beyond->arriving); !turned.empty()) return turned;
+  }
+  return {};
 }
 
 std::optional<Point> Path::sequential_step(const std::string& control, double quantum) {

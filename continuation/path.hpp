@@ -115,6 +115,7 @@ class Path {
   std::optional<Crossing> first_crossing(const Candidate& candidate) const;
   std::optional<Point> land(const Candidate& beyond, const Crossing& crossing, const std::string& control);
   std::optional<Point> rupture();
+  std::string turning_point();
 
   // Sizes and ends.
   double first_amount() const;

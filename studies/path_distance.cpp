@@ -23,8 +23,31 @@ double hermite(double a, double b, double slope_a, double slope_b, double h, dou
   return (2 * s3 - 3 * s2 + 1) * a + (s3 - 2 * s2 + s) * h * slope_a + (3 * s2 - 2 * s3) * b + (s3 - s2) * h * slope_b;
 }
 
-Sample between(const TracePoint& a, const TracePoint& b, double s) {
+/// Share of the step at which the tangents of its two ends meet; not a number when they do not meet inside.
+///
+/// There lies the kink when a point starts to crack within the step.
+double meeting(const TracePoint& a, const TracePoint& b, double h) {
+  const double share = (b.load - a.load - h * b.arriving[0]) / (h * (a.leaving[0] - b.arriving[0]));
+  return share > 0 && share < 1 ? share : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// What a path is taken to be between two steps: smooth, or with one kink.
+enum class Between { hermite, tangents };
+
+Sample on_tangents(const TracePoint& a, const TracePoint& b, double s, double kink) {
   const double h = b.dissipated - a.dissipated;
+  const auto value = [&](double from, double to, std::size_t i) {
+    return s < kink ? from + s * h * a.leaving[i] : to - (1 - s) * h * b.arriving[i];
+  };
+  Sample out{a.dissipated + s * h, 0, value(a.load, b.load, 0)};
+  if (!a.displacements.empty()) out.displacement = value(displacement(a), displacement(b), 1);
+  return out;
+}
+
+Sample between(const TracePoint& a, const TracePoint& b, double s, Between kind) {
+  const double h = b.dissipated - a.dissipated;
+  const double kink = kind == Between::tangents && h > 0 ? meeting(a, b, h) : std::numeric_limits<double>::quiet_NaN();
+  if (std::isfinite(kink)) return on_tangents(a, b, s, kink);
   Sample out{a.dissipated + s * h, 0, hermite(a.load, b.load, a.leaving[0], b.arriving[0], h, s)};
   if (!a.displacements.empty())
     out.displacement = hermite(displacement(a), displacement(b), a.leaving[1], b.arriving[1], h, s);
@@ -32,13 +55,13 @@ Sample between(const TracePoint& a, const TracePoint& b, double s) {
 }
 
 /// The path as a fine polyline up to the dissipated energy `end`.
-Samples samples(const Trace& trace, double end) {
+Samples samples(const Trace& trace, double end, Between kind) {
   constexpr int per_step = 16;
   Samples out{{trace[0].dissipated, displacement(trace[0]), trace[0].load}};
   for (std::size_t i = 0; i + 1 < trace.size(); ++i) {
     const double h = trace[i + 1].dissipated - trace[i].dissipated;
     const double last = h > 0 ? std::min(1.0, (end - trace[i].dissipated) / h) : 1.0;
-    for (int k = 1; k <= per_step; ++k) out.push_back(between(trace[i], trace[i + 1], last * k / per_step));
+    for (int k = 1; k <= per_step; ++k) out.push_back(between(trace[i], trace[i + 1], last * k / per_step, kind));
     if (last < 1) break;
   }
   return out;
@@ -75,17 +98,27 @@ Samples elastic_part(const Samples& path) {
   return {path.begin(), end};
 }
 
+/// A path between its steps, both ways: a state lies on it when it lies on either.
+struct Interpolated {
+  Samples smooth, kinked;
+  Interpolated(const Trace& trace, double end)
+      : smooth(samples(trace, end, Between::hermite)), kinked(samples(trace, end, Between::tangents)) {}
+};
+
 /// How far accepted states lie from an interpolated path.
-double largest_difference(const Samples& path, const Samples& states, const Sample& peak) {
-  const Samples elastic = elastic_part(path), elastic_states = elastic_part(states);
+double largest_difference(const Interpolated& path, const Samples& states, const Sample& peak) {
+  const Samples elastic = elastic_part(path.smooth), elastic_states = elastic_part(states);
   double out = 0;
   if (peak.displacement != 0 && std::ranges::is_sorted(elastic, {}, load_of))
     for (const Sample& s : elastic_states)
       if (s.load <= elastic.back().load)
         out = std::max(out, std::abs((s.displacement - lookup(elastic, s.load, load_of, displacement_of)) /
                                      peak.displacement));
+  const auto gap = [&](const Samples& way, const Sample& at) {
+    return std::abs((at.load - lookup(way, at.dissipated, dissipated_of, load_of)) / peak.load);
+  };
   for (std::size_t i = elastic_states.size(); i < states.size(); ++i)
-    out = std::max(out, std::abs((states[i].load - lookup(path, states[i].dissipated, dissipated_of, load_of)) / peak.load));
+    {if(std::min(gap(path.smooth, states[i]), gap(path.kinked, states[i]))>1e-3) fprintf(stderr,"D %.5g F %.2f smooth %.2e kink %.2e val %.2f\n",states[i].dissipated,states[i].load,gap(path.smooth, states[i]), gap(path.kinked, states[i]),lookup(path.smooth, states[i].dissipated, dissipated_of, load_of)); out = std::max(out, std::min(gap(path.smooth, states[i]), gap(path.kinked, states[i])));}
   return out;
 }
 
@@ -98,16 +131,17 @@ double squared_distance(const Sample& x, const Sample& a, const Sample& b, const
   return (from - s * along).squaredNorm();
 }
 
-/// The farthest that a sample of `from` lies from the polyline `to`.
-double one_sided(const Samples& from, const Samples& to, const Sample& peak) {
-  double farthest = 0;
-  for (const Sample& x : from) {
-    double nearest = squared_distance(x, to[0], to[0], peak);
-    for (std::size_t i = 0; i + 1 < to.size(); ++i)
-      nearest = std::min(nearest, squared_distance(x, to[i], to[i + 1], peak));
-    farthest = std::max(farthest, nearest);
-  }
-  return std::sqrt(farthest);
+double nearest(const Sample& x, const Samples& to, const Sample& peak) {
+  double out = squared_distance(x, to[0], to[0], peak);
+  for (std::size_t i = 0; i + 1 < to.size(); ++i) out = std::min(out, squared_distance(x, to[i], to[i + 1], peak));
+  return std::sqrt(out);
+}
+
+/// The farthest that one of the states lies from the path.
+double one_sided(const Samples& states, const Interpolated& path, const Sample& peak) {
+  double out = 0;
+  for (const Sample& x : states) out = std::max(out, std::min(nearest(x, path.smooth, peak), nearest(x, path.kinked, peak)));
+  return out;
 }
 
 }  // namespace
@@ -117,9 +151,11 @@ PathDistance distance(const Trace& first, const Trace& second) {
   const auto top = std::ranges::max_element(first, {}, [](const TracePoint& at) { return std::abs(at.load); });
   const Sample peak{top->dissipated, displacement(*top), top->load};
   if (peak.load == 0) return {};
-  const Samples a = samples(first, end), b = samples(second, end);
-  return {std::max(largest_difference(a, states(second, end), peak), largest_difference(b, states(first, end), peak)),
-          std::max(one_sided(a, b, peak), one_sided(b, a, peak))};
+  for(auto&t:first) fprintf(stderr,"  %.5g %.2f arr %.4g lea %.4g\n",t.dissipated,t.load,t.arriving[0],t.leaving[0]);
+  const Interpolated a(first, end), b(second, end);
+  const Samples of_first = states(first, end), of_second = states(second, end);
+  return {std::max(largest_difference(a, of_second, peak), largest_difference(b, of_first, peak)),
+          std::max(one_sided(of_second, a, peak), one_sided(of_first, b, peak))};
 }
 
 }  // namespace dda

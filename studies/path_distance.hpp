@@ -15,7 +15,9 @@ struct PathDistance {
 /// Compares the part that both paths cover, up to the smaller dissipated energy; u is the first displacement gauge.
 ///
 /// A snap-back is multi-valued in displacement, so states are matched by their dissipated energy D, on which the paths
-/// are interpolated by cubic Hermite polynomials with the path's own tangents dF/dD and du/dD.
+/// are interpolated with their own tangents dF/dD and du/dD: by cubic Hermite polynomials, and, for steps within which
+/// a point starts to crack, by the two tangents up to where they meet. Accepted states are measured against the nearer
+/// of both.
 PathDistance distance(const std::vector<TracePoint>& first, const std::vector<TracePoint>& second);
 
 }  // namespace dda

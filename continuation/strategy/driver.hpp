@@ -27,8 +27,8 @@ class Driver {
   virtual ~Driver() = default;
   /// The next control from where the walker stands.
   virtual Move next(Walker& walker) = 0;
-  /// Why this driver cannot go on from here although equilibria do; "" when it can.
-  virtual std::string obstacle(const Walker&) { return {}; }
+  /// Why this driver cannot go along this direction although equilibria do; "" when it can.
+  virtual std::string obstacle(const Tangent&) { return {}; }
   /// Whether sequentially linear steps may carry on where this control fails.
   virtual bool may_be_rescued() const { return false; }
   /// The one number a driver remembers from its first step; a restart brings it back.

@@ -15,11 +15,12 @@ class GaugeDriver final : public Driver {
       : control_(std::move(control)), name_(std::move(name)), gauge_(std::move(gauge)) {}
 
   Move next(Walker& walker) override {
-    return {.control = control_, .equation = make_gauge_control(gauge_), .arc = {}, .rate = rate(walker)};
+    return {.control = control_, .equation = make_gauge_control(gauge_), .arc = {},
+            .rate = walker.leaving().rate(gauge_)};
   }
 
-  std::string obstacle(const Walker& walker) override {
-    const double now = rate(walker);
+  std::string obstacle(const Tangent& along) override {
+    const double now = along.rate(gauge_);
     if (now == 0) return fmt::format("'{}' does not move along the path", name_);
     if (direction_ == 0) direction_ = now > 0 ? 1.0 : -1.0;
     if (now * direction_ > 0) return {};
@@ -32,8 +33,6 @@ class GaugeDriver final : public Driver {
   void restore(double direction) override { direction_ = direction; }
 
  private:
-  double rate(const Walker& walker) const { return walker.leaving().rate(gauge_); }
-
   std::string control_, name_;
   Functional gauge_;
   double direction_ = 0;  ///< in which the gauge moves from the start of the stage

@@ -24,8 +24,8 @@ std::unique_ptr<Driver> make_staged(const StagedParameters&, const GaugeBook&) {
 class DissipationOnly final : public Driver {
  public:
   Move next(Walker& walker) override { return dissipation_move(walker); }
-  std::string obstacle(const Walker& walker) override {
-    return walker.leaving().dissipates ? "" : "nothing dissipates here: dissipation control cannot go on; use `staged`";
+  std::string obstacle(const Tangent& along) override {
+    return along.dissipates ? "" : "nothing dissipates here: dissipation control cannot go on; use `staged`";
   }
 };
 
