@@ -12,7 +12,8 @@ std::string apply_full_stage(Walker& walker) {
     if (walker.leaving().d.empty()) return "the tangent stiffness is singular";
     const double rest = 1 - walker.state().load_factor;
     const double wanted = std::min(step, rest);
-    const Attempt tried = walker.attempt(*control, wanted, walker.ahead(wanted / walker.leaving().load_factor));
+    const Attempt tried =
+        walker.attempt(*control, wanted, walker.ahead(wanted / walker.leaving().load_factor));
     if (!tried.converged) {
       step = 0.25 * wanted;
       if (step < smallest) return tried.reason;

@@ -13,7 +13,8 @@ struct Ends {
 
   double value(double x) const {
     const double y = 1 - x;
-    return from * y * y * (1 + 2 * x) + to * x * x * (1 + 2 * y) + rate_from * x * y * y - rate_to * x * x * y;
+    return from * y * y * (1 + 2 * x) + to * x * x * (1 + 2 * y) + rate_from * x * y * y -
+           rate_to * x * x * y;
   }
   double rate(double x) const {
     return 6 * x * (1 - x) * (to - from) + rate_from * (1 - x) * (1 - 3 * x) + rate_to * x * (3 * x - 2);
@@ -26,7 +27,8 @@ double integral(const Ends& force, const Ends& displacement) {
   constexpr std::array weights{5.0 / 18, 8.0 / 18, 5.0 / 18};
   const std::array places{0.5 - half, 0.5, 0.5 + half};
   double sum = 0;
-  for (std::size_t i = 0; i < 3; ++i) sum += weights[i] * force.value(places[i]) * displacement.rate(places[i]);
+  for (std::size_t i = 0; i < 3; ++i)
+    sum += weights[i] * force.value(places[i]) * displacement.rate(places[i]);
   return sum;
 }
 

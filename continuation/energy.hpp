@@ -4,8 +4,9 @@
 
 namespace dda {
 
-/// External work of a step, integrated from forces and displacements alone (never from the energies it is compared
-/// with): ∫ F du by cubic Hermite interpolation of both with the path's tangents, exact on straight steps.
+/// External work of a step, integrated from forces and displacements alone (never from the energies it is
+/// compared with): ∫ F du by cubic Hermite interpolation of both with the path's tangents, exact on straight
+/// steps.
 ///
 /// `step` is the parameter of both tangents over the step (dissipated energy); 0 uses the trapezoid.
 double external_work(const System& system, const State& from, const State& to, const Tangent& leaving,

@@ -24,9 +24,9 @@ struct Point {
   int step = 0;
   std::string control;
   int newton_iterations = 0;
-  double jump_energy = 0;  ///< released on the way here where no equilibrium path led [FL]
+  double jump_energy = 0;           ///< released on the way here where no equilibrium path led [FL]
   std::vector<std::string> landed;  ///< "cmod=0.1", "peak?" …: why fields should be kept here
-  bool is_highest = false;  ///< the largest load so far
+  bool is_highest = false;          ///< the largest load so far
 };
 
 /// Why and how a path ended.
@@ -38,26 +38,27 @@ struct Ending {
 
 /// What the path remembers beside the walker; a restart brings it back.
 struct PathMemory {
-  double peak_load = 0;       ///< largest load so far, in the direction of the first loading
-  int direction = 0;          ///< sign of the load gauge in the first loading; 0 before it
-  double step = 0;            ///< size of the next step relative to the leaving tangent's unit; 0 = choose
-  std::string step_control;   ///< the control that size belongs to
+  double peak_load = 0;      ///< largest load so far, in the direction of the first loading
+  int direction = 0;         ///< sign of the load gauge in the first loading; 0 before it
+  double step = 0;           ///< size of the next step relative to the leaving tangent's unit; 0 = choose
+  std::string step_control;  ///< the control that size belongs to
   double largest_displacement = 0;
   double jump_energy = 0;
-  double last_quantum = 0;    ///< energy dissipated by the last good step
-  double driver = 0;          ///< what the driver remembers
+  double last_quantum = 0;  ///< energy dissipated by the last good step
+  double driver = 0;        ///< what the driver remembers
 };
 
 /// The equilibrium path of the last stage as a range: `for (const Point& p : path)`.
 ///
-/// Common to every control: the first crack is located by the event control; steps are sized by how well the tangent
-/// predicted the last one; a step across the limit point is shortened until the peak is bracketed; steps land on
-/// wanted gauge values; a converged step that no continuous path explains (its energies do not balance), or that
-/// retraces the unloading branch, is rejected; where Newton fails at the smallest step, sequentially linear steps
-/// carry on. The walker must stand at the start of the stage.
+/// Common to every control: the first crack is located by the event control; steps are sized by how well the
+/// tangent predicted the last one; a step across the limit point is shortened until the peak is bracketed;
+/// steps land on wanted gauge values; a converged step that no continuous path explains (its energies do not
+/// balance), or that retraces the unloading branch, is rejected; where Newton fails at the smallest step,
+/// sequentially linear steps carry on. The walker must stand at the start of the stage.
 class Path {
  public:
-  Path(Walker& walker, const PathParameters& parameters, const GaugeBook& gauges, std::vector<Landing> landings);
+  Path(Walker& walker, const PathParameters& parameters, const GaugeBook& gauges,
+       std::vector<Landing> landings);
 
   /// The next accepted point, or nothing at the end; then `ending()` says why.
   std::optional<Point> next();
@@ -107,7 +108,7 @@ class Path {
   double unaccounted(const Candidate& candidate) const;
 
   // Refinements of a converged step.
-  std::optional<double> before_peak(const Candidate& candidate, double amount) const;
+  std::optional<double> before_peak(const Candidate& candidate) const;
   struct Crossing {
     Landing landing;
     double share;

@@ -7,19 +7,26 @@ Schema<StepSizes> step_schema() {
   using P = StepSizes;
   return Schema<P>("How closely the path is followed.")
       .number("accuracy", &P::accuracy,
-              {.fallback = 0.02, .bounds = above(0) & at_most(0.5),
-               .text = "Deviation from the tangent that one step aims at, relative to the largest load and displacement."})
-      .number("largest", &P::largest,
-              {.fallback = 0.1, .bounds = above(0) & at_most(1),
-               .text = "Largest predicted change of the load in one step, relative to the largest load so far."});
+              {.fallback = 0.02,
+               .bounds = above(0) & at_most(0.5),
+               .text = "Deviation from the tangent that one step aims at, relative to the largest load and "
+                       "displacement."})
+      .number(
+          "largest", &P::largest,
+          {.fallback = 0.1,
+           .bounds = above(0) & at_most(1),
+           .text = "Largest predicted change of the load in one step, relative to the largest load so far."});
 }
 
 Schema<StopRules> stop_schema() {
   using P = StopRules;
   return Schema<P>("Where the path ends.")
-      .number("load_below", &P::load_below,
-              {.fallback = 0.1, .bounds = at_least(0) & below(1),
-               .text = "End where the load has fallen to this share of its peak; 0 = follow to complete rupture."})
+      .number(
+          "load_below", &P::load_below,
+          {.fallback = 0.1,
+           .bounds = at_least(0) & below(1),
+           .text =
+               "End where the load has fallen to this share of its peak; 0 = follow to complete rupture."})
       .map("gauges", &P::gauges, number_kind({}, {}),
            {.fallback = {{}}, .text = "End where a gauge reaches a value, by name."})
       .integer("steps", &P::steps,
@@ -30,7 +37,8 @@ Schema<NewtonParameters> newton_schema() {
   using P = NewtonParameters;
   return Schema<P>("When a Newton iteration ends.")
       .number("tolerance", &P::tolerance,
-              {.fallback = 1e-9, .bounds = above(0) & at_most(1e-4),
+              {.fallback = 1e-9,
+               .bounds = above(0) & at_most(1e-4),
                .text = "Residual force relative to the force level of the blocks."})
       .integer("max_iterations", &P::max_iterations,
                {.fallback = 15, .bounds = between(2, 200), .text = "Iterations before a step is given up."});
@@ -41,24 +49,30 @@ Schema<NewtonParameters> newton_schema() {
 Schema<PathParameters> path_schema() {
   using P = PathParameters;
   return Schema<P>("How the equilibrium path is followed.")
-      .choice("control", &P::control, drivers(), {.fallback = "staged", .text = "What is prescribed along the path."})
+      .choice("control", &P::control, drivers(),
+              {.fallback = "staged", .text = "What is prescribed along the path."})
       .section("step", &P::step, step_schema())
       .section("stop", &P::stop, stop_schema())
       .text("load_gauge", &P::load_gauge,
             {.fallback = "",
-             .text = "Gauge whose peak counts; if empty the load factor times the loads' resultant, or the driven reactions."})
+             .text = "Gauge whose peak counts; if empty the load factor times the loads' resultant, or the "
+                     "driven reactions."})
       .number("peak_tolerance", &P::peak_tolerance,
-              {.fallback = 1e-4, .bounds = above(0) & at_most(0.1),
+              {.fallback = 1e-4,
+               .bounds = above(0) & at_most(0.1),
                .text = "The peak load is bracketed to this relative width."})
       .section("newton", &P::newton, newton_schema())
       .choice("linear", &P::linear, direct_solvers(), {.fallback = "mumps", .text = "Linear solver."})
-      .one_of("update", &P::update,
-              {{"low_rank", LinearSystem::Update::low_rank}, {"refactorise", LinearSystem::Update::refactorise}},
-              {.fallback = LinearSystem::Update::low_rank,
-               .text = "How the factorisation follows cracking: low-rank updates of one factorisation, or a new one each time."})
-      .texts("expected_to_stop", &P::expected_to_stop,
-             {.fallback = std::vector<std::string>{},
-              .text = "Controls that this scene is known to stop early; `dda compare` takes that as a success."})
+      .one_of(
+          "update", &P::update,
+          {{"low_rank", LinearSystem::Update::low_rank}, {"refactorise", LinearSystem::Update::refactorise}},
+          {.fallback = LinearSystem::Update::low_rank,
+           .text = "How the factorisation follows cracking: low-rank updates of one factorisation, or a new "
+                   "one each time."})
+      .texts(
+          "expected_to_stop", &P::expected_to_stop,
+          {.fallback = std::vector<std::string>{},
+           .text = "Controls that this scene is known to stop early; `dda compare` takes that as a success."})
       .passthrough("nox", &P::nox, {.text = "Parameters for NOX, as they stand."})
       .passthrough("loca", &P::loca, {.text = "Parameters for LOCA, as they stand."});
 }

@@ -19,7 +19,8 @@ class SecantWalk {
     const auto p = static_cast<std::size_t>(critical_);
     const InterfacePoint& point = system_.equilibrium().point(p);
     constexpr double growth = 1.08;
-    history[p].kappa = std::min(growth * system_.kappa(p, history[p]), point.law->rupture_kappa(point.stiffness));
+    history[p].kappa =
+        std::min(growth * system_.kappa(p, history[p]), point.law->rupture_kappa(point.stiffness));
     system_.set_history(std::move(history));
     return settle();
   }
@@ -72,7 +73,8 @@ class SecantWalk {
     double limit = std::numeric_limits<double>::infinity();
     for (std::size_t p = 0; p < points; ++p) {
       if (is_broken(p)) continue;
-      const double x = reach(*equilibrium.point(p).law, q_dead[p], q_live[p], system_.kappa(p, system_.history()[p]));
+      const double x =
+          reach(*equilibrium.point(p).law, q_dead[p], q_live[p], system_.kappa(p, system_.history()[p]));
       if (x >= limit) continue;
       limit = x;
       critical_ = static_cast<int>(p);

@@ -18,9 +18,9 @@ struct SecantState {
 ///     λ = largest load factor at which no unbroken point exceeds its κ
 ///     κ of the point that decides grows by 8 %, capped at rupture; and again
 ///
-/// For laws that unload to the origin every such state is an admissible equilibrium, whatever Newton says. The way
-/// between them is no equilibrium path: its energy is booked as a jump. Nothing when no point limits the load or the
-/// contact set of an intermediate state does not settle.
+/// For laws that unload to the origin every such state is an admissible equilibrium, whatever Newton says.
+/// The way between them is no equilibrium path: its energy is booked as a jump. Nothing when no point limits
+/// the load or the contact set of an intermediate state does not settle.
 std::optional<SecantState> sequentially_linear(System& system, const State& start, double quantum);
 
 }  // namespace dda

@@ -38,7 +38,8 @@ bool System::use_tangent(std::size_t stamp, std::span<const Mat2> tangents) {
 }
 
 std::shared_ptr<const LawValues> System::laws_at(std::span<const double> d, double load_factor) {
-  if (!remembered_.laws || remembered_.at.load_factor != load_factor || !std::ranges::equal(remembered_.at.d, d)) {
+  if (!remembered_.laws || remembered_.at.load_factor != load_factor ||
+      !std::ranges::equal(remembered_.at.d, d)) {
     remembered_.laws = std::make_shared<const LawValues>(laws(d, load_factor));
     remembered_.at = {{d.begin(), d.end()}, load_factor};
   }
@@ -51,8 +52,9 @@ LawValues System::laws(std::span<const double> d, double load_factor) const {
   equilibrium_.gather(*loading_, d, load_factor, {out.opening.data()->data(), 2 * n});
   for (std::size_t p = 0; p < n; ++p) {
     const InterfacePoint& point = equilibrium_.point(p);
-    const Response response = frozen_ ? point.law->respond_frozen(out.opening[p], history_[p], point.stiffness)
-                                      : point.law->respond(out.opening[p], history_[p], point.stiffness);
+    const Response response = frozen_
+                                  ? point.law->respond_frozen(out.opening[p], history_[p], point.stiffness)
+                                  : point.law->respond(out.opening[p], history_[p], point.stiffness);
     out.traction[p] = response.traction;
     out.tangent[p] = response.tangent;
   }

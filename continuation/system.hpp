@@ -25,8 +25,8 @@ struct LawValues {
   std::vector<Mat2> tangent;   ///< D
 };
 
-/// Which inner product a v · w an arc length measures steps with: displacements with rotations and strains times the
-/// block's size, or the openings of the points that can crack, Σ W q·q.
+/// Which inner product a v · w an arc length measures steps with: displacements with rotations and strains
+/// times the block's size, or the openings of the points that can crack, Σ W q·q.
 enum class Metric { natural, openings };
 
 /// Equilibrium with its memory: what every LOCA group of a run shares.
@@ -55,9 +55,12 @@ class System {
   /// The same, remembered: the groups and the control of one Newton iteration ask at the same place.
   std::shared_ptr<const LawValues> laws_at(std::span<const double> d, double load_factor);
   /// R, size n; also counts as an evaluation.
-  void residual(std::span<const double> d, double load_factor, const LawValues& laws, std::span<double> out) const;
-  /// K_base⁻¹ R by what is kept of earlier solves; false when that is not enough (LinearSystem::solve_base_residual).
-  bool solve_base_residual(std::span<const double> d, double load_factor, const LawValues& laws, std::span<double> y);
+  void residual(std::span<const double> d, double load_factor, const LawValues& laws,
+                std::span<double> out) const;
+  /// K_base⁻¹ R by what is kept of earlier solves; false when that is not enough
+  /// (LinearSystem::solve_base_residual).
+  bool solve_base_residual(std::span<const double> d, double load_factor, const LawValues& laws,
+                           std::span<double> y);
   /// ∂R/∂λ, size n.
   void load_derivative(const LawValues& laws, std::span<double> out) const;
 
@@ -70,10 +73,12 @@ class System {
 
   /// ‖R‖ with moments and stress resultants divided by the blocks' size [F].
   double residual_norm(std::span<const double> r) const;
-  /// The force level that a residual is compared with: ‖V C ε / size‖ over the blocks, at least a tenth of the largest
-  /// that was accepted so far, so that an unloaded end of the path can still be reached [F].
+  /// The force level that a residual is compared with: ‖V C ε / size‖ over the blocks, at least a tenth of
+  /// the largest that was accepted so far, so that an unloaded end of the path can still be reached [F].
   double force_level(std::span<const double> d) const;
-  void remember_force_level(std::span<const double> d) { highest_level_ = std::max(highest_level_, block_forces(d)); }
+  void remember_force_level(std::span<const double> d) {
+    highest_level_ = std::max(highest_level_, block_forces(d));
+  }
   double highest_force_level() const { return highest_level_; }
   void restore_force_level(double level) { highest_level_ = level; }
 

@@ -35,8 +35,8 @@ Direction direction(System& system, const State& state) {
     Vec2 rate = equilibrium.opening(p, out.d);
     if (!offset.empty()) rate += Eigen::Map<const Vec2>(offset.data() + 2 * p);
     out.opening_rate[p] = point.law->opening_gradient(laws->opening[p]).dot(rate);
-    out.dissipation_rate +=
-        point.weight * point.law->dissipation_slope(system.kappa(p, h), point.stiffness) * out.opening_rate[p];
+    out.dissipation_rate += point.weight * point.law->dissipation_slope(system.kappa(p, h), point.stiffness) *
+                            out.opening_rate[p];
     out.any_flag = true;
   }
   return out;

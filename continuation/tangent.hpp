@@ -10,26 +10,25 @@ namespace dda {
 ///
 ///     K ḋ = λ̇ ∂f/∂λ,  with the tangent of the points that load
 ///
-/// Per unit of dissipated energy when points load, so that its orientation is the one that dissipates; per unit of
-/// load factor when nothing does.
+/// Per unit of dissipated energy when points load, so that its orientation is the one that dissipates; per
+/// unit of load factor when nothing does.
 struct Tangent {
   std::vector<double> d;
   double load_factor = 0;
   bool dissipates = false;
-  std::vector<double> opening_rate;  ///< e · q̇ of the points flagged as loading, 0 elsewhere; negative = unloads
+  std::vector<double>
+      opening_rate;  ///< e · q̇ of the points flagged as loading, 0 elsewhere; negative = unloads
 
   /// Rate of a gauge along the direction.
-  double rate(const Functional& gauge) const {
-    return gauge.value(d, load_factor) - gauge.constant;
-  }
+  double rate(const Functional& gauge) const { return gauge.value(d, load_factor) - gauge.constant; }
 };
 
 /// The direction with the points flagged in the system's history as loading: that of the step that led here.
 /// An empty direction when the tangent is singular.
 Tangent arriving_tangent(System& system, const State& state);
 
-/// The direction in which the path goes on: points that would unload are taken off the set, and unflagged in the
-/// history, until all that are left load. Starts from the arriving tangent of the same state.
+/// The direction in which the path goes on: points that would unload are taken off the set, and unflagged in
+/// the history, until all that are left load. Starts from the arriving tangent of the same state.
 Tangent leaving_tangent(System& system, const State& state, Tangent arriving);
 
 }  // namespace dda

@@ -47,8 +47,11 @@ void Walker::fill_energies(Candidate& candidate) {
 }
 
 Candidate Walker::evaluate(const Attempt& attempt) {
-  Candidate out{.state = attempt.state, .history = system_.next_history(attempt.state.d, attempt.state.load_factor),
-                .arriving = {}, .newton_iterations = attempt.newton_iterations, .residual = attempt.residual};
+  Candidate out{.state = attempt.state,
+                .history = system_.next_history(attempt.state.d, attempt.state.load_factor),
+                .arriving = {},
+                .newton_iterations = attempt.newton_iterations,
+                .residual = attempt.residual};
   const std::vector<History> before = system_.history();
   system_.set_history(out.history);
   out.arriving = arriving_tangent(system_, out.state);
@@ -75,7 +78,8 @@ double Walker::jump(const State& state, std::vector<History> history) {
   system_.set_history(next.history);
   fill_energies(next);
   next.work = here_.work + external_work(system_, here_.state, next.state, leaving_, {}, 0.0);
-  const double released = (next.work - here_.work) - (next.stored - here_.stored) - (next.dissipated - here_.dissipated);
+  const double released =
+      (next.work - here_.work) - (next.stored - here_.stored) - (next.dissipated - here_.dissipated);
   accept(std::move(next));
   return released;
 }

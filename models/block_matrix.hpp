@@ -9,8 +9,9 @@
 
 namespace dda {
 
-/// Sparse matrix of 6 × 6 blocks, compressed by rows: block row r holds columns()[row_start()[r] … row_start()[r+1]).
-/// The pattern (every diagonal block and both halves of each pair) is fixed at construction.
+/// Sparse matrix of 6 × 6 blocks, compressed by rows: block row r holds columns()[row_start()[r] …
+/// row_start()[r+1]). The pattern (every diagonal block and both halves of each pair) is fixed at
+/// construction.
 class BlockMatrix {
  public:
   BlockMatrix(std::size_t num_blocks, std::vector<std::pair<BlockId, BlockId>> pairs);

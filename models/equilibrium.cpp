@@ -13,7 +13,8 @@ std::vector<std::pair<BlockId, BlockId>> touching_blocks(const Body& body) {
   return pairs;
 }
 
-/// Blocks that one load or gauge spring ties together (a driven mean of several blocks) also share matrix entries.
+/// Blocks that one load or gauge spring ties together (a driven mean of several blocks) also share matrix
+/// entries.
 void add_pairs(const std::vector<Spring>& springs, std::vector<std::pair<BlockId, BlockId>>& pairs) {
   for (const Spring& spring : springs)
     for (const auto& [a, row_a] : spring.displacement.rows)
@@ -50,7 +51,8 @@ Equilibrium::Equilibrium(const Body& body, const ModelParameters& model)
   assemble(body, model, springs);
 }
 
-void Equilibrium::assemble(const Body& body, const ModelParameters& model, const std::vector<Spring>& springs) {
+void Equilibrium::assemble(const Body& body, const ModelParameters& model,
+                           const std::vector<Spring>& springs) {
   auto pairs = touching_blocks(body);
   add_pairs(springs, pairs);
   intact_ = BlockMatrix(num_blocks_, pairs);
@@ -65,8 +67,8 @@ void Equilibrium::assemble(const Body& body, const ModelParameters& model, const
   for (const Spring& spring : springs) add_spring(spring);
   for (const InterfacePoint& point : set_.points)
     if (!point.rows.first_stress.isZero() || !point.rows.second_stress.isZero())
-      add_joint(intact_, point, -point.weight * point.trial_stiffness().cwiseInverse(), point.rows.first_stress,
-                point.rows.second_stress);
+      add_joint(intact_, point, -point.weight * point.trial_stiffness().cwiseInverse(),
+                point.rows.first_stress, point.rows.second_stress);
   for (const InterfacePoint& point : set_.points)
     add_joint(intact_, point, point.weight * point.trial_stiffness(), point.rows.first, point.rows.second);
 }
@@ -91,7 +93,8 @@ void Equilibrium::gather(const Loading& loading, std::span<const double> d, doub
                          std::span<double> q) const {
   gather(d, q);
   for (std::size_t i = 0; i < loading.dead_offset.size(); ++i) q[i] += loading.dead_offset[i];
-  for (std::size_t i = 0; i < loading.reference_offset.size(); ++i) q[i] += load_factor * loading.reference_offset[i];
+  for (std::size_t i = 0; i < loading.reference_offset.size(); ++i)
+    q[i] += load_factor * loading.reference_offset[i];
 }
 
 void Equilibrium::scatter_add(std::span<const double> t, std::span<double> f) const {

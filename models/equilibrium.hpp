@@ -28,15 +28,17 @@ struct WorkPair {
 /// The loads of one stage with everything before it at full value.
 ///
 ///     f(λ) = dead + λ reference          size 6 · blocks
-///     q0(λ) = dead_offset + λ reference_offset    2 per crackable point, from initial stress; empty when there is none
+///     q0(λ) = dead_offset + λ reference_offset    2 per crackable point, from initial stress; empty when
+///     there is none
 struct Loading {
   std::string name;
   std::vector<double> dead, reference;
   std::vector<double> dead_offset, reference_offset;
-  /// The parts of `dead` and `reference` that are forces, not the far ends of driven springs: they do the work.
+  /// The parts of `dead` and `reference` that are forces, not the far ends of driven springs: they do the
+  /// work.
   std::vector<double> dead_work, reference_work;
   std::vector<WorkPair> driven;
-  Functional load;                              ///< the load gauge: λ Σ|force|, or the sum of the driven reactions
+  Functional load;  ///< the load gauge: λ Σ|force|, or the sum of the driven reactions
   std::map<std::string, Functional> reactions;  ///< by support and driven spring
   std::vector<NamedGauge> gauges;               ///< as the deck names them
 };
@@ -69,7 +71,8 @@ class Equilibrium {
   const std::vector<Mat3>& strain_stiffness() const { return strain_stiffness_; }
 
   /// q = B d + q0(λ); q of size 2 · num_crackable().
-  void gather(const Loading& loading, std::span<const double> d, double load_factor, std::span<double> q) const;
+  void gather(const Loading& loading, std::span<const double> d, double load_factor,
+              std::span<double> q) const;
   /// q = B d without offsets, for directions.
   void gather(std::span<const double> d, std::span<double> q) const;
   /// f += Bᵀ W t for the points given; t of size 2 · num_crackable().

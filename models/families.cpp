@@ -1,5 +1,5 @@
-#include "models/interface/law.hpp"
 #include "models/gauge/gauge.hpp"
+#include "models/interface/law.hpp"
 #include "models/load/load.hpp"
 #include "models/material/material.hpp"
 #include "models/treatment/treatment.hpp"

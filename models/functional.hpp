@@ -18,13 +18,13 @@ struct Functional {
 
   double value(std::span<const double> d, double load_factor) const {
     double sum = per_load_factor * load_factor + constant;
-    for (const auto& [block, row] : rows) sum += row.dot(Eigen::Map<const Vec6>(d.data() + 6 * block.value()));
+    for (const auto& [block, row] : rows)
+      sum += row.dot(Eigen::Map<const Vec6>(d.data() + 6 * block.value()));
     return sum;
   }
   /// Adds scale · ∂g/∂d to a vector of length 6 · blocks.
   void add_gradient(double scale, std::span<double> out) const {
-    for (const auto& [block, row] : rows)
-      Eigen::Map<Vec6>(out.data() + 6 * block.value()) += scale * row;
+    for (const auto& [block, row] : rows) Eigen::Map<Vec6>(out.data() + 6 * block.value()) += scale * row;
   }
   /// this += scale · other.
   void add(double scale, const Functional& other) {

@@ -12,7 +12,8 @@
 namespace dda {
 namespace {
 
-/// k is kept this far above the steepest softening slope: the trial law then falls at most three times as steeply.
+/// k is kept this far above the steepest softening slope: the trial law then falls at most three times as
+/// steeply.
 constexpr double comfortable_margin = 1.5;
 /// Below this the trial law has no usable softening branch left.
 constexpr double smallest_margin = 1.02;
@@ -35,9 +36,12 @@ struct Interface {
 std::vector<std::pair<double, double>> quadrature(PointRule rule) {
   const double g = 0.5 / std::sqrt(3.0);
   switch (rule) {
-    case PointRule::vertices: return {{0.0, 0.5}, {1.0, 0.5}};
-    case PointRule::midpoint: return {{0.5, 1.0}};
-    case PointRule::gauss: break;
+    case PointRule::vertices:
+      return {{0.0, 0.5}, {1.0, 0.5}};
+    case PointRule::midpoint:
+      return {{0.5, 1.0}};
+    case PointRule::gauss:
+      break;
   }
   return {{0.5 - g, 0.5}, {0.5 + g, 0.5}};
 }
@@ -58,7 +62,8 @@ class PointMaker {
     InterfaceSet out;
     const auto& sides = body_.assembly.sides;
     for (std::size_t s = 0; s < sides.size(); ++s) add_side(s, interface_of(sides[s]), out.points);
-    const auto middle = std::ranges::stable_partition(out.points, [](const auto& p) { return p.law->can_crack(); });
+    const auto middle =
+        std::ranges::stable_partition(out.points, [](const auto& p) { return p.law->can_crack(); });
     out.num_crackable = static_cast<std::size_t>(middle.begin() - out.points.begin());
     for (Interface& interface : interfaces_) {
       out.names.push_back(interface.name);
@@ -71,10 +76,16 @@ class PointMaker {
 
  private:
   void add(const std::string& name, const InterfaceParameters& p) {
-    Interface made{.name = name, .law = p.law.make(), .treatment = p.treatment.make(), .points = p.points,
-                   .where = p.where, .index = static_cast<int>(interfaces_.size())};
-    if (p.between.empty()) by_curve_[name] = made.index;
-    else by_pair_[ordered(p.between[0], p.between[1])] = made.index;
+    Interface made{.name = name,
+                   .law = p.law.make(),
+                   .treatment = p.treatment.make(),
+                   .points = p.points,
+                   .where = p.where,
+                   .index = static_cast<int>(interfaces_.size())};
+    if (p.between.empty())
+      by_curve_[name] = made.index;
+    else
+      by_pair_[ordered(p.between[0], p.between[1])] = made.index;
     for (const std::string& material : p.between)
       if (!model_.material_names.contains(material)) findings_.add(p.where, unknown_material(material));
     interfaces_.push_back(std::move(made));
@@ -84,13 +95,16 @@ class PointMaker {
     const auto& curves = body_.assembly.curves;
     for (const auto& [name, index] : by_curve_)
       if (std::ranges::find(curves, name) == curves.end())
-        findings_.add(interfaces_[static_cast<std::size_t>(index)].where,
-                      fmt::format("the scene has no interface curve '{}'{}; or give `between: [a, b]` for a pair of "
-                                  "materials", name, suggest(name, curves)));
+        findings_.add(
+            interfaces_[static_cast<std::size_t>(index)].where,
+            fmt::format("the scene has no interface curve '{}'{}; or give `between: [a, b]` for a pair of "
+                        "materials",
+                        name, suggest(name, curves)));
     for (const std::string& curve : curves)
       if (!by_curve_.contains(curve))
-        findings_.add(model_.where, fmt::format("the scene names an interface '{}' that `interfaces` does not describe",
-                                                curve));
+        findings_.add(
+            model_.where,
+            fmt::format("the scene names an interface '{}' that `interfaces` does not describe", curve));
   }
 
   std::string unknown_material(const std::string& name) const {
@@ -125,14 +139,22 @@ class PointMaker {
   void add_side(std::size_t index, Interface& interface, std::vector<InterfacePoint>& out) {
     const Side& side = body_.assembly.sides[index];
     const Vec2 edge = side.end - side.start;
-    const Vec2 centre = body_.block(side.first).moments.centroid, other = body_.block(side.second).moments.centroid;
+    const Vec2 centre = body_.block(side.first).moments.centroid,
+               other = body_.block(side.second).moments.centroid;
     const SideFaces faces{faces_[side.first.value()], faces_[side.second.value()], (other - centre).norm(),
                           Vec2(edge.y(), -edge.x()) / edge.norm()};
     const double k = stiffness(interface, faces, side);
     for (const auto& [xi, share] : quadrature(interface.points)) {
-      InterfacePoint point{.first = side.first, .second = side.second, .x = side.start + xi * edge,
-                           .normal = faces.normal, .weight = share * edge.norm() * body_.thickness, .stiffness = k,
-                           .law = interface.law.get(), .interface = interface.index, .side = index, .rows = {}};
+      InterfacePoint point{.first = side.first,
+                           .second = side.second,
+                           .x = side.start + xi * edge,
+                           .normal = faces.normal,
+                           .weight = share * edge.norm() * body_.thickness,
+                           .stiffness = k,
+                           .law = interface.law.get(),
+                           .interface = interface.index,
+                           .side = index,
+                           .rows = {}};
       point.rows = interface.treatment->rows(faces, displacement_rows(point.x - centre),
                                              displacement_rows(point.x - other), point.trial_stiffness());
       out.push_back(std::move(point));
@@ -152,8 +174,10 @@ class PointMaker {
   }
 
   static void note(Interface& interface, double ratio, bool raised, double size) {
-    if (ratio < smallest_margin) ++interface.refused;
-    else if (raised) ++interface.raised;
+    if (ratio < smallest_margin)
+      ++interface.refused;
+    else if (raised)
+      ++interface.raised;
     if (ratio >= interface.worst_ratio) return;
     interface.worst_ratio = ratio;
     interface.worst_size = size;
@@ -161,15 +185,18 @@ class PointMaker {
 
   void report(const Interface& interface, std::vector<std::string>& notices) {
     if (interface.refused > 0)
-      findings_.add(interface.where,
-                    fmt::format("the blocks are too large for the softening of interface '{}' ({} sides): with blocks "
-                                "of size {:.3g} the joint reaches {:.3g} times the softening slope and needs {:g}; use "
-                                "blocks below {:.3g}, or a larger fracture energy",
-                                interface.name, interface.refused, interface.worst_size, interface.worst_ratio,
-                                smallest_margin, interface.worst_size * interface.worst_ratio / comfortable_margin));
+      findings_.add(
+          interface.where,
+          fmt::format("the blocks are too large for the softening of interface '{}' ({} sides): with blocks "
+                      "of size {:.3g} the joint reaches {:.3g} times the softening slope and needs {:g}; use "
+                      "blocks below {:.3g}, or a larger fracture energy",
+                      interface.name, interface.refused, interface.worst_size, interface.worst_ratio,
+                      smallest_margin, interface.worst_size * interface.worst_ratio / comfortable_margin));
     if (interface.raised > 0)
-      notices.push_back(fmt::format("interface '{}': joint stiffness raised on {} sides, its softening is steep for "
-                                    "blocks of this size", interface.name, interface.raised));
+      notices.push_back(
+          fmt::format("interface '{}': joint stiffness raised on {} sides, its softening is steep for "
+                      "blocks of this size",
+                      interface.name, interface.raised));
   }
 
   const Body& body_;

@@ -18,12 +18,12 @@ namespace dda {
 ///     its traction does work W t·δq,          W = share of the side's length × thickness   [L²]
 struct InterfacePoint {
   BlockId first, second;
-  Vec2 x, normal;               ///< place; normal outward of `first`
-  double weight = 0;            ///< W [L²]
-  double stiffness = 0;         ///< k [F/L³]
+  Vec2 x, normal;        ///< place; normal outward of `first`
+  double weight = 0;     ///< W [L²]
+  double stiffness = 0;  ///< k [F/L³]
   const InterfaceLaw* law = nullptr;
-  int interface = -1;           ///< index into InterfaceSet::names; −1 for a bond nobody named
-  std::size_t side = 0;         ///< index into Assembly::sides
+  int interface = -1;    ///< index into InterfaceSet::names; −1 for a bond nobody named
+  std::size_t side = 0;  ///< index into Assembly::sides
   PointRows rows;
 
   /// diag P = k (1, β²) [F/L³].
@@ -44,8 +44,8 @@ struct InterfaceSet {
 
 /// Makes the points of every side: which interface, which treatment, which stiffness.
 ///
-/// A law that softens with slope |dt/dw| needs k above it; a side whose own k is too small gets a larger one (and a
-/// notice); a block too large even then is a finding at the interface's position in the deck.
+/// A law that softens with slope |dt/dw| needs k above it; a side whose own k is too small gets a larger one
+/// (and a notice); a block too large even then is a finding at the interface's position in the deck.
 InterfaceSet make_interface_points(const Body& body, const ModelParameters& model, Findings& findings);
 
 }  // namespace dda

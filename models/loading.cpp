@@ -13,13 +13,15 @@ void add_scaled(double scale, const Vector& from, Vector& to) {
   for (std::size_t i = 0; i < from.size(); ++i) to[i] += scale * from[i];
 }
 
-/// Offsets P⁻¹{σ0}n of the crackable points, and the force Sᵀ W P⁻¹ {σ0}n they exert through the subtracted energy.
+/// Offsets P⁻¹{σ0}n of the crackable points, and the force Sᵀ W P⁻¹ {σ0}n they exert through the subtracted
+/// energy.
 struct StressOffset {
   Vector openings, force;
 };
 
 StressOffset stress_offset(const Body& body, const InterfaceSet& set, const std::vector<Vec3>& stress) {
-  StressOffset out{Vector(2 * set.num_crackable, 0.0), Vector(block_unknowns * body.assembly.num_blocks(), 0.0)};
+  StressOffset out{Vector(2 * set.num_crackable, 0.0),
+                   Vector(block_unknowns * body.assembly.num_blocks(), 0.0)};
   for (std::size_t p = 0; p < set.points.size(); ++p) {
     const InterfacePoint& point = set.points[p];
     if (point.rows.first_stress.isZero() && point.rows.second_stress.isZero()) continue;
@@ -27,7 +29,8 @@ StressOffset stress_offset(const Body& body, const InterfaceSet& set, const std:
     const auto traction = [&](const Mat26& rows, BlockId id) -> Vec2 {
       return rows.rightCols<3>() * body.material(id).stiffness().inverse() * stress[id.value()];
     };
-    const Vec2 mean = traction(point.rows.first_stress, point.first) + traction(point.rows.second_stress, point.second);
+    const Vec2 mean =
+        traction(point.rows.first_stress, point.first) + traction(point.rows.second_stress, point.second);
     const Vec2 offset = mean.cwiseQuotient(point.trial_stiffness());
     // ψ(B d + q0) − ½ {σ}n P⁻¹ {σ}n: a bond contributes −Bᵀ W P q0, every point +Sᵀ W P⁻¹ {σ0}n.
     Eigen::Map<Vec6> f_first(out.force.data() + 6 * point.first.value());
@@ -58,7 +61,11 @@ class StageMaker {
  public:
   StageMaker(const Body& body, const ModelParameters& model, const InterfaceSet& interfaces,
              const std::vector<Spring>& supports, const LoadProgramme& programme, Findings& findings)
-      : body_(body), model_(model), interfaces_(interfaces), supports_(supports), programme_(programme),
+      : body_(body),
+        model_(model),
+        interfaces_(interfaces),
+        supports_(supports),
+        programme_(programme),
         findings_(findings) {
     const std::size_t n = block_unknowns * body.assembly.num_blocks();
     so_far_.dead.assign(n, 0.0);
@@ -103,7 +110,8 @@ class StageMaker {
   }
 
   void add_reactions(Loading& out, const Vector& driven_reference) {
-    for (const Spring& spring : supports_) out.reactions[spring.reaction].add(-spring.stiffness, spring.displacement);
+    for (const Spring& spring : supports_)
+      out.reactions[spring.reaction].add(-spring.stiffness, spring.displacement);
     for (std::size_t i = 0; i < programme_.driven.size(); ++i) {
       const Spring& spring = programme_.driven[i];
       const Functional force = driven_reaction(spring, driven_so_far_[i], driven_reference[i]);
@@ -114,7 +122,8 @@ class StageMaker {
 
   /// λ Σ|force|; with driven springs the sum of their reactions; λ itself when the loads have no resultant.
   Functional load_gauge(const Loading& out, const StageLoads& loads, std::size_t first_driven) const {
-    if (loads.driven.empty()) return {.rows = {}, .per_load_factor = loads.resultant > 0 ? loads.resultant : 1.0};
+    if (loads.driven.empty())
+      return {.rows = {}, .per_load_factor = loads.resultant > 0 ? loads.resultant : 1.0};
     Functional sum;
     for (std::size_t i = 0; i < loads.driven.size(); ++i) sum.add(1, out.driven[first_driven + i].force);
     return sum;
@@ -163,15 +172,16 @@ LoadProgramme make_loads(const Body& body, const ModelParameters& model, Finding
         findings.add(error);
       }
     }
-    for (const DrivenSpring& driven : loads.driven) out.driven.push_back({driven.name, driven.displacement, stiffness});
+    for (const DrivenSpring& driven : loads.driven)
+      out.driven.push_back({driven.name, driven.displacement, stiffness});
     out.stages.push_back(std::move(loads));
   }
   return out;
 }
 
-std::vector<Loading> make_stages(const Body& body, const ModelParameters& model, const InterfaceSet& interfaces,
-                                 const std::vector<Spring>& supports, const LoadProgramme& programme,
-                                 Findings& findings) {
+std::vector<Loading> make_stages(const Body& body, const ModelParameters& model,
+                                 const InterfaceSet& interfaces, const std::vector<Spring>& supports,
+                                 const LoadProgramme& programme, Findings& findings) {
   return StageMaker(body, model, interfaces, supports, programme, findings).make();
 }
 

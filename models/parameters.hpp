@@ -62,8 +62,8 @@ struct ModelParameters {
   Position where;
 };
 
-/// Declares thickness, plane, materials, interfaces, supports, stages, gauges of a deck whose struct derives from
-/// ModelParameters.
+/// Declares thickness, plane, materials, interfaces, supports, stages, gauges of a deck whose struct derives
+/// from ModelParameters.
 template <class P>
 void add_model(Schema<P>& schema);
 
@@ -73,21 +73,28 @@ Kind<StageParameters> stage_kind();
 
 template <class P>
 void add_model(Schema<P>& schema) {
-  schema.number("thickness", &P::thickness, {.dimension = dimension::length, .bounds = above(0), .text = "Thickness."})
+  schema
+      .number("thickness", &P::thickness,
+              {.dimension = dimension::length, .bounds = above(0), .text = "Thickness."})
       .one_of("plane", &P::plane, {{"stress", Plane::stress}, {"strain", Plane::strain}},
               {.fallback = Plane::stress, .text = "Plane stress or plane strain."})
       .map("materials", &P::material_names, materials().kind(), {.at_least = 1, .text = "Materials by name."})
       .map("interfaces", &P::interfaces, interface_kind(),
-           {.fallback = {{}}, .text = "Interfaces by the name of their curve, or of a pair of materials (`between`)."})
-      .map("supports", &P::supports, support_kind(), {.at_least = 1, .text = "Stiff springs that hold the structure."})
+           {.fallback = {{}},
+            .text = "Interfaces by the name of their curve, or of a pair of materials (`between`)."})
+      .map("supports", &P::supports, support_kind(),
+           {.at_least = 1, .text = "Stiff springs that hold the structure."})
       .list("stages", &P::stages, stage_kind(),
-            {.at_least = 1, .text = "Loads in their order; the last stage is the one multiplied by the load factor."})
+            {.at_least = 1,
+             .text = "Loads in their order; the last stage is the one multiplied by the load factor."})
       .map("gauges", &P::gauge_names, gauges().kind(),
            {.fallback = {{}}, .text = "Scalars recorded at every step, by name."})
-      .number("support_stiffness", &P::support_stiffness,
-              {.fallback = 1e5, .bounds = above(0), .text = "Stiffness of supports in units of E · thickness."})
+      .number(
+          "support_stiffness", &P::support_stiffness,
+          {.fallback = 1e5, .bounds = above(0), .text = "Stiffness of supports in units of E · thickness."})
       .number("weak_springs", &P::weak_springs,
-              {.fallback = 1e-12, .bounds = at_least(0),
+              {.fallback = 1e-12,
+               .bounds = at_least(0),
                .text = "Springs that hold every block's centroid, in units of E · thickness."});
 }
 

@@ -28,29 +28,34 @@ std::vector<BlockId> blocks_of(const Assembly& assembly, const Place& place, con
   const double tol = tolerance(assembly);
   auto found = blocks_at(assembly, place.at, tol);
   if (found.empty())
-    throw InputError(where, fmt::format("the point ({:g}, {:g}) lies outside every block; move it onto the structure",
-                                        place.at.x(), place.at.y()));
+    throw InputError(
+        where, fmt::format("the point ({:g}, {:g}) lies outside every block; move it onto the structure",
+                           place.at.x(), place.at.y()));
   if (!place.inside) return found;
   const auto chosen = blocks_at(assembly, *place.inside, tol);
   std::erase_if(found, [&](BlockId id) { return std::ranges::find(chosen, id) == chosen.end(); });
   if (found.empty())
-    throw InputError(where, fmt::format("no block contains both `at` ({:g}, {:g}) and `inside` ({:g}, {:g}); move "
-                                        "`inside` closer to `at`, into the block that is meant",
-                                        place.at.x(), place.at.y(), place.inside->x(), place.inside->y()));
+    throw InputError(where,
+                     fmt::format("no block contains both `at` ({:g}, {:g}) and `inside` ({:g}, {:g}); move "
+                                 "`inside` closer to `at`, into the block that is meant",
+                                 place.at.x(), place.at.y(), place.inside->x(), place.inside->y()));
   return found;
 }
 
-Functional displacement_at(const Assembly& assembly, const Place& place, const Vec2& direction, const Position& where) {
+Functional displacement_at(const Assembly& assembly, const Place& place, const Vec2& direction,
+                           const Position& where) {
   Functional out;
   const auto blocks = blocks_of(assembly, place, where);
   for (const BlockId id : blocks) {
     const Vec2 offset = place.at - assembly.blocks[id.value()].moments.centroid;
-    out.rows.emplace_back(id, displacement_rows(offset).transpose() * direction / static_cast<double>(blocks.size()));
+    out.rows.emplace_back(
+        id, displacement_rows(offset).transpose() * direction / static_cast<double>(blocks.size()));
   }
   return out;
 }
 
-std::vector<BoundaryPoint> boundary_points(const Assembly& assembly, const std::string& name, const Position& where) {
+std::vector<BoundaryPoint> boundary_points(const Assembly& assembly, const std::string& name,
+                                           const Position& where) {
   const auto known = std::ranges::find(assembly.boundaries, name);
   if (known == assembly.boundaries.end())
     throw InputError(where, fmt::format("unknown boundary '{}'{}", name, suggest(name, assembly.boundaries)));

@@ -20,7 +20,8 @@ struct Place {
 std::vector<BlockId> blocks_of(const Assembly& assembly, const Place& place, const Position& where);
 
 /// Mean displacement along `direction` (length kept) of the blocks that meet at the place.
-Functional displacement_at(const Assembly& assembly, const Place& place, const Vec2& direction, const Position& where);
+Functional displacement_at(const Assembly& assembly, const Place& place, const Vec2& direction,
+                           const Position& where);
 
 /// Points of a named boundary: two Gauss points per side with their share of its length [L].
 struct BoundaryPoint {
@@ -30,6 +31,7 @@ struct BoundaryPoint {
   double length;  ///< [L]
 };
 /// Throws InputError listing the names when the boundary does not exist.
-std::vector<BoundaryPoint> boundary_points(const Assembly& assembly, const std::string& name, const Position& where);
+std::vector<BoundaryPoint> boundary_points(const Assembly& assembly, const std::string& name,
+                                           const Position& where);
 
 }  // namespace dda

@@ -10,7 +10,8 @@ template <class P>
 void add_place(Schema<P>& schema) {
   schema.point("at", &P::at, {.text = "The point."})
       .point("inside", &P::inside,
-             {.text = "A point inside the block that is meant where several blocks meet at `at`; otherwise they share."});
+             {.text = "A point inside the block that is meant where several blocks meet at `at`; otherwise "
+                      "they share."});
 }
 
 }  // namespace dda

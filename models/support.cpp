@@ -15,11 +15,16 @@ using Directions = std::vector<std::pair<std::string, Vec2>>;
 Directions directions(const SupportParameters& p, const Vec2& normal) {
   if (p.direction) return {{"", p.direction->normalized()}};
   switch (*p.fix) {
-    case Fix::x: return {{"", Vec2::UnitX()}};
-    case Fix::y: return {{"", Vec2::UnitY()}};
-    case Fix::xy: return {{".x", Vec2::UnitX()}, {".y", Vec2::UnitY()}};
-    case Fix::normal: return {{"", normal}};
-    case Fix::rotation: break;
+    case Fix::x:
+      return {{"", Vec2::UnitX()}};
+    case Fix::y:
+      return {{"", Vec2::UnitY()}};
+    case Fix::xy:
+      return {{".x", Vec2::UnitX()}, {".y", Vec2::UnitY()}};
+    case Fix::normal:
+      return {{"", normal}};
+    case Fix::rotation:
+      break;
   }
   return {};
 }
@@ -32,8 +37,10 @@ class SupportMaker {
 
   void add(const std::string& name, const SupportParameters& p) {
     const double stiffness = p.stiffness.value_or(stiffness_);
-    if (p.at) add_at(name, p, stiffness);
-    else add_along(name, p, stiffness);
+    if (p.at)
+      add_at(name, p, stiffness);
+    else
+      add_along(name, p, stiffness);
   }
 
  private:
@@ -72,9 +79,10 @@ class SupportMaker {
   std::vector<Spring>& out_;
 };
 
-/// Rows of the springs of a group on its three rigid motions (x, y, rotation about the centre, scaled to lengths).
-Eigen::MatrixXd rigid_rows(const Body& body, const std::vector<Spring>& springs, const std::vector<bool>& member,
-                           const Vec2& centre, double size) {
+/// Rows of the springs of a group on its three rigid motions (x, y, rotation about the centre, scaled to
+/// lengths).
+Eigen::MatrixXd rigid_rows(const Body& body, const std::vector<Spring>& springs,
+                           const std::vector<bool>& member, const Vec2& centre, double size) {
   Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(springs.size()), 3);
   for (std::size_t s = 0; s < springs.size(); ++s)
     for (const auto& [block, row] : springs[s].displacement.rows) {
@@ -104,7 +112,8 @@ std::string free_motions(const Eigen::MatrixXd& rows, const Vec2& centre, double
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(gram, Eigen::ComputeFullV);
   std::vector<Eigen::Vector3d> free;
   for (int i = 0; i < 3; ++i)
-    if (svd.singularValues()[i] <= 1e-12 * std::max(1.0, svd.singularValues()[0])) free.push_back(svd.matrixV().col(i));
+    if (svd.singularValues()[i] <= 1e-12 * std::max(1.0, svd.singularValues()[0]))
+      free.push_back(svd.matrixV().col(i));
   if (free.size() == 3) return "translation in x, translation in y, rotation";
   std::string names;
   for (const auto& motion : free) names += (names.empty() ? "" : ", ") + motion_name(motion, centre, size);
@@ -141,8 +150,8 @@ void check_rigid_motions(const Body& body, const std::vector<Spring>& springs, c
     const double size = std::sqrt(area);
     const std::string names = free_motions(rigid_rows(body, springs, member, centre, size), centre, size);
     if (!names.empty())
-      findings.add(where, fmt::format("no support holds the {} blocks around ({:.4g}, {:.4g}) against: {}", group.size(),
-                                      centre.x(), centre.y(), names));
+      findings.add(where, fmt::format("no support holds the {} blocks around ({:.4g}, {:.4g}) against: {}",
+                                      group.size(), centre.x(), centre.y(), names));
   }
 }
 

@@ -28,12 +28,13 @@ void print_blocks(const Simulation& simulation) {
                              quality.non_convex ? fmt::format(", {} not convex", quality.non_convex) : ""));
   for (std::size_t r = 0; r < assembly.regions.size(); ++r) {
     const auto count = std::ranges::count(assembly.blocks, static_cast<int>(r), &Block::region);
-    line("region", fmt::format("{}: {} blocks of {}", assembly.regions[r].name, count, assembly.regions[r].material));
+    line("region",
+         fmt::format("{}: {} blocks of {}", assembly.regions[r].name, count, assembly.regions[r].material));
   }
-  line("area", fmt::format("{:.6g} {}², blocks {:.3g} to {:.3g}, ratio {:.3g}", quality.area, unit, quality.smallest_area,
-                           quality.largest_area, quality.area_ratio()));
-  line("quality", fmt::format("worst aspect {:.3g}, shortest side {:.3g} of the block's size", quality.worst_aspect,
-                              quality.shortest_side));
+  line("area", fmt::format("{:.6g} {}², blocks {:.3g} to {:.3g}, ratio {:.3g}", quality.area, unit,
+                           quality.smallest_area, quality.largest_area, quality.area_ratio()));
+  line("quality", fmt::format("worst aspect {:.3g}, shortest side {:.3g} of the block's size",
+                              quality.worst_aspect, quality.shortest_side));
 }
 
 void print_groups(const Simulation& simulation) {
@@ -55,32 +56,39 @@ void print_interfaces(const Simulation& simulation) {
   }
   for (std::size_t i = 0; i < points.size(); ++i)
     line("interface", fmt::format("{}: {} points{}", set.names[i], points[i],
-                                  cracking[i] ? "" : points[i] ? ", bonded" : ": nothing lies on it"));
-  line("interface points", fmt::format("{}, of which {} can crack", equilibrium.num_points(), set.num_crackable));
+                                  cracking[i] ? ""
+                                  : points[i] ? ", bonded"
+                                              : ": nothing lies on it"));
+  line("interface points",
+       fmt::format("{}, of which {} can crack", equilibrium.num_points(), set.num_crackable));
   for (const std::string& notice : set.notices) line("notice", notice);
 }
 
-/// Entries of a factor of a plane mesh of n blocks under nested dissection, 31/4 n log2 √n. Source: George (1973).
+/// Entries of a factor of a plane mesh of n blocks under nested dissection, 31/4 n log2 √n. Source: George
+/// (1973).
 double factor_blocks(double n) { return n < 2 ? n : 31.0 / 8.0 * n * std::log2(n); }
 
 void print_size(const Simulation& simulation) {
   const Equilibrium& equilibrium = simulation.equilibrium();
   constexpr double bytes_per_block = 36 * sizeof(double);
   const double matrix = bytes_per_block * static_cast<double>(equilibrium.intact().num_stored());
-  const double factor = bytes_per_block * std::max(factor_blocks(static_cast<double>(equilibrium.num_blocks())),
-                                                   0.5 * static_cast<double>(equilibrium.intact().num_stored()));
+  const double factor =
+      bytes_per_block * std::max(factor_blocks(static_cast<double>(equilibrium.num_blocks())),
+                                 0.5 * static_cast<double>(equilibrium.intact().num_stored()));
   const double column = 2 * sizeof(double) * static_cast<double>(equilibrium.num_unknowns());
   line("unknowns", fmt::format("{}", equilibrium.num_unknowns()));
-  line("memory", fmt::format("about {:.1f} MiB: matrix {:.1f}, factor {:.1f}, {:.2f} for every 100 points that crack",
-                             (matrix + factor) / bytes_per_mib, matrix / bytes_per_mib, factor / bytes_per_mib,
-                             100 * column / bytes_per_mib));
+  line("memory",
+       fmt::format("about {:.1f} MiB: matrix {:.1f}, factor {:.1f}, {:.2f} for every 100 points that crack",
+                   (matrix + factor) / bytes_per_mib, matrix / bytes_per_mib, factor / bytes_per_mib,
+                   100 * column / bytes_per_mib));
 }
 
 void print_loading(const Simulation& simulation) {
   for (const auto& [name, reaction] : simulation.loading().reactions) line("support", name);
   const auto& stages = simulation.equilibrium().stages();
   for (std::size_t s = 0; s < stages.size(); ++s)
-    line("stage", fmt::format("{}{}", stages[s].name, s + 1 == stages.size() ? ", times the load factor" : ", in full first"));
+    line("stage", fmt::format("{}{}", stages[s].name,
+                              s + 1 == stages.size() ? ", times the load factor" : ", in full first"));
   for (const NamedGauge& gauge : simulation.gauges().gauges)
     line("gauge", fmt::format("{} [{}]", gauge.name, label(gauge.dimension, simulation.deck().units)));
   line("control", simulation.deck().path.control.name());

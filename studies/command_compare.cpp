@@ -55,8 +55,8 @@ RunFolder folder_of(const CommandLine& line) {
   return RunFolder::create(wanted, line.run.overwrite ? IfExists::overwrite : IfExists::number);
 }
 
-Compared run_control(const DeckFile& deck, const std::string& control, const fs::path& folder, const CommandLine& line,
-                     std::optional<MpiSession>& mpi) {
+Compared run_control(const DeckFile& deck, const std::string& control, const fs::path& folder,
+                     const CommandLine& line, std::optional<MpiSession>& mpi) {
   if (!line.run.quiet) fmt::print(stderr, "{}\n", control);
   const auto start = std::chrono::steady_clock::now();
   const RunOptions options{folder / control, line.run.overwrite, line.run.quiet};
@@ -70,18 +70,29 @@ Compared run_control(const DeckFile& deck, const std::string& control, const fs:
 }
 
 std::vector<Column> columns(const Compared& first) {
-  return {{"control", ""},   {"status", ""},         {"reason", ""},
-          {"steps", ""},     {"rejected", ""},       {"rescues", ""},
-          {"iterations", ""}, {"factorisations", ""}, {"seconds", "s"},
-          {"peak", first.result.measures.load_unit()}, {"load_difference", ""}, {"hausdorff_distance", ""}};
+  return {{"control", ""},         {"status", ""},
+          {"reason", ""},          {"steps", ""},
+          {"rejected", ""},        {"rescues", ""},
+          {"iterations", ""},      {"factorisations", ""},
+          {"seconds", "s"},        {"peak", first.result.measures.load_unit()},
+          {"load_difference", ""}, {"hausdorff_distance", ""}};
 }
 
 std::vector<TableCell> row(const Compared& run) {
   const auto& s = run.result.summary;
   const auto count = [&](const char* name) { return s[name].get<std::int64_t>(); };
-  return {run.control, status_of(run.result.ending), run.result.ending.reason, count("steps"), count("rejected_steps"),
-          count("rescues"), count("newton_iterations"), count("factorisations"), run.seconds,
-          s["peak"]["load"].get<double>(), run.distance.load, run.distance.hausdorff};
+  return {run.control,
+          status_of(run.result.ending),
+          run.result.ending.reason,
+          count("steps"),
+          count("rejected_steps"),
+          count("rescues"),
+          count("newton_iterations"),
+          count("factorisations"),
+          run.seconds,
+          s["peak"]["load"].get<double>(),
+          run.distance.load,
+          run.distance.hausdorff};
 }
 
 std::string text_of(const TableCell& cell) {
@@ -117,8 +128,11 @@ svg::Figure overlay(const std::vector<Compared>& runs) {
   svg::Figure out;
   for (std::size_t k = 0; k < measures.displacements().size(); ++k) {
     const Column& column = measures.names()[measures.displacements()[k]];
-    svg::Panel panel{.title = column.name, .x_label = fmt::format("{} [{}]", column.name, column.unit),
-                     .y_label = fmt::format("load [{}]", measures.load_unit()), .series = {}, .markers = {}};
+    svg::Panel panel{.title = column.name,
+                     .x_label = fmt::format("{} [{}]", column.name, column.unit),
+                     .y_label = fmt::format("load [{}]", measures.load_unit()),
+                     .series = {},
+                     .markers = {}};
     for (std::size_t r = 0; r < runs.size(); ++r) {
       svg::Series series{.name = runs[r].control, .x = {}, .y = {}, .dashed = r > 0};
       for (const TracePoint& point : runs[r].result.trace) {

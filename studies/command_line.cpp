@@ -17,13 +17,16 @@ namespace {
 using Command = int (*)(const CommandLine&);
 
 constexpr const char* footer =
-    "Exit codes: 0 goal reached, 2 wrong input, 3 stopped early (results valid), 4 output or internal error,\n"
+    "Exit codes: 0 goal reached, 2 wrong input, 3 stopped early (results valid), 4 output or internal "
+    "error,\n"
     "130 interrupted (continue with `dda resume`).";
 
 /// The program's grammar; the values land in a CommandLine.
 class Grammar {
  public:
-  Grammar() : app_("Discontinuous deformation analysis of concrete fracture along the whole equilibrium path.", "dda") {
+  Grammar()
+      : app_("Discontinuous deformation analysis of concrete fracture along the whole equilibrium path.",
+             "dda") {
     app_.footer(footer);
     app_.set_version_flag("--version", "ddapath " + provenance().version);
     app_.require_subcommand(1);
@@ -52,7 +55,8 @@ class Grammar {
     add_set(sub);
   }
   void add_set(CLI::App* sub) {
-    sub->add_option("--set", line_.overrides, "Overrides a parameter of the deck: path.to.key=value; may be repeated")
+    sub->add_option("--set", line_.overrides,
+                    "Overrides a parameter of the deck: path.to.key=value; may be repeated")
         ->allow_extra_args(false);
   }
   void add_output(CLI::App* sub) {
@@ -72,21 +76,27 @@ void Grammar::add_solving() {
   CLI::App* run = add("run", "Follow the equilibrium path of a deck into a run folder", command_run);
   add_deck(run);
   add_output(run);
-  CLI::App* resume = add("resume", "Continue an interrupted run, or a finished one under another control or stopping rule",
-                         command_resume);
+  CLI::App* resume =
+      add("resume", "Continue an interrupted run, or a finished one under another control or stopping rule",
+          command_resume);
   resume->add_option("run", line_.runs, "The run folder")->required()->expected(1);
   add_set(resume);
   add_output(resume);
-  CLI::App* compare = add("compare", "Run a deck under several controls and compare the paths", command_compare);
+  CLI::App* compare =
+      add("compare", "Run a deck under several controls and compare the paths", command_compare);
   add_deck(compare);
-  compare->add_option("--controls", line_.controls, "Names of controls, separated by commas")->delimiter(',')->required();
+  compare->add_option("--controls", line_.controls, "Names of controls, separated by commas")
+      ->delimiter(',')
+      ->required();
   add_output(compare);
 }
 
 void Grammar::add_looking() {
-  add_deck(add("check", "Read, mesh and validate a deck; print counts, quality and predicted size without solving",
+  add_deck(add("check",
+               "Read, mesh and validate a deck; print counts, quality and predicted size without solving",
                command_check));
-  CLI::App* explain = add("explain", "The manual of the deck: a section, a family, or family/name", command_explain);
+  CLI::App* explain =
+      add("explain", "The manual of the deck: a section, a family, or family/name", command_explain);
   explain->add_option("topic", line_.topic, "Such as `path`, `law` or `law/linear_softening`");
   explain->add_flag("--json", line_.json, "The JSON schema of decks, for editors");
   CLI::App* plot = add("plot", "Overlay the load-displacement curves of runs", command_plot);
@@ -103,14 +113,16 @@ std::string Grammar::unknown_name(int argc, char** argv) const {
     names.push_back(sub->get_name());
     if (sub->get_name() == first) chosen = sub;
   }
-  if (chosen == &app_ && !first.starts_with('-')) return fmt::format("unknown command '{}'{}", first, suggest(first, names));
+  if (chosen == &app_ && !first.starts_with('-'))
+    return fmt::format("unknown command '{}'{}", first, suggest(first, names));
   std::vector<std::string> options;
   for (const CLI::Option* option : chosen->get_options())
     for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     const std::string name = word.substr(0, word.find('='));
-    if (!word.starts_with("--") || word == "--" || std::ranges::find(options, name) != options.end()) continue;
+    if (!word.starts_with("--") || word == "--" || std::ranges::find(options, name) != options.end())
+      continue;
     return fmt::format("unknown option '{}'{}", name, suggest(name, options));
   }
   return {};

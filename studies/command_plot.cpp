@@ -31,8 +31,11 @@ ReadRun read_run(const fs::path& folder) {
   const fs::path file = folder / "curve.units.json";
   const auto units = nlohmann::ordered_json::parse(read_whole(file), nullptr, false);
   if (!units.is_object()) throw InputError(Position{file.string()}, "is not a list of units");
-  ReadRun out{(folder / "").lexically_normal().parent_path().filename().string(), read_csv(folder / "curve.csv"),
-              length_unit_of(folder), units.value("load", ""), {}};
+  ReadRun out{(folder / "").lexically_normal().parent_path().filename().string(),
+              read_csv(folder / "curve.csv"),
+              length_unit_of(folder),
+              units.value("load", ""),
+              {}};
   for (const std::string& column : out.curve.names())
     if (units.value(column, "") == out.length_unit) out.displacements.push_back(column);
   return out;
@@ -55,10 +58,13 @@ void check_units(const std::vector<ReadRun>& runs) {
 
 svg::Panel panel(const std::vector<ReadRun>& runs, const std::string& gauge) {
   const ReadRun& first = runs.front();
-  svg::Panel out{.title = gauge, .x_label = fmt::format("{} [{}]", gauge, first.length_unit),
-                 .y_label = first.load_unit.empty() ? "load" : fmt::format("load [{}]", first.load_unit), .series = {},
+  svg::Panel out{.title = gauge,
+                 .x_label = fmt::format("{} [{}]", gauge, first.length_unit),
+                 .y_label = first.load_unit.empty() ? "load" : fmt::format("load [{}]", first.load_unit),
+                 .series = {},
                  .markers = {}};
-  for (const ReadRun& run : runs) out.series.push_back({run.name, run.curve.numbers(gauge), run.curve.numbers("load")});
+  for (const ReadRun& run : runs)
+    out.series.push_back({run.name, run.curve.numbers(gauge), run.curve.numbers("load")});
   return out;
 }
 

@@ -19,7 +19,8 @@ bool has_reached_goal(const std::filesystem::path& folder) {
 int command_resume(const CommandLine& line) {
   const std::filesystem::path& folder = line.runs.front();
   if (line.overrides.empty() && has_reached_goal(folder)) {
-    fmt::print("{}: goal_reached before; `--set` another stopping rule or control to go on\n", folder.string());
+    fmt::print("{}: goal_reached before; `--set` another stopping rule or control to go on\n",
+               folder.string());
     return 0;
   }
   std::optional<MpiSession> mpi;

@@ -16,9 +16,12 @@ Schema<Units> units_schema() {
 Schema<RecordParameters> record_schema() {
   using P = RecordParameters;
   return Schema<P>("What is kept beside the curve.")
-      .integer("fields_every", &P::fields_every,
-               {.fallback = 10, .bounds = at_least(0),
-                .text = "Fields are stored every so many steps (0 = never), and always at landings, peak and end."})
+      .integer(
+          "fields_every", &P::fields_every,
+          {.fallback = 10,
+           .bounds = at_least(0),
+           .text =
+               "Fields are stored every so many steps (0 = never), and always at landings, peak and end."})
       .map("at", &P::at, list_of(number_kind({}, {})),
            {.fallback = {{}}, .text = "Gauge values on which steps land exactly and fields are stored."})
       .text("folder", &P::folder, {.fallback = "", .text = "Run folder; runs/<name of the deck> if empty."});
@@ -54,8 +57,8 @@ DeckFile deck_from_text(const std::string& text, const std::filesystem::path& pa
 }
 
 std::string effective_deck(const DeckFile& file) {
-  std::string out = "# Every parameter of " + file.path.filename().string() + " as ddapath " + provenance().version +
-                    " read it.\n";
+  std::string out = "# Every parameter of " + file.path.filename().string() + " as ddapath " +
+                    provenance().version + " read it.\n";
   for (const std::string& assignment : file.overrides) out += "# --set " + assignment + "\n";
   return out + to_yaml(deck_schema().echo(file.deck));
 }

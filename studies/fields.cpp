@@ -11,7 +11,8 @@ namespace {
 /// Each crackable point's equal share of its side, in the order in which they stand along it.
 std::vector<std::array<Vec2, 2>> pieces_of_sides(const Assembly& assembly, const Equilibrium& equilibrium) {
   std::map<std::size_t, std::vector<std::size_t>> on_side;
-  for (std::size_t p = 0; p < equilibrium.num_crackable(); ++p) on_side[equilibrium.point(p).side].push_back(p);
+  for (std::size_t p = 0; p < equilibrium.num_crackable(); ++p)
+    on_side[equilibrium.point(p).side].push_back(p);
   std::vector<std::array<Vec2, 2>> out(equilibrium.num_crackable());
   for (auto& [number, points] : on_side) {
     const Side& side = assembly.sides[number];
@@ -42,8 +43,12 @@ std::vector<double> flat(const std::vector<Vec2>& from) {
 
 }  // namespace
 
-Fields::Fields(const Body& body, const ModelParameters& model, const Equilibrium& equilibrium, const Units& units)
-    : body_(body), equilibrium_(equilibrium), units_(units), segments_(pieces_of_sides(body.assembly, equilibrium)) {
+Fields::Fields(const Body& body, const ModelParameters& model, const Equilibrium& equilibrium,
+               const Units& units)
+    : body_(body),
+      equilibrium_(equilibrium),
+      units_(units),
+      segments_(pieces_of_sides(body.assembly, equilibrium)) {
   Findings none;
   const LoadProgramme programme = make_loads(body, model, none);
   for (std::size_t s = 0; s + 1 < programme.stages.size(); ++s)
@@ -68,13 +73,15 @@ Vec2 Fields::displacement(BlockId block, const Vec2& x, std::span<const double> 
 Fields::Interface Fields::interface_at(const StoredState& at) const {
   const std::size_t n = equilibrium_.num_crackable();
   std::vector<Vec2> q(n);
-  equilibrium_.gather(equilibrium_.stages().back(), at.state.d, at.state.load_factor, {q.data()->data(), 2 * n});
+  equilibrium_.gather(equilibrium_.stages().back(), at.state.d, at.state.load_factor,
+                      {q.data()->data(), 2 * n});
   Interface out{std::vector<Vec2>(n), std::vector<Vec2>(n), std::vector<Vec2>(n), std::vector<double>(n)};
   for (std::size_t p = 0; p < n; ++p) {
     const InterfacePoint& point = equilibrium_.point(p);
     out.traction[p] = point.law->respond(q[p], at.history[p], point.stiffness).traction;
     out.opening[p] = q[p] - out.traction[p].cwiseQuotient(point.trial_stiffness());
-    const Vec2 jump = displacement(point.second, point.x, at.state.d) - displacement(point.first, point.x, at.state.d);
+    const Vec2 jump =
+        displacement(point.second, point.x, at.state.d) - displacement(point.first, point.x, at.state.d);
     out.jump[p] = {point.normal.dot(jump), cross(point.normal, jump)};
     out.damage[p] = point.law->damage(at.history[p].kappa, point.stiffness);
   }
@@ -95,7 +102,8 @@ StoredField Fields::displacement_of_segments(const State& state) const {
   for (std::size_t p = 0; p < segments_.size(); ++p)
     for (const Vec2& x : segments_[p]) {
       const InterfacePoint& point = equilibrium_.point(p);
-      append(Vec2((displacement(point.first, x, state.d) + displacement(point.second, x, state.d)) / 2), out.values);
+      append(Vec2((displacement(point.first, x, state.d) + displacement(point.second, x, state.d)) / 2),
+             out.values);
     }
   return out;
 }
@@ -127,8 +135,10 @@ void Fields::add_points(const StoredState& at, Snapshot& out) const {
 }
 
 Snapshot Fields::snapshot(const StoredState& at) const {
-  Snapshot out{.step = at.step, .time = static_cast<double>(at.step),
-               .numbers = {{"load_factor", at.state.load_factor}}, .fields = {}};
+  Snapshot out{.step = at.step,
+               .time = static_cast<double>(at.step),
+               .numbers = {{"load_factor", at.state.load_factor}},
+               .fields = {}};
   add_blocks(at.state, out);
   if (!segments_.empty()) add_points(at, out);
   return out;

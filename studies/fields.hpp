@@ -53,7 +53,8 @@ class Fields {
   const Equilibrium& equilibrium_;
   Units units_;
   std::vector<std::array<Vec2, 2>> segments_;
-  std::vector<Vec3> dead_stress_, reference_stress_;  ///< initial stress by block [F/L²]; empty when there is none
+  std::vector<Vec3> dead_stress_,
+      reference_stress_;  ///< initial stress by block [F/L²]; empty when there is none
 };
 
 }  // namespace dda

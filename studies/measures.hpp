@@ -27,7 +27,8 @@ class Measures {
 
   /// A reaction whose name is taken by a gauge or a fixed column is called reaction_<name>.
   std::vector<Column> columns() const;
-  Measurement measure(const Walker& walker, int step, const std::string& control, int newton_iterations) const;
+  Measurement measure(const Walker& walker, int step, const std::string& control,
+                      int newton_iterations) const;
   static std::vector<TableCell> cells(const Measurement& measurement);
 
   /// Names and units in the order of Measurement::values; gauges stand first.

@@ -20,7 +20,8 @@ double displacement(const TracePoint& at) { return at.displacements.empty() ? 0 
 double hermite(double a, double b, double slope_a, double slope_b, double h, double s) {
   if (!std::isfinite(slope_a) || !std::isfinite(slope_b)) return a + s * (b - a);
   const double s2 = s * s, s3 = s2 * s;
-  return (2 * s3 - 3 * s2 + 1) * a + (s3 - 2 * s2 + s) * h * slope_a + (3 * s2 - 2 * s3) * b + (s3 - s2) * h * slope_b;
+  return (2 * s3 - 3 * s2 + 1) * a + (s3 - 2 * s2 + s) * h * slope_a + (3 * s2 - 2 * s3) * b +
+         (s3 - s2) * h * slope_b;
 }
 
 /// Share of the step at which the tangents of its two ends meet; not a number when they do not meet inside.
@@ -46,7 +47,8 @@ Sample on_tangents(const TracePoint& a, const TracePoint& b, double s, double ki
 
 Sample between(const TracePoint& a, const TracePoint& b, double s, Between kind) {
   const double h = b.dissipated - a.dissipated;
-  const double kink = kind == Between::tangents && h > 0 ? meeting(a, b, h) : std::numeric_limits<double>::quiet_NaN();
+  const double kink =
+      kind == Between::tangents && h > 0 ? meeting(a, b, h) : std::numeric_limits<double>::quiet_NaN();
   if (std::isfinite(kink)) return on_tangents(a, b, s, kink);
   Sample out{a.dissipated + s * h, 0, hermite(a.load, b.load, a.leaving[0], b.arriving[0], h, s)};
   if (!a.displacements.empty())
@@ -61,7 +63,8 @@ Samples samples(const Trace& trace, double end, Between kind) {
   for (std::size_t i = 0; i + 1 < trace.size(); ++i) {
     const double h = trace[i + 1].dissipated - trace[i].dissipated;
     const double last = h > 0 ? std::min(1.0, (end - trace[i].dissipated) / h) : 1.0;
-    for (int k = 1; k <= per_step; ++k) out.push_back(between(trace[i], trace[i + 1], last * k / per_step, kind));
+    for (int k = 1; k <= per_step; ++k)
+      out.push_back(between(trace[i], trace[i + 1], last * k / per_step, kind));
     if (last < 1) break;
   }
   return out;
@@ -94,7 +97,8 @@ Samples states(const Trace& trace, double end) {
 Samples elastic_part(const Samples& path) {
   constexpr double round_off = 1e-12;
   const double start = path.front().dissipated, whole = path.back().dissipated - start;
-  const auto end = std::ranges::find_if(path, [&](const Sample& s) { return s.dissipated - start > round_off * whole; });
+  const auto end =
+      std::ranges::find_if(path, [&](const Sample& s) { return s.dissipated - start > round_off * whole; });
   return {path.begin(), end};
 }
 
@@ -118,13 +122,15 @@ double largest_difference(const Interpolated& path, const Samples& states, const
     return std::abs((at.load - lookup(way, at.dissipated, dissipated_of, load_of)) / peak.load);
   };
   for (std::size_t i = elastic_states.size(); i < states.size(); ++i)
-    {if(std::min(gap(path.smooth, states[i]), gap(path.kinked, states[i]))>1e-3) fprintf(stderr,"D %.5g F %.2f smooth %.2e kink %.2e val %.2f\n",states[i].dissipated,states[i].load,gap(path.smooth, states[i]), gap(path.kinked, states[i]),lookup(path.smooth, states[i].dissipated, dissipated_of, load_of)); out = std::max(out, std::min(gap(path.smooth, states[i]), gap(path.kinked, states[i])));}
+    out = std::max(out, std::min(gap(path.smooth, states[i]), gap(path.kinked, states[i])));
   return out;
 }
 
 double squared_distance(const Sample& x, const Sample& a, const Sample& b, const Sample& unit) {
   const Vec2 scale(unit.displacement != 0 ? 1 / unit.displacement : 0, 1 / unit.load);
-  const auto place = [&](const Sample& s) -> Vec2 { return Vec2(s.displacement, s.load).cwiseProduct(scale); };
+  const auto place = [&](const Sample& s) -> Vec2 {
+    return Vec2(s.displacement, s.load).cwiseProduct(scale);
+  };
   const Vec2 along = place(b) - place(a), from = place(x) - place(a);
   const double length = along.squaredNorm();
   const double s = length > 0 ? std::clamp(from.dot(along) / length, 0.0, 1.0) : 0.0;
@@ -133,14 +139,16 @@ double squared_distance(const Sample& x, const Sample& a, const Sample& b, const
 
 double nearest(const Sample& x, const Samples& to, const Sample& peak) {
   double out = squared_distance(x, to[0], to[0], peak);
-  for (std::size_t i = 0; i + 1 < to.size(); ++i) out = std::min(out, squared_distance(x, to[i], to[i + 1], peak));
+  for (std::size_t i = 0; i + 1 < to.size(); ++i)
+    out = std::min(out, squared_distance(x, to[i], to[i + 1], peak));
   return std::sqrt(out);
 }
 
 /// The farthest that one of the states lies from the path.
 double one_sided(const Samples& states, const Interpolated& path, const Sample& peak) {
   double out = 0;
-  for (const Sample& x : states) out = std::max(out, std::min(nearest(x, path.smooth, peak), nearest(x, path.kinked, peak)));
+  for (const Sample& x : states)
+    out = std::max(out, std::min(nearest(x, path.smooth, peak), nearest(x, path.kinked, peak)));
   return out;
 }
 
@@ -148,10 +156,10 @@ double one_sided(const Samples& states, const Interpolated& path, const Sample& 
 
 PathDistance distance(const Trace& first, const Trace& second) {
   const double end = std::min(first.back().dissipated, second.back().dissipated);
-  const auto top = std::ranges::max_element(first, {}, [](const TracePoint& at) { return std::abs(at.load); });
+  const auto top =
+      std::ranges::max_element(first, {}, [](const TracePoint& at) { return std::abs(at.load); });
   const Sample peak{top->dissipated, displacement(*top), top->load};
   if (peak.load == 0) return {};
-  for(auto&t:first) fprintf(stderr,"  %.5g %.2f arr %.4g lea %.4g\n",t.dissipated,t.load,t.arriving[0],t.leaving[0]);
   const Interpolated a(first, end), b(second, end);
   const Samples of_first = states(first, end), of_second = states(second, end);
   return {std::max(largest_difference(a, of_second, peak), largest_difference(b, of_first, peak)),

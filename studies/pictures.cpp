@@ -14,10 +14,14 @@ std::string with_unit(const std::string& name, const std::string& unit) {
   return unit.empty() ? name : fmt::format("{} [{}]", name, unit);
 }
 
-svg::Panel panel(const CsvTable& curve, const Measures& measures, const RunMemory& memory, std::size_t gauge) {
+svg::Panel panel(const CsvTable& curve, const Measures& measures, const RunMemory& memory,
+                 std::size_t gauge) {
   const Column& column = measures.names()[gauge];
-  svg::Panel out{.title = column.name, .x_label = with_unit(column.name, column.unit),
-                 .y_label = with_unit("load", measures.load_unit()), .series = {}, .markers = {}};
+  svg::Panel out{.title = column.name,
+                 .x_label = with_unit(column.name, column.unit),
+                 .y_label = with_unit("load", measures.load_unit()),
+                 .series = {},
+                 .markers = {}};
   out.series.push_back({"", curve.numbers(column.name), curve.numbers("load")});
   if (memory.peak.step > 0)
     out.markers.push_back({memory.peak.values[gauge], memory.peak.load,
@@ -27,15 +31,18 @@ svg::Panel panel(const CsvTable& curve, const Measures& measures, const RunMemor
 
 /// Load against the dissipated energy: what a deck without displacement gauges still tells.
 svg::Panel energy_panel(const CsvTable& curve, const Measures& measures) {
-  return {.title = "", .x_label = with_unit("dissipated energy", measures.columns()[4].unit),
+  return {.title = "",
+          .x_label = with_unit("dissipated energy", measures.columns()[4].unit),
           .y_label = with_unit("load", measures.load_unit()),
-          .series = {{"", curve.numbers("dissipated_energy"), curve.numbers("load")}}, .markers = {}};
+          .series = {{"", curve.numbers("dissipated_energy"), curve.numbers("load")}},
+          .markers = {}};
 }
 
 svg::Figure curves(const RunFolder& folder, const Measures& measures, const RunMemory& memory) {
   const CsvTable curve = read_csv(folder.file("curve.csv"));
   svg::Figure out;
-  for (const std::size_t gauge : measures.displacements()) out.panels.push_back(panel(curve, measures, memory, gauge));
+  for (const std::size_t gauge : measures.displacements())
+    out.panels.push_back(panel(curve, measures, memory, gauge));
   if (out.panels.empty()) out.panels.push_back(energy_panel(curve, measures));
   return out;
 }
@@ -89,7 +96,8 @@ class DeformedState {
       const InterfacePoint& point = fields_.equilibrium().point(p);
       const auto between = [&](const Vec2& x) {
         return moved(x, (fields_.displacement(point.first, x, at_.state.d) +
-                         fields_.displacement(point.second, x, at_.state.d)) / 2);
+                         fields_.displacement(point.second, x, at_.state.d)) /
+                            2);
       };
       const auto& [start, end] = fields_.segment(p);
       drawing.strokes.push_back({between(start), between(end), interface.opening[p].norm()});
@@ -102,31 +110,37 @@ class DeformedState {
   double scale_;
 };
 
-svg::Drawing deformed(const Fields& fields, const RunMemory& memory, const StoredState& end, const std::string& unit) {
+svg::Drawing deformed(const Fields& fields, const RunMemory& memory, const StoredState& end,
+                      const std::string& unit) {
   const Box box = bounds(fields);
   const double height = (box.high - box.low).y();
   const double of_end = magnification(fields, end.state, box.size());
-  svg::Drawing out{.title = "Deformed blocks and cracks", .caption = fmt::format("end: displacements × {:g}", of_end),
-                   .polygons = {}, .polygon_label = "", .strokes = {}, .stroke_label = fmt::format("opening [{}]", unit)};
+  svg::Drawing out{.title = "Deformed blocks and cracks",
+                   .caption = fmt::format("end: displacements × {:g}", of_end),
+                   .polygons = {},
+                   .polygon_label = "",
+                   .strokes = {},
+                   .stroke_label = fmt::format("opening [{}]", unit)};
   DeformedState(fields, end, Vec2::Zero(), of_end).add_to(out);
   if (!memory.peak_state || memory.peak_state->step == end.step) return out;
   const double of_peak = magnification(fields, memory.peak_state->state, box.size());
   const Vec2 above(0, 1.2 * height + 0.1 * box.size());
   DeformedState(fields, *memory.peak_state, above, of_peak).add_to(out);
-  out.caption = fmt::format("above: at the peak (step {}), displacements × {:g}; below: at the end (step {}), × {:g}",
-                            memory.peak_state->step, of_peak, end.step, of_end);
+  out.caption =
+      fmt::format("above: at the peak (step {}), displacements × {:g}; below: at the end (step {}), × {:g}",
+                  memory.peak_state->step, of_peak, end.step, of_end);
   return out;
 }
 
 }  // namespace
 
-void write_pictures(const RunFolder& folder, const Fields& fields, const Measures& measures, const RunMemory& memory,
-                    const StoredState& end) {
+void write_pictures(const RunFolder& folder, const Fields& fields, const Measures& measures,
+                    const RunMemory& memory, const StoredState& end) {
   write_whole(folder.file("curve.svg"), svg::to_svg(curves(folder, measures, memory)), Flush::to_system);
   constexpr std::size_t most_blocks = 20000;
   if (fields.equilibrium().num_blocks() > most_blocks) return;
-  write_whole(folder.file("deformed.svg"), svg::to_svg(deformed(fields, memory, end, fields.mesh().length_unit)),
-              Flush::to_system);
+  write_whole(folder.file("deformed.svg"),
+              svg::to_svg(deformed(fields, memory, end, fields.mesh().length_unit)), Flush::to_system);
 }
 
 }  // namespace dda

@@ -17,7 +17,8 @@ Numbers flat(const std::vector<Mat2>& matrices) {
 
 std::vector<Mat2> matrices(const Numbers& flat) {
   std::vector<Mat2> out;
-  for (std::size_t i = 0; i + 3 < flat.size(); i += 4) out.emplace_back(Eigen::Map<const Mat2>(flat.data() + i));
+  for (std::size_t i = 0; i + 3 < flat.size(); i += 4)
+    out.emplace_back(Eigen::Map<const Mat2>(flat.data() + i));
   return out;
 }
 
@@ -54,9 +55,14 @@ void put(RestartData& data, const std::string& name, const Measurement& m) {
 Measurement take_measurement(const RestartData& data, const std::string& name) {
   const Numbers& n = data.numbers.at(name + ".numbers");
   const Integers& counts = data.integers.at(name + ".counts");
-  return {.step = static_cast<int>(counts.at(0)), .load_factor = n.at(0),
-          .control = data.texts.at(name + ".control").at(0), .newton_iterations = static_cast<int>(counts.at(1)),
-          .dissipated = n.at(1), .stored = n.at(2), .work = n.at(3), .load = n.at(4),
+  return {.step = static_cast<int>(counts.at(0)),
+          .load_factor = n.at(0),
+          .control = data.texts.at(name + ".control").at(0),
+          .newton_iterations = static_cast<int>(counts.at(1)),
+          .dissipated = n.at(1),
+          .stored = n.at(2),
+          .work = n.at(3),
+          .load = n.at(4),
           .values = {n.begin() + 5, n.end()}};
 }
 
@@ -69,9 +75,14 @@ void put(RestartData& data, const PathMemory& m) {
 
 PathMemory take_path(const RestartData& data) {
   const Numbers& n = data.numbers.at("path");
-  return {.peak_load = n.at(0), .direction = static_cast<int>(data.integers.at("path.direction").at(0)),
-          .step = n.at(1), .step_control = data.texts.at("path.step_control").at(0), .largest_displacement = n.at(2),
-          .jump_energy = n.at(3), .last_quantum = n.at(4), .driver = n.at(5)};
+  return {.peak_load = n.at(0),
+          .direction = static_cast<int>(data.integers.at("path.direction").at(0)),
+          .step = n.at(1),
+          .step_control = data.texts.at("path.step_control").at(0),
+          .largest_displacement = n.at(2),
+          .jump_energy = n.at(3),
+          .last_quantum = n.at(4),
+          .driver = n.at(5)};
 }
 
 void put(RestartData& data, const Tangent& leaving) {
@@ -93,7 +104,7 @@ Tangent take_leaving(const RestartData& data) {
 void put(RestartData& data, const Walker& walker) {
   const Candidate& here = walker.here();
   put(data, "here", StoredState{walker.effort().accepted, here.state, walker.system().history()});
-  data.numbers["walker"] = {here.dissipated, here.stored, here.work,
+  data.numbers["walker"] = {here.dissipated, here.stored,   here.work,
                             here.load,       here.residual, walker.system().highest_force_level()};
   put(data, walker.leaving());
   const Effort& effort = walker.effort();
@@ -105,17 +116,20 @@ void put(RestartData& data, const Walker& walker) {
 
 Effort take_effort(const RestartData& data) {
   const Integers& e = data.integers.at("effort");
-  return {.accepted = static_cast<int>(e.at(0)), .rejected = static_cast<int>(e.at(1)),
-          .rescues = static_cast<int>(e.at(2)), .newton_iterations = static_cast<int>(e.at(3))};
+  return {.accepted = static_cast<int>(e.at(0)),
+          .rejected = static_cast<int>(e.at(1)),
+          .rescues = static_cast<int>(e.at(2)),
+          .newton_iterations = static_cast<int>(e.at(3))};
 }
 
 void check_sizes(const RestartData& data, const fs::path& folder, const Equilibrium& equilibrium) {
   if (data.numbers.at("here.d").size() == equilibrium.num_unknowns() &&
       data.numbers.at("here.kappa").size() == equilibrium.num_crackable())
     return;
-  throw InputError(Position{folder.string()},
-                   "the structure has another number of blocks or interface points than the run had; only controls, "
-                   "stopping rules and records may change");
+  throw InputError(
+      Position{folder.string()},
+      "the structure has another number of blocks or interface points than the run had; only controls, "
+      "stopping rules and records may change");
 }
 
 void restore_walker(const RestartData& data, Walker& walker) {
@@ -126,8 +140,14 @@ void restore_walker(const RestartData& data, Walker& walker) {
     throw std::runtime_error("the stiffness of the restart file is singular");
   StoredState here = take_state(data, "here");
   const Numbers& n = data.numbers.at("walker");
-  const Candidate at{.state = here.state, .history = here.history, .arriving = {}, .dissipated = n.at(0),
-                     .stored = n.at(1), .work = n.at(2), .load = n.at(3), .residual = n.at(4)};
+  const Candidate at{.state = here.state,
+                     .history = here.history,
+                     .arriving = {},
+                     .dissipated = n.at(0),
+                     .stored = n.at(1),
+                     .work = n.at(2),
+                     .load = n.at(3),
+                     .residual = n.at(4)};
   walker.system().restore_force_level(n.at(5));
   walker.restore(at, here.history, take_effort(data), take_leaving(data));
 }
@@ -152,7 +172,8 @@ RestartData restart_data(const Simulation& simulation, const RunMemory& memory, 
 }
 
 DeckFile deck_of(const RestartData& data, const fs::path& folder, const std::vector<std::string>& overrides) {
-  DeckFile out = deck_from_text(data.texts.at("deck.effective").at(0), folder / "effective_deck.yaml", overrides);
+  DeckFile out =
+      deck_from_text(data.texts.at("deck.effective").at(0), folder / "effective_deck.yaml", overrides);
   out.path = data.texts.at("deck.path").at(0);
   out.text = data.texts.at("deck.text").at(0);
   const auto& before = data.texts.at("deck.overrides");
@@ -166,13 +187,18 @@ RunMemory restore(const RestartData& data, const fs::path& folder, Simulation& s
   restore_walker(data, simulation.walker());
   simulation.begin_path();
   PathMemory path = take_path(data);
-  if (data.texts.at("control").at(0) != to_yaml(simulation.deck().path.control.echo())) path.driver = path.step = 0;
+  if (data.texts.at("control").at(0) != to_yaml(simulation.deck().path.control.echo()))
+    path.driver = path.step = 0;
   simulation.path().restore(path);
   const Integers& run = data.integers.at("run");
-  RunMemory out{.last_step = static_cast<int>(run.at(0)), .start = take_measurement(data, "start"),
-                .peak = take_measurement(data, "peak"), .peak_state = {}, .is_peak_stored = run.at(1) != 0};
+  RunMemory out{.last_step = static_cast<int>(run.at(0)),
+                .start = take_measurement(data, "start"),
+                .peak = take_measurement(data, "peak"),
+                .peak_state = {},
+                .is_peak_stored = run.at(1) != 0};
   if (data.numbers.contains("peak_state.d")) out.peak_state = take_state(data, "peak_state");
-  out.num_factorisations = run.at(2) - static_cast<std::int64_t>(simulation.system().linear().num_factorisations());
+  out.num_factorisations =
+      run.at(2) - static_cast<std::int64_t>(simulation.system().linear().num_factorisations());
   return out;
 }
 

@@ -13,7 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Which folder a new run gets. A folder that the user named and that holds something is the user's to decide about.
+/// Which folder a new run gets. A folder that the user named and that holds something is the user's to decide
+/// about.
 RunFolder new_folder(const DeckFile& deck, const RunOptions& options) {
   fs::path wanted = options.folder;
   if (wanted.empty()) wanted = deck.deck.record.folder;
@@ -23,8 +24,9 @@ RunFolder new_folder(const DeckFile& deck, const RunOptions& options) {
   if (!is_named) return RunFolder::create(wanted, IfExists::number);
   std::error_code error;
   if (fs::is_directory(wanted, error) && !fs::is_empty(wanted, error))
-    throw InputError(Position{wanted.string()}, "the run folder exists and is not empty; choose another one or give "
-                                                "--overwrite");
+    throw InputError(Position{wanted.string()},
+                     "the run folder exists and is not empty; choose another one or give "
+                     "--overwrite");
   return RunFolder::create(wanted, IfExists::refuse);
 }
 
@@ -61,10 +63,12 @@ RunResult follow(Simulation& simulation, const RunFolder& folder, RunRecorder& r
 
 /// The files that a continued run goes on with.
 void copy_run(const fs::path& from, const RunFolder& to) {
-  for (const char* name : {"curve.csv", "curve.units.json", "log.jsonl", "run.h5", "run.xdmf", "restart.h5"}) {
+  for (const char* name :
+       {"curve.csv", "curve.units.json", "log.jsonl", "run.h5", "run.xdmf", "restart.h5"}) {
     std::error_code error;
     fs::copy_file(from / name, to.file(name), fs::copy_options::overwrite_existing, error);
-    if (error) throw OutputError(fmt::format("cannot copy '{}': {}", (from / name).string(), error.message()));
+    if (error)
+      throw OutputError(fmt::format("cannot copy '{}': {}", (from / name).string(), error.message()));
   }
 }
 
@@ -94,8 +98,8 @@ RunResult run_deck(const DeckFile& deck, const RunOptions& options, std::optiona
   return follow(simulation, folder, recorder, timings, obstacle, options.quiet);
 }
 
-RunResult resume_run(const fs::path& existing, const std::vector<std::string>& overrides, const RunOptions& options,
-                     std::optional<MpiSession>& mpi) {
+RunResult resume_run(const fs::path& existing, const std::vector<std::string>& overrides,
+                     const RunOptions& options, std::optional<MpiSession>& mpi) {
   Timings timings;
   const InterruptGuard guard;
   const RunFolder source = RunFolder::open(existing);
@@ -117,11 +121,11 @@ RunResult resume_run(const fs::path& existing, const std::vector<std::string>& o
 
 std::string last_line(const RunResult& result) {
   const auto& summary = result.summary;
-  return fmt::format("{}: {}{} — peak {:.6g} {} at step {}, {} steps, {:.2f} s", result.folder.string(),
-                     status_of(result.ending), result.ending.reason.empty() ? "" : " (" + result.ending.reason + ")",
-                     summary["peak"]["load"].get<double>(), result.measures.load_unit(),
-                     summary["peak"]["step"].get<int>(), summary["steps"].get<int>(),
-                     summary["timings"]["total"].get<double>());
+  return fmt::format(
+      "{}: {}{} — peak {:.6g} {} at step {}, {} steps, {:.2f} s", result.folder.string(),
+      status_of(result.ending), result.ending.reason.empty() ? "" : " (" + result.ending.reason + ")",
+      summary["peak"]["load"].get<double>(), result.measures.load_unit(), summary["peak"]["step"].get<int>(),
+      summary["steps"].get<int>(), summary["timings"]["total"].get<double>());
 }
 
 }  // namespace dda

@@ -13,7 +13,8 @@ namespace dda {
 
 /// Where a run writes and what it shows.
 struct RunOptions {
-  std::filesystem::path folder;  ///< empty: the deck's own, or runs/<name of the deck> with the next free number
+  std::filesystem::path
+      folder;  ///< empty: the deck's own, or runs/<name of the deck> with the next free number
   bool overwrite = false;
   bool quiet = false;
 };
@@ -27,8 +28,8 @@ struct RunResult {
   std::vector<TracePoint> trace;
 };
 
-/// Follows the path of a deck into a new run folder. MPI is started when the deck turns out valid, and must outlive
-/// the call. Throws InputError (nothing written) and OutputError.
+/// Follows the path of a deck into a new run folder. MPI is started when the deck turns out valid, and must
+/// outlive the call. Throws InputError (nothing written) and OutputError.
 RunResult run_deck(const DeckFile& deck, const RunOptions& options, std::optional<MpiSession>& mpi);
 
 /// Continues the run in `folder`, in place or, when the options name another folder, in a copy.

@@ -14,7 +14,8 @@ struct RunMemory {
   int last_step = 0;  ///< rows of the curve are those of steps 0 … last_step
   Measurement start;  ///< where the path of the last stage begins
   Measurement peak;   ///< at the largest load so far
-  std::optional<StoredState> peak_state;  ///< fields of the peak; `is_peak_stored` says whether run.h5 has them
+  std::optional<StoredState>
+      peak_state;  ///< fields of the peak; `is_peak_stored` says whether run.h5 has them
   bool is_peak_stored = true;
   long long num_factorisations = 0;  ///< of the processes before this one
 };

@@ -14,7 +14,8 @@ namespace {
 Measures measures_of(const Simulation& simulation) {
   const Deck& deck = simulation.deck();
   const Loading& loading = simulation.loading();
-  Dimension dimension = loading.load.rows.empty() && loading.load.per_load_factor == 1 ? dimension::none : dimension::force;
+  Dimension dimension =
+      loading.load.rows.empty() && loading.load.per_load_factor == 1 ? dimension::none : dimension::force;
   for (const NamedGauge& gauge : loading.gauges)
     if (gauge.name == deck.path.load_gauge) dimension = gauge.dimension;
   if (deck.path.load_gauge.empty() && dimension == dimension::none) dimension = dimension::force;
@@ -28,7 +29,8 @@ ResultsFile::Texts texts_of(const DeckFile& deck) {
   return out;
 }
 
-CurveTable open_curve(const RunFolder& folder, const Measures& measures, const std::optional<RunMemory>& memory) {
+CurveTable open_curve(const RunFolder& folder, const Measures& measures,
+                      const std::optional<RunMemory>& memory) {
   const auto file = folder.file("curve.csv");
   if (!memory) return {file, measures.columns()};
   return CurveTable::resume(file, measures.columns(), static_cast<std::size_t>(memory->last_step) + 1);
@@ -42,8 +44,8 @@ ResultsFile open_results(const RunFolder& folder, const Fields& fields, const De
 
 }  // namespace
 
-RunRecorder::RunRecorder(const RunFolder& folder, Simulation& simulation, const DeckFile& deck, Timings& timings,
-                         std::optional<RunMemory> memory)
+RunRecorder::RunRecorder(const RunFolder& folder, Simulation& simulation, const DeckFile& deck,
+                         Timings& timings, std::optional<RunMemory> memory)
     : folder_(folder),
       simulation_(simulation),
       deck_(deck),
@@ -69,7 +71,9 @@ RunRecorder::RunRecorder(const RunFolder& folder, Simulation& simulation, const 
 }
 
 void RunRecorder::start() {
-  log_.info("started", {{"version", provenance().version}, {"deck", deck_.path.string()}, {"overrides", deck_.overrides}});
+  log_.info(
+      "started",
+      {{"version", provenance().version}, {"deck", deck_.path.string()}, {"overrides", deck_.overrides}});
   for (const std::string& notice : simulation_.equilibrium().interfaces().notices)
     log_.warning("notice", {{"text", notice}});
   memory_.start = memory_.peak = last_ = measures_.measure(simulation_.walker(), 0, "start", 0);
@@ -127,8 +131,11 @@ void RunRecorder::write_restart_file() {
 }
 
 void RunRecorder::log_step(const Point& point, const Measurement& now) {
-  Log::Fields fields{{"step", point.step}, {"control", point.control}, {"load_factor", now.load_factor},
-                     {"load", now.load}, {"newton_iterations", point.newton_iterations}};
+  Log::Fields fields{{"step", point.step},
+                     {"control", point.control},
+                     {"load_factor", now.load_factor},
+                     {"load", now.load},
+                     {"newton_iterations", point.newton_iterations}};
   if (!point.landed.empty()) fields["landed"] = point.landed;
   if (point.jump_energy != 0) fields["jump_energy"] = point.jump_energy;
   log_.info("step", fields);
@@ -155,8 +162,11 @@ nlohmann::ordered_json RunRecorder::finish(const Ending& ending) {
 ProgressPoint RunRecorder::progress() const {
   const Walker& walker = simulation_.walker();
   const StopRules& stop = simulation_.deck().path.stop;
-  ProgressPoint out{.step = last_.step, .load_factor = last_.load_factor, .control = last_.control,
-                    .gauges = {{"load", last_.load}}, .iterations = last_.newton_iterations,
+  ProgressPoint out{.step = last_.step,
+                    .load_factor = last_.load_factor,
+                    .control = last_.control,
+                    .gauges = {{"load", last_.load}},
+                    .iterations = last_.newton_iterations,
                     .step_size = simulation_.path().memory().step};
   for (std::size_t i = 0; i < measures_.num_gauges(); ++i)
     out.gauges.emplace_back(measures_.names()[i].name, last_.values[i]);

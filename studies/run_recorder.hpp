@@ -13,9 +13,9 @@ namespace dda {
 
 /// Writes everything that a run folder holds while a path is followed.
 ///
-/// Every accepted step is a row of curve.csv and a line of log.jsonl; fields and the restart file follow at landings,
-/// at the peak, every record.fields_every steps and at the end. summary.json comes last: a folder without it does not
-/// hold a whole result. Throws OutputError.
+/// Every accepted step is a row of curve.csv and a line of log.jsonl; fields and the restart file follow at
+/// landings, at the peak, every record.fields_every steps and at the end. summary.json comes last: a folder
+/// without it does not hold a whole result. Throws OutputError.
 class RunRecorder {
  public:
   /// `memory` is that of the run to be continued, or nothing for a new one.

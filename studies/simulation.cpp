@@ -19,7 +19,8 @@ std::vector<std::shared_ptr<const Material>> materials_of(const Assembly& assemb
   for (const Region& region : assembly.regions) {
     if (!made.contains(region.material))
       findings.add(deck.scene.where, "region '" + region.name + "' is of material '" + region.material +
-                                         "', which `materials` does not describe" + suggest(region.material, names));
+                                         "', which `materials` does not describe" +
+                                         suggest(region.material, names));
     out.push_back(made[region.material]);
   }
   findings.throw_if_any();
@@ -38,8 +39,10 @@ Simulation::Simulation(const Deck& deck, Timings& timings) : deck_(deck), timing
   equilibrium_ = std::make_unique<const Equilibrium>(*body_, deck);
   gauges_.gauges = loading().gauges;
   for (const auto& [name, choice] : deck.gauge_names) {
-    if (choice.name() == "displacement" && gauges_.first_displacement.empty()) gauges_.first_displacement = name;
-    if (choice.name() == "relative_displacement" && gauges_.first_opening.empty()) gauges_.first_opening = name;
+    if (choice.name() == "displacement" && gauges_.first_displacement.empty())
+      gauges_.first_displacement = name;
+    if (choice.name() == "relative_displacement" && gauges_.first_opening.empty())
+      gauges_.first_opening = name;
   }
   deck.path.control.make(gauges_);  // a control that names no known gauge is found before anything is solved
   landings();

@@ -28,10 +28,13 @@ Json units_of(const Units& units) { return {{"length", units.length}, {"force", 
 
 std::string status_of(const Ending& ending) {
   switch (ending.kind) {
-    case Ending::Kind::goal_reached: return "goal_reached";
-    case Ending::Kind::interrupted: return "interrupted";
+    case Ending::Kind::goal_reached:
+      return "goal_reached";
+    case Ending::Kind::interrupted:
+      return "interrupted";
     case Ending::Kind::running:
-    case Ending::Kind::stopped_early: break;
+    case Ending::Kind::stopped_early:
+      break;
   }
   return "stopped_early";
 }

@@ -13,12 +13,13 @@ std::string status_of(const Ending& ending);
 /// 0 goal_reached, 3 stopped_early, 130 interrupted.
 int exit_code_of(const Ending& ending);
 
-/// Work that neither stored nor dissipated energy nor a booked jump accounts for, relative to the work of the path.
+/// Work that neither stored nor dissipated energy nor a booked jump accounts for, relative to the work of the
+/// path.
 double energy_balance_error(const Measurement& start, const Measurement& end, double jump_energy);
 
 /// The content of summary.json, but for the log's notices.
-nlohmann::ordered_json summarise(const Simulation& simulation, const RunMemory& memory, const Measures& measures,
-                                 const Ending& ending);
+nlohmann::ordered_json summarise(const Simulation& simulation, const RunMemory& memory,
+                                 const Measures& measures, const Ending& ending);
 
 /// Seconds by phase, `total` and `start_up`.
 nlohmann::ordered_json to_json(const Timings& timings);

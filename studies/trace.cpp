@@ -16,8 +16,11 @@ std::vector<double> rates(const Tangent& tangent, const Measures& measures) {
 }  // namespace
 
 TracePoint trace_point(const Walker& walker, const Measures& measures) {
-  TracePoint out{.dissipated = walker.here().dissipated, .load = walker.value(measures.load()), .displacements = {},
-                 .arriving = rates(walker.here().arriving, measures), .leaving = rates(walker.leaving(), measures)};
+  TracePoint out{.dissipated = walker.here().dissipated,
+                 .load = walker.value(measures.load()),
+                 .displacements = {},
+                 .arriving = rates(walker.here().arriving, measures),
+                 .leaving = rates(walker.leaving(), measures)};
   for (const std::size_t i : measures.displacements())
     out.displacements.push_back(walker.value(measures.functionals()[i]));
   return out;

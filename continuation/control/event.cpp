@@ -10,7 +10,9 @@ class EventControl final : public Control {
   explicit EventControl(const System& system) : system_(system) {}
 
   void start_at(const ControlPoint& start, double) override { start_ = nearest(start).distance; }
-  double residual(const ControlPoint& at, double s) const override { return nearest(at).distance - (1 - s) * start_; }
+  double residual(const ControlPoint& at, double s) const override {
+    return nearest(at).distance - (1 - s) * start_;
+  }
 
   double gradient(const ControlPoint& at, std::span<double> per_d) const override {
     const Nearest found = nearest(at);
@@ -19,7 +21,8 @@ class EventControl final : public Control {
     const InterfacePoint& point = system_.equilibrium().point(p);
     const Vec2 e = point.law->opening_gradient(at.laws.opening[p]) / system_.kappa(p, system_.history()[p]);
     Functional row;
-    row.rows = {{point.first, point.rows.first.transpose() * e}, {point.second, point.rows.second.transpose() * e}};
+    row.rows = {{point.first, point.rows.first.transpose() * e},
+                {point.second, point.rows.second.transpose() * e}};
     row.add_gradient(1, per_d);
     const auto& offset = system_.loading().reference_offset;
     return offset.empty() ? 0 : e.dot(Eigen::Map<const Vec2>(offset.data() + 2 * p));
@@ -51,6 +54,8 @@ class EventControl final : public Control {
 
 }  // namespace
 
-std::unique_ptr<Control> make_event_control(const System& system) { return std::make_unique<EventControl>(system); }
+std::unique_ptr<Control> make_event_control(const System& system) {
+  return std::make_unique<EventControl>(system);
+}
 
 }  // namespace dda

@@ -13,12 +13,14 @@ struct Amesos2Parameters {};
 using Matrix = Tpetra::CrsMatrix<double>;
 using Columns = Tpetra::MultiVector<double>;
 
-/// Amesos2 with KLU2, unsymmetric LU. One rank only: on two or more it returns wrong solutions without a word.
+/// Amesos2 with KLU2, unsymmetric LU. One rank only: on two or more it returns wrong solutions without a
+/// word.
 class Klu2 final : public DirectSolver {
  public:
   Klu2() {
     if (Tpetra::getDefaultComm()->getSize() > 1)
-      throw InputError({}, "linear solver 'amesos2' (KLU2) is wrong on several ranks; use 'mumps' or one rank");
+      throw InputError({},
+                       "linear solver 'amesos2' (KLU2) is wrong on several ranks; use 'mumps' or one rank");
   }
 
   bool factor(const BlockMatrix& a) override {
@@ -45,7 +47,9 @@ class Klu2 final : public DirectSolver {
       std::copy_n(left.getData(c).getRawPtr(), n, x.data() + c * n);
   }
 
-  double factor_flops() const override { return 2 * static_cast<double>(matrix_->getNodeNumEntries()) * fill_guess; }
+  double factor_flops() const override {
+    return 2 * static_cast<double>(matrix_->getNodeNumEntries()) * fill_guess;
+  }
   int num_negative_pivots() const override { return -1; }
 
  private:
@@ -56,7 +60,8 @@ class Klu2 final : public DirectSolver {
     const auto map = Teuchos::rcp(new Tpetra::Map<>(n, 0, Tpetra::getDefaultComm()));
     std::vector<std::size_t> lengths(n);
     for (std::size_t i = 0; i < n; ++i) lengths[i] = 6 * (a.row_start()[i / 6 + 1] - a.row_start()[i / 6]);
-    matrix_ = Teuchos::rcp(new Matrix(map, map, Teuchos::ArrayView<const std::size_t>(lengths), Tpetra::StaticProfile));
+    matrix_ = Teuchos::rcp(
+        new Matrix(map, map, Teuchos::ArrayView<const std::size_t>(lengths), Tpetra::StaticProfile));
     for (std::size_t i = 0; i < n; ++i) insert_row(a, i);
     matrix_->fillComplete();
   }
@@ -77,7 +82,8 @@ class Klu2 final : public DirectSolver {
 };
 
 Schema<Amesos2Parameters> schema() {
-  return Schema<Amesos2Parameters>("Sparse LU (KLU2 through Amesos2), a slower second opinion; one rank only.");
+  return Schema<Amesos2Parameters>(
+      "Sparse LU (KLU2 through Amesos2), a slower second opinion; one rank only.");
 }
 
 std::unique_ptr<DirectSolver> make(const Amesos2Parameters&) { return std::make_unique<Klu2>(); }

@@ -7,7 +7,10 @@
 namespace dda {
 
 LinearSystem::LinearSystem(const Equilibrium& equilibrium, const DirectSolverChoice& solver, Update update)
-    : equilibrium_(equilibrium), solver_(solver.make()), update_(update), slot_(equilibrium.num_crackable(), -1) {
+    : equilibrium_(equilibrium),
+      solver_(solver.make()),
+      update_(update),
+      slot_(equilibrium.num_crackable(), -1) {
   std::vector<Mat2> intact(equilibrium.num_crackable());
   for (std::size_t p = 0; p < intact.size(); ++p)
     intact[p] = equilibrium.point(p).trial_stiffness().asDiagonal();
@@ -52,7 +55,8 @@ bool LinearSystem::restore(std::span<const Mat2> base, std::span<const std::size
 /// The dense part of a few iterations, ⅔ r³ each, against one factorisation.
 std::size_t LinearSystem::most_columns() const {
   constexpr double iterations_per_base = 5, fewest = 48;
-  return static_cast<std::size_t>(std::max(fewest, std::cbrt(1.5 * solver_->factor_flops() / iterations_per_base)));
+  return static_cast<std::size_t>(
+      std::max(fewest, std::cbrt(1.5 * solver_->factor_flops() / iterations_per_base)));
 }
 
 bool LinearSystem::set_tangent(std::span<const Mat2> tangents) {
@@ -88,8 +92,10 @@ void LinearSystem::add_columns(std::size_t point) {
     const InterfacePoint& at = equilibrium_.point(p);
     for (std::size_t c = 0; c < 2; ++c) {
       double* column = z_.data() + (2 * static_cast<std::size_t>(slot_[p]) + c) * n();
-      Eigen::Map<Vec6>(column + 6 * at.first.value()) += at.rows.first.row(static_cast<Eigen::Index>(c)).transpose();
-      Eigen::Map<Vec6>(column + 6 * at.second.value()) += at.rows.second.row(static_cast<Eigen::Index>(c)).transpose();
+      Eigen::Map<Vec6>(column + 6 * at.first.value()) +=
+          at.rows.first.row(static_cast<Eigen::Index>(c)).transpose();
+      Eigen::Map<Vec6>(column + 6 * at.second.value()) +=
+          at.rows.second.row(static_cast<Eigen::Index>(c)).transpose();
     }
   }
   const std::size_t columns = 2 * (end - begin);
@@ -188,7 +194,8 @@ void LinearSystem::correct(std::span<const std::span<double>> solutions) const {
   }
   const Eigen::MatrixXd shares = small_.solve(right);
   for (std::size_t a = 0; a < active_.size(); ++a) {
-    const Eigen::Map<const Eigen::MatrixX2d> z(column(static_cast<std::size_t>(slot_[active_[a]]), 0).data(), size, 2);
+    const Eigen::Map<const Eigen::MatrixX2d> z(column(static_cast<std::size_t>(slot_[active_[a]]), 0).data(),
+                                               size, 2);
     for (Eigen::Index c = 0; c < columns; ++c)
       Eigen::Map<Eigen::VectorXd>(solutions[static_cast<std::size_t>(c)].data(), size).noalias() -=
           z * shares.block<2, 1>(2 * static_cast<Eigen::Index>(a), c);
@@ -201,7 +208,8 @@ void LinearSystem::multiply(std::span<const double> x, std::span<double> y) cons
   std::vector<double> t(2 * equilibrium_.num_crackable());
   for (std::size_t p = 0; p < equilibrium_.num_crackable(); ++p) {
     const Mat2 change = tangent_[p] - Mat2(equilibrium_.point(p).trial_stiffness().asDiagonal());
-    Eigen::Map<Vec2>(t.data() + 2 * p) = change.isZero(0) ? Vec2(Vec2::Zero()) : Vec2(change * rows_times(p, x));
+    Eigen::Map<Vec2>(t.data() + 2 * p) =
+        change.isZero(0) ? Vec2(Vec2::Zero()) : Vec2(change * rows_times(p, x));
   }
   equilibrium_.scatter_add(t, y);
 }

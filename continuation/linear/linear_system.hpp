@@ -15,9 +15,9 @@ namespace dda {
 ///     K = K_base + Uᵀ E U,     U = rows B of the changed points,  E = W (D − D_base), 2 × 2 per point
 ///     K⁻¹ b = y − Z (1 + E G)⁻¹ E U y,   y = K_base⁻¹ b,  Z = K_base⁻¹ Uᵀ,  G = U Z
 ///
-/// Sherman-Morrison-Woodbury; columns of Z are computed when a point first changes and kept. When so many points have
-/// changed that the dense part costs more than a factorisation, the present tangent becomes the base; that is decided
-/// by counts, never by clocks, so that runs repeat.
+/// Sherman-Morrison-Woodbury; columns of Z are computed when a point first changes and kept. When so many
+/// points have changed that the dense part costs more than a factorisation, the present tangent becomes the
+/// base; that is decided by counts, never by clocks, so that runs repeat.
 class LinearSystem {
  public:
   enum class Update { low_rank, refactorise };
@@ -51,7 +51,8 @@ class LinearSystem {
   /// K_base⁻¹ of these (and of their negatives) is computed once per base.
   void keep_solutions_of(std::vector<double> reference, std::vector<double> dead);
 
-  /// What a restart must bring back: stiffness of the base, and the points whose columns are kept, in their order.
+  /// What a restart must bring back: stiffness of the base, and the points whose columns are kept, in their
+  /// order.
   const std::vector<Mat2>& base() const { return base_; }
   const std::vector<std::size_t>& updated_points() const { return updated_; }
   bool restore(std::span<const Mat2> base, std::span<const std::size_t> updated);
@@ -60,8 +61,8 @@ class LinearSystem {
   std::size_t num_solves() const { return num_solves_; }
 
  private:
-  /// Points whose columns are made in one call of the solver; always the same partition, so that a restored run
-  /// makes the same numbers.
+  /// Points whose columns are made in one call of the solver; always the same partition, so that a restored
+  /// run makes the same numbers.
   static constexpr std::size_t batch = 4;
   struct Kept {
     std::vector<double> right, solution;  ///< solution empty until asked for
@@ -79,18 +80,20 @@ class LinearSystem {
   std::span<const double> column(std::size_t slot, std::size_t component) const {
     return {z_.data() + (2 * slot + component) * n(), n()};
   }
-  Vec2 rows_times(std::size_t point, std::span<const double> x) const { return equilibrium_.opening(point, x); }
+  Vec2 rows_times(std::size_t point, std::span<const double> x) const {
+    return equilibrium_.opening(point, x);
+  }
   BlockMatrix matrix_with(std::span<const Mat2> tangents) const;
 
   const Equilibrium& equilibrium_;
   std::unique_ptr<DirectSolver> solver_;
   Update update_;
   std::vector<Mat2> base_, tangent_;
-  std::vector<std::size_t> updated_;   ///< points with columns in z_, in order
-  std::vector<int> slot_;              ///< point → index in updated_, −1 when none
-  std::vector<double> z_;              ///< columns of K_base⁻¹ Uᵀ, n × 2 per updated point
-  Eigen::MatrixXd g_;                  ///< U K_base⁻¹ Uᵀ, at least 2 · updated square
-  std::vector<std::size_t> active_;    ///< updated points with E ≠ 0 now
+  std::vector<std::size_t> updated_;  ///< points with columns in z_, in order
+  std::vector<int> slot_;             ///< point → index in updated_, −1 when none
+  std::vector<double> z_;             ///< columns of K_base⁻¹ Uᵀ, n × 2 per updated point
+  Eigen::MatrixXd g_;                 ///< U K_base⁻¹ Uᵀ, at least 2 · updated square
+  std::vector<std::size_t> active_;   ///< updated points with E ≠ 0 now
   Eigen::PartialPivLU<Eigen::MatrixXd> small_;
   Kept reference_, dead_;
   std::size_t num_factorisations_ = 0, num_solves_ = 0;

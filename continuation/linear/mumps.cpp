@@ -34,7 +34,8 @@ class Mumps final : public DirectSolver {
     id_.rhs = x.data();
     id_.nrhs = columns;
     id_.lrhs = id_.n;
-    if (!call(job_solve)) throw std::runtime_error("MUMPS could not solve: INFOG(1) = " + std::to_string(id_.infog[0]));
+    if (!call(job_solve))
+      throw std::runtime_error("MUMPS could not solve: INFOG(1) = " + std::to_string(id_.infog[0]));
   }
 
   double factor_flops() const override { return id_.rinfog[2]; }

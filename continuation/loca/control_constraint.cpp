@@ -8,7 +8,8 @@ namespace dda {
 
 using Status = NOX::Abstract::Group::ReturnType;
 
-ControlConstraint::ControlConstraint(System& system, std::shared_ptr<ActiveControl> active, const State& start)
+ControlConstraint::ControlConstraint(System& system, std::shared_ptr<ActiveControl> active,
+                                     const State& start)
     : system_(system),
       active_(std::move(active)),
       x_(Teuchos::rcp(new StateVector(system.map()))),
@@ -40,7 +41,8 @@ void ControlConstraint::copy(const ConstraintInterface& source) {
   if (valid_dx_) *dx_ = *from.dx_;
 }
 
-Teuchos::RCP<LOCA::MultiContinuation::ConstraintInterface> ControlConstraint::clone(NOX::CopyType type) const {
+Teuchos::RCP<LOCA::MultiContinuation::ConstraintInterface> ControlConstraint::clone(
+    NOX::CopyType type) const {
   return Teuchos::rcp(new ControlConstraint(*this, type));
 }
 
@@ -54,7 +56,8 @@ void ControlConstraint::setParam(int id, double value) {
   invalidate();
 }
 
-void ControlConstraint::setParams(const std::vector<int>& ids, const NOX::Abstract::MultiVector::DenseMatrix& values) {
+void ControlConstraint::setParams(const std::vector<int>& ids,
+                                  const NOX::Abstract::MultiVector::DenseMatrix& values) {
   for (std::size_t i = 0; i < ids.size(); ++i) setParam(ids[i], values(static_cast<int>(i), 0));
 }
 
@@ -81,8 +84,8 @@ Status ControlConstraint::computeDX() {
   return NOX::Abstract::Group::Ok;
 }
 
-Status ControlConstraint::computeDP(const std::vector<int>& ids, NOX::Abstract::MultiVector::DenseMatrix& dgdp,
-                                    bool valid_g) {
+Status ControlConstraint::computeDP(const std::vector<int>& ids,
+                                    NOX::Abstract::MultiVector::DenseMatrix& dgdp, bool valid_g) {
   if (!valid_g) {
     computeConstraints();
     dgdp(0, 0) = value_(0, 0);

@@ -30,7 +30,8 @@ class ControlConstraint final : public LOCA::MultiContinuation::ConstraintInterf
   NOX::Abstract::Group::ReturnType computeConstraints() override;
   NOX::Abstract::Group::ReturnType computeDX() override;
   NOX::Abstract::Group::ReturnType computeDP(const std::vector<int>& ids,
-                                             NOX::Abstract::MultiVector::DenseMatrix& dgdp, bool valid_g) override;
+                                             NOX::Abstract::MultiVector::DenseMatrix& dgdp,
+                                             bool valid_g) override;
   bool isConstraints() const override { return valid_; }
   bool isDX() const override { return valid_dx_; }
   const NOX::Abstract::MultiVector::DenseMatrix& getConstraints() const override { return value_; }

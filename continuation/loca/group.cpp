@@ -110,7 +110,8 @@ NOX::Abstract::Group::ReturnType Group::applyJacobian(const NOX::Abstract::Vecto
   return Ok;
 }
 
-NOX::Abstract::Group::ReturnType Group::applyJacobianInverse(Teuchos::ParameterList&, const NOX::Abstract::Vector& in,
+NOX::Abstract::Group::ReturnType Group::applyJacobianInverse(Teuchos::ParameterList&,
+                                                             const NOX::Abstract::Vector& in,
                                                              NOX::Abstract::Vector& out) const {
   if (jacobian_stamp_ == 0) return BadDependency;
   if (!use_jacobian()) return Failed;
@@ -120,9 +121,8 @@ NOX::Abstract::Group::ReturnType Group::applyJacobianInverse(Teuchos::ParameterL
   return Ok;
 }
 
-NOX::Abstract::Group::ReturnType Group::applyJacobianInverseMultiVector(Teuchos::ParameterList&,
-                                                                        const NOX::Abstract::MultiVector& in,
-                                                                        NOX::Abstract::MultiVector& out) const {
+NOX::Abstract::Group::ReturnType Group::applyJacobianInverseMultiVector(
+    Teuchos::ParameterList&, const NOX::Abstract::MultiVector& in, NOX::Abstract::MultiVector& out) const {
   if (jacobian_stamp_ == 0) return BadDependency;
   if (!use_jacobian()) return Failed;
   std::vector<std::span<double>> columns;
@@ -134,8 +134,8 @@ NOX::Abstract::Group::ReturnType Group::applyJacobianInverseMultiVector(Teuchos:
   return Ok;
 }
 
-/// The residual far from convergence lives on the cracked points alone and needs no solve; close to it a true solve
-/// takes off the round-off of what was kept.
+/// The residual far from convergence lives on the cracked points alone and needs no solve; close to it a true
+/// solve takes off the round-off of what was kept.
 void Group::solve_base(std::span<const double> b, std::span<double> y) const {
   constexpr double close = 1e-6;
   const bool own_residual = valid_f_ && std::ranges::equal(b, std::as_const(*f_).local());
@@ -158,16 +158,18 @@ void Group::setParam(int id, double value) {
 
 void Group::setParam(std::string name, double value) { setParam(parameters_.getIndex(name), value); }
 
-NOX::Abstract::Group::ReturnType Group::computeDfDpMulti(const std::vector<int>& ids, NOX::Abstract::MultiVector& dfdp,
-                                                         bool valid_f) {
+NOX::Abstract::Group::ReturnType Group::computeDfDpMulti(const std::vector<int>& ids,
+                                                         NOX::Abstract::MultiVector& dfdp, bool valid_f) {
   if (!valid_f) {
     computeF();
     dfdp[0] = *f_;
   }
   for (std::size_t i = 0; i < ids.size(); ++i) {
     StateVector& column = as_state(dfdp[static_cast<int>(i) + 1]);
-    if (ids[i] == load_factor_id) system_.load_derivative(laws(), column.local());
-    else column.init(0.0);
+    if (ids[i] == load_factor_id)
+      system_.load_derivative(laws(), column.local());
+    else
+      column.init(0.0);
   }
   return Ok;
 }

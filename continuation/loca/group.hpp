@@ -13,8 +13,9 @@ namespace dda {
 
 /// The equilibrium equations as a LOCA group: F(x) = R(d, λ), parameters "lambda" and "s".
 ///
-/// "s" is the abstract path parameter of the user-defined controls, ∂F/∂s = 0. Groups hold values and validity
-/// flags; history, factorisation and laws are the System's. Laws are evaluated once per x and shared by copies.
+/// "s" is the abstract path parameter of the user-defined controls, ∂F/∂s = 0. Groups hold values and
+/// validity flags; history, factorisation and laws are the System's. Laws are evaluated once per x and shared
+/// by copies.
 class Group final : public LOCA::Abstract::Group {
  public:
   static constexpr int load_factor_id = 0, path_id = 1;
@@ -35,7 +36,8 @@ class Group final : public LOCA::Abstract::Group {
   Teuchos::RCP<NOX::Abstract::Group> clone(NOX::CopyType type) const override;
   void copy(const NOX::Abstract::Group& source) override;
   void setX(const NOX::Abstract::Vector& x) override;
-  void computeX(const NOX::Abstract::Group& from, const NOX::Abstract::Vector& direction, double step) override;
+  void computeX(const NOX::Abstract::Group& from, const NOX::Abstract::Vector& direction,
+                double step) override;
   ReturnType computeF() override;
   ReturnType computeJacobian() override;
   ReturnType computeNewton(Teuchos::ParameterList& parameters) override;
@@ -64,8 +66,10 @@ class Group final : public LOCA::Abstract::Group {
   const LOCA::ParameterVector& getParams() const override { return parameters_; }
   double getParam(int id) const override { return parameters_.getValue(id); }
   double getParam(std::string name) const override { return parameters_.getValue(name); }
-  ReturnType computeDfDpMulti(const std::vector<int>& ids, NOX::Abstract::MultiVector& dfdp, bool valid_f) override;
-  double computeScaledDotProduct(const NOX::Abstract::Vector& a, const NOX::Abstract::Vector& b) const override;
+  ReturnType computeDfDpMulti(const std::vector<int>& ids, NOX::Abstract::MultiVector& dfdp,
+                              bool valid_f) override;
+  double computeScaledDotProduct(const NOX::Abstract::Vector& a,
+                                 const NOX::Abstract::Vector& b) const override;
   void scaleVector(NOX::Abstract::Vector& x) const override;
   void printSolution(const double) const override {}
   void printSolution(const NOX::Abstract::Vector&, const double) const override {}

@@ -74,9 +74,12 @@ Teuchos::RCP<NOX::Abstract::Vector> StateVector::clone(NOX::CopyType type) const
 
 double StateVector::norm(NormType type) const {
   switch (type) {
-    case MaxNorm: return data_->normInf();
-    case OneNorm: return data_->norm1();
-    case TwoNorm: break;
+    case MaxNorm:
+      return data_->normInf();
+    case OneNorm:
+      return data_->norm1();
+    case TwoNorm:
+      break;
   }
   return data_->norm2();
 }
@@ -87,7 +90,9 @@ double StateVector::norm(const NOX::Abstract::Vector& weights) const {
   return std::sqrt(innerProduct(weighted));
 }
 
-double StateVector::innerProduct(const NOX::Abstract::Vector& y) const { return data_->dot(*as_state(y).data_); }
+double StateVector::innerProduct(const NOX::Abstract::Vector& y) const {
+  return data_->dot(*as_state(y).data_);
+}
 
 const StateVector& as_state(const NOX::Abstract::Vector& x) { return dynamic_cast<const StateVector&>(x); }
 StateVector& as_state(NOX::Abstract::Vector& x) { return dynamic_cast<StateVector&>(x); }

@@ -13,7 +13,8 @@ using TpetraMap = Tpetra::Map<>;
 
 /// The unknowns of the blocks as NOX sees them: a thin cover of a Tpetra vector.
 ///
-/// A distributed run is another map; `local()` is always the part that this rank owns. Tested on one rank only.
+/// A distributed run is another map; `local()` is always the part that this rank owns. Tested on one rank
+/// only.
 class StateVector final : public NOX::Abstract::Vector {
  public:
   explicit StateVector(Teuchos::RCP<const TpetraMap> map) : data_(Teuchos::rcp(new TpetraVector(map))) {}
@@ -24,8 +25,8 @@ class StateVector final : public NOX::Abstract::Vector {
   /// Owned entries; rotations and strains carry their own units.
   std::span<double> local();
   std::span<const double> local() const;
-  /// LOCA forms W v by asking twice for W^½ v; a metric that is no diagonal is applied at the second request, and
-  /// this remembers the first. True at every second call.
+  /// LOCA forms W v by asking twice for W^½ v; a metric that is no diagonal is applied at the second request,
+  /// and this remembers the first. True at every second call.
   bool take_second_half() { return (half_scaled_ = !half_scaled_, !half_scaled_); }
 
   NOX::Abstract::Vector& init(double value) override;

@@ -14,13 +14,15 @@ namespace dda {
 namespace {
 
 const Group& equilibrium_group(const NOX::Solver::Generic& solver) {
-  const auto& extended = dynamic_cast<const LOCA::MultiContinuation::ExtendedGroup&>(solver.getSolutionGroup());
+  const auto& extended =
+      dynamic_cast<const LOCA::MultiContinuation::ExtendedGroup&>(solver.getSolutionGroup());
   return dynamic_cast<const Group&>(*extended.getBaseLevelUnderlyingGroup());
 }
 
 /// Residual of the continuation equation itself, relative to the step; 0 in the natural case.
 double continuation_residual(const NOX::Solver::Generic& solver) {
-  const auto& extended = dynamic_cast<const LOCA::MultiContinuation::ExtendedGroup&>(solver.getSolutionGroup());
+  const auto& extended =
+      dynamic_cast<const LOCA::MultiContinuation::ExtendedGroup&>(solver.getSolutionGroup());
   const auto& f = dynamic_cast<const LOCA::MultiContinuation::ExtendedVector&>(extended.getF());
   const double step = std::abs(extended.getStepSize());
   return step > 0 ? std::abs(f.getScalar(0)) / step : std::abs(f.getScalar(0));
@@ -28,7 +30,8 @@ double continuation_residual(const NOX::Solver::Generic& solver) {
 
 }  // namespace
 
-NOX::StatusTest::StatusType NewtonTest::checkStatus(const NOX::Solver::Generic& solver, NOX::StatusTest::CheckType) {
+NOX::StatusTest::StatusType NewtonTest::checkStatus(const NOX::Solver::Generic& solver,
+                                                    NOX::StatusTest::CheckType) {
   if (solver.getNumIterations() == 0) seen_.clear();
   return status_ = judge(solver);
 }
@@ -46,8 +49,8 @@ NOX::StatusTest::StatusType NewtonTest::judge(const NOX::Solver::Generic& solver
   constexpr double control_tolerance = 1e-8;
   if (residual_ <= parameters_.tolerance && control <= control_tolerance) return NOX::StatusTest::Converged;
   if (solver.getNumIterations() >= parameters_.max_iterations) {
-    reason_ = fmt::format("no convergence in {} iterations (relative residual {:.1e})", parameters_.max_iterations,
-                          residual_);
+    reason_ = fmt::format("no convergence in {} iterations (relative residual {:.1e})",
+                          parameters_.max_iterations, residual_);
     return NOX::StatusTest::Failed;
   }
   if (repeats(system_.active_set(group.laws()))) {

@@ -11,18 +11,19 @@ namespace dda {
 
 /// When a Newton iteration ends.
 struct NewtonParameters {
-  double tolerance = 1e-9;      ///< ‖R‖ relative to the force level of the blocks
+  double tolerance = 1e-9;  ///< ‖R‖ relative to the force level of the blocks
   int max_iterations = 15;
 };
 
-/// Converged when equilibrium and control hold; failed on NaN, on too many iterations, and as soon as the set of
-/// loading points comes back to one it has left, which plain Newton would repeat for ever.
+/// Converged when equilibrium and control hold; failed on NaN, on too many iterations, and as soon as the set
+/// of loading points comes back to one it has left, which plain Newton would repeat for ever.
 class NewtonTest final : public NOX::StatusTest::Generic {
  public:
   NewtonTest(System& system, std::shared_ptr<const ActiveControl> active, const NewtonParameters& parameters)
       : system_(system), active_(std::move(active)), parameters_(parameters) {}
 
-  NOX::StatusTest::StatusType checkStatus(const NOX::Solver::Generic& solver, NOX::StatusTest::CheckType) override;
+  NOX::StatusTest::StatusType checkStatus(const NOX::Solver::Generic& solver,
+                                          NOX::StatusTest::CheckType) override;
   NOX::StatusTest::StatusType getStatus() const override { return status_; }
   std::ostream& print(std::ostream& stream, int) const override { return stream << reason_; }
 

@@ -41,7 +41,8 @@ class GivenStep final : public LOCA::StepSize::AbstractStrategy {
 class SingleStep final : public LOCA::Stepper {
  public:
   SingleStep(const Teuchos::RCP<LOCA::GlobalData>& global, const Teuchos::RCP<Group>& start,
-             const Teuchos::RCP<NewtonTest>& test, const Teuchos::RCP<Teuchos::ParameterList>& list, double step)
+             const Teuchos::RCP<NewtonTest>& test, const Teuchos::RCP<Teuchos::ParameterList>& list,
+             double step)
       : LOCA::Stepper(global, start, test, list), test_(test), wanted_(step) {
     stepSizeStrategyPtr = Teuchos::rcp(new GivenStep(step));
   }
@@ -93,8 +94,8 @@ class SingleStep final : public LOCA::Stepper {
   double wanted_;
 };
 
-Teuchos::RCP<Teuchos::ParameterList> common_list(const std::string& method, const std::string& parameter, double value,
-                                                 const StepperParameters& parameters) {
+Teuchos::RCP<Teuchos::ParameterList> common_list(const std::string& method, const std::string& parameter,
+                                                 double value, const StepperParameters& parameters) {
   auto list = Teuchos::rcp(new Teuchos::ParameterList);
   auto& nox = list->sublist("NOX");
   nox.set("Nonlinear Solver", "Line Search Based");
@@ -146,7 +147,8 @@ Attempt controlled_step(System& system, const State& start, Control& control, do
   return out;
 }
 
-Attempt arc_length_step(System& system, const State& start, const ArcLength& arc, const StepperParameters& parameters) {
+Attempt arc_length_step(System& system, const State& start, const ArcLength& arc,
+                        const StepperParameters& parameters) {
   const auto list = common_list("Arc Length", "lambda", start.load_factor, parameters);
   auto& stepper = list->sublist("LOCA").sublist("Stepper");
   stepper.set("Enable Arc Length Scaling", true);

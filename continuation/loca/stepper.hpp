@@ -31,12 +31,14 @@ struct ArcLength {
   double goal = 0.5;       ///< θ λ'/‖(d', λ')‖ at the start, so that LOCA keeps θ
 };
 
-/// One LOCA::Stepper step from an equilibrium: natural continuation in the path parameter s, closed by the control as
-/// a LOCA constraint with unknown λ. Newton starts from `guess` (LOCA's predictor, given by the caller).
+/// One LOCA::Stepper step from an equilibrium: natural continuation in the path parameter s, closed by the
+/// control as a LOCA constraint with unknown λ. Newton starts from `guess` (LOCA's predictor, given by the
+/// caller).
 Attempt controlled_step(System& system, const State& start, Control& control, double step, const State& guess,
                         const StepperParameters& parameters);
 
 /// One LOCA::Stepper step by LOCA's arc length in λ with the tangent predictor.
-Attempt arc_length_step(System& system, const State& start, const ArcLength& arc, const StepperParameters& parameters);
+Attempt arc_length_step(System& system, const State& start, const ArcLength& arc,
+                        const StepperParameters& parameters);
 
 }  // namespace dda

@@ -14,14 +14,14 @@ struct Move {
   std::string control;                ///< name for the record
   std::shared_ptr<Control> equation;  ///< null for an arc length
   std::optional<ArcLength> arc;
-  double rate = 0;  ///< change of the control's s per unit of the leaving tangent; the sign counts
+  double rate = 0;        ///< change of the control's s per unit of the leaving tangent; the sign counts
   bool to_event = false;  ///< s runs from 0 to 1 and ends on the next initiation
 };
 
 /// Which control comes next along the path.
 ///
-/// `single` drivers keep to one control; `staged` chooses among them. What is common to all (first crack located by
-/// the event control, step sizes, limit point, landing, rescue) is the Path's.
+/// `single` drivers keep to one control; `staged` chooses among them. What is common to all (first crack
+/// located by the event control, step sizes, limit point, landing, rescue) is the Path's.
 class Driver {
  public:
   virtual ~Driver() = default;
@@ -53,8 +53,8 @@ Move event_move(const Walker& walker);
 /// The dissipation control.
 Move dissipation_move(const Walker& walker);
 
-/// Load factor, beyond the present one along the leaving tangent, at which the next unbroken point reaches its κ;
-/// infinite when none does. Exact while no crack opens or closes on the way.
+/// Load factor, beyond the present one along the leaving tangent, at which the next unbroken point reaches
+/// its κ; infinite when none does. Exact while no crack opens or closes on the way.
 double next_event(const Walker& walker);
 
 }  // namespace dda

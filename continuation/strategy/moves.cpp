@@ -27,11 +27,16 @@ double next_event(const Walker& walker) {
 }
 
 Move event_move(const Walker& walker) {
-  return {.control = "event", .equation = make_event_control(walker.system()), .arc = {}, .rate = 1, .to_event = true};
+  return {.control = "event",
+          .equation = make_event_control(walker.system()),
+          .arc = {},
+          .rate = 1,
+          .to_event = true};
 }
 
 Move dissipation_move(const Walker& walker) {
-  return {.control = "dissipation", .equation = make_dissipation_control(walker.system()), .arc = {}, .rate = 1};
+  return {
+      .control = "dissipation", .equation = make_dissipation_control(walker.system()), .arc = {}, .rate = 1};
 }
 
 }  // namespace dda

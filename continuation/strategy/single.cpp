@@ -15,7 +15,9 @@ class GaugeDriver final : public Driver {
       : control_(std::move(control)), name_(std::move(name)), gauge_(std::move(gauge)) {}
 
   Move next(Walker& walker) override {
-    return {.control = control_, .equation = make_gauge_control(gauge_), .arc = {},
+    return {.control = control_,
+            .equation = make_gauge_control(gauge_),
+            .arc = {},
             .rate = walker.leaving().rate(gauge_)};
   }
 
@@ -25,9 +27,10 @@ class GaugeDriver final : public Driver {
     if (direction_ == 0) direction_ = now > 0 ? 1.0 : -1.0;
     if (now * direction_ > 0) return {};
     return control_ == "load"
-               ? "limit point of the load: load control cannot follow the path down; use `staged` or `arc_length`"
-               : fmt::format("'{}' snaps back here: {} control cannot follow; use `staged` or `arc_length`", name_,
-                             control_);
+               ? "limit point of the load: load control cannot follow the path down; use `staged` or "
+                 "`arc_length`"
+               : fmt::format("'{}' snaps back here: {} control cannot follow; use `staged` or `arc_length`",
+                             name_, control_);
   }
   double memory() const override { return direction_; }
   void restore(double direction) override { direction_ = direction; }
@@ -61,14 +64,16 @@ const NamedGauge& find_gauge(const GaugeControlParameters& p, const GaugeBook& b
     names.push_back(gauge.name);
   }
   if (wanted.empty())
-    throw InputError(p.where, fmt::format("{} control needs a gauge: add one to `gauges` or name it in `gauge`", control));
+    throw InputError(
+        p.where, fmt::format("{} control needs a gauge: add one to `gauges` or name it in `gauge`", control));
   throw InputError(p.where, fmt::format("unknown gauge '{}'{}", wanted, suggest(wanted, names)));
 }
 
 Schema<GaugeControlParameters> gauge_schema(const std::string& text, const std::string& fallback) {
   using P = GaugeControlParameters;
-  return Schema<P>(text).text("gauge", &P::gauge,
-                              {.fallback = "", .text = "Name of the gauge that is prescribed; " + fallback + " if empty."});
+  return Schema<P>(text).text(
+      "gauge", &P::gauge,
+      {.fallback = "", .text = "Name of the gauge that is prescribed; " + fallback + " if empty."});
 }
 std::unique_ptr<Driver> make_displacement(const GaugeControlParameters& p, const GaugeBook& book) {
   const NamedGauge& gauge = find_gauge(p, book, book.first_displacement, "displacement");
@@ -92,10 +97,13 @@ class ArcLengthDriver final : public Driver {
   Move next(Walker& walker) override {
     const Tangent& leaving = walker.leaving();
     const double displacement = metric_norm(walker, leaving.d);
-    if (weight_ == 0) weight_ = std::sqrt(p_.load_share / (1 - p_.load_share)) * displacement / std::abs(leaving.load_factor);
+    if (weight_ == 0)
+      weight_ = std::sqrt(p_.load_share / (1 - p_.load_share)) * displacement / std::abs(leaving.load_factor);
     const double load = weight_ * std::abs(leaving.load_factor);
     const double norm = std::hypot(displacement, load);
-    const ArcLength arc{.metric = p_.metric, .load_weight = weight_, .length = leaving.load_factor < 0 ? -1.0 : 1.0,
+    const ArcLength arc{.metric = p_.metric,
+                        .load_weight = weight_,
+                        .length = leaving.load_factor < 0 ? -1.0 : 1.0,
                         .goal = load / norm};
     return {.control = "arc_length", .equation = nullptr, .arc = arc, .rate = norm};
   }
@@ -122,7 +130,8 @@ Schema<ArcLengthParameters> arc_schema() {
               {.fallback = Metric::openings,
                .text = "What distance is: of the interface openings, or of all displacements."})
       .number("load_share", &P::load_share,
-              {.fallback = 0.1, .bounds = strictly_between(0, 1),
+              {.fallback = 0.1,
+               .bounds = strictly_between(0, 1),
                .text = "Share of the load factor in the squared length of the first, elastic step."});
 }
 std::unique_ptr<Driver> make_arc_length(const ArcLengthParameters& p, const GaugeBook&) {
@@ -136,7 +145,8 @@ DDA_REGISTER(drivers(), "displacement",
              gauge_schema("A displacement is prescribed, the load factor follows.", "the first displacement"),
              make_displacement);
 DDA_REGISTER(drivers(), "opening",
-             gauge_schema("A relative displacement (CMOD, CMSD) is prescribed.", "the first relative displacement"),
+             gauge_schema("A relative displacement (CMOD, CMSD) is prescribed.",
+                          "the first relative displacement"),
              make_opening);
 DDA_REGISTER(drivers(), "arc_length", arc_schema(), make_arc_length);
 

@@ -16,9 +16,12 @@ class Staged final : public Driver {
 
 Schema<StagedParameters> staged_schema() {
   return Schema<StagedParameters>(
-      "Event control to the first crack, dissipation control after it, event again where nothing dissipates.");
+      "Event control to the first crack, dissipation control after it, event again where nothing "
+      "dissipates.");
 }
-std::unique_ptr<Driver> make_staged(const StagedParameters&, const GaugeBook&) { return std::make_unique<Staged>(); }
+std::unique_ptr<Driver> make_staged(const StagedParameters&, const GaugeBook&) {
+  return std::make_unique<Staged>();
+}
 
 /// Dissipation control alone; the elastic branch before it is crossed by the event control.
 class DissipationOnly final : public Driver {
@@ -48,7 +51,9 @@ Schema<EventParameters> event_schema() {
   return Schema<EventParameters>(
       "From initiation to initiation with frozen damage (sequentially linear); energy jumps are booked.");
 }
-std::unique_ptr<Driver> make_event(const EventParameters&, const GaugeBook&) { return std::make_unique<EventOnly>(); }
+std::unique_ptr<Driver> make_event(const EventParameters&, const GaugeBook&) {
+  return std::make_unique<EventOnly>();
+}
 
 }  // namespace
 

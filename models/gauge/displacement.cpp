@@ -27,7 +27,8 @@ Schema<DisplacementParameters> schema() {
   using P = DisplacementParameters;
   Schema<P> s("Displacement of a point along a direction.");
   add_place(s);
-  return s.point("direction", &P::direction, {.dimension = dimension::none, .text = "Direction (lx, ly), any length."});
+  return s.point("direction", &P::direction,
+                 {.dimension = dimension::none, .text = "Direction (lx, ly), any length."});
 }
 
 std::unique_ptr<Gauge> make(const DisplacementParameters& p) { return std::make_unique<Displacement>(p); }

@@ -11,7 +11,9 @@ struct LoadParameters {
 class LoadGauge final : public Gauge {
  public:
   explicit LoadGauge(LoadParameters p) : p_(p) {}
-  Functional functional(const GaugeSources&) const override { return {.rows = {}, .per_load_factor = p_.scale}; }
+  Functional functional(const GaugeSources&) const override {
+    return {.rows = {}, .per_load_factor = p_.scale};
+  }
   Dimension dimension() const override { return dimension::force; }
 
  private:

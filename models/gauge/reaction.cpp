@@ -34,7 +34,8 @@ class Reaction final : public Gauge {
 Schema<ReactionParameters> schema() {
   using P = ReactionParameters;
   return Schema<P>("Force of a support or of a driven spring on the structure.")
-      .text("of", &P::of, {.text = "Name of the support (`left`, or `left.x` of one that fixes several directions)."})
+      .text("of", &P::of,
+            {.text = "Name of the support (`left`, or `left.x` of one that fixes several directions)."})
       .number("scale", &P::scale, {.fallback = 1.0, .text = "Factor, -1 to turn its sign."});
 }
 

@@ -17,7 +17,8 @@ class RelativeDisplacement final : public Gauge {
   Functional functional(const GaugeSources& sources) const override {
     const Vec2 direction = p_.direction.value_or(p_.to - p_.from);
     if (direction.norm() == 0)
-      throw InputError(p_.where, "`direction` is needed when `from` and `to` are the same point, and must not be zero");
+      throw InputError(p_.where,
+                       "`direction` is needed when `from` and `to` are the same point, and must not be zero");
     const Vec2 l = direction.normalized();
     Functional out = displacement_at(sources.assembly, {p_.to, p_.to_inside}, l, p_.where);
     out.add(-1, displacement_at(sources.assembly, {p_.from, p_.from_inside}, l, p_.where));
@@ -37,7 +38,8 @@ Schema<RelativeDisplacementParameters> schema() {
       .point("to", &P::to, {.text = "Second point."})
       .point("to_inside", &P::to_inside, {.text = "A point inside the block that is meant at `to`."})
       .point("direction", &P::direction,
-             {.dimension = dimension::none, .text = "Direction (lx, ly), any length; from `from` to `to` if absent."});
+             {.dimension = dimension::none,
+              .text = "Direction (lx, ly), any length; from `from` to `to` if absent."});
 }
 
 std::unique_ptr<Gauge> make(const RelativeDisplacementParameters& p) {

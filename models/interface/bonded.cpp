@@ -22,7 +22,9 @@ class Bonded final : public InterfaceLaw {
   Response respond(const Vec2& q, const History&, double k) const override {
     return {k * q, k * Mat2::Identity()};
   }
-  Response respond_frozen(const Vec2& q, const History& h, double k) const override { return respond(q, h, k); }
+  Response respond_frozen(const Vec2& q, const History& h, double k) const override {
+    return respond(q, h, k);
+  }
   double dissipation(double, double) const override { return 0; }
   double dissipation_slope(double, double) const override { return 0; }
   double damage(double, double) const override { return 0; }

@@ -26,9 +26,9 @@ struct Response {
 ///     intact: t = P q,          P = k diag(1, β²)
 ///
 /// q = (q_n, q_s) [L], q_n > 0 opens. A law is softening "rigid until strength" in series with the numerical
-/// compliance P⁻¹ of the treatment: its physical opening is w = q − P⁻¹ t. The stiffness k belongs to the point and
-/// is passed to every function; the history h is that of the last accepted step and never changes inside a solve.
-/// Source: formulation of the rigid-cohesive law in trial form, README.md of models/.
+/// compliance P⁻¹ of the treatment: its physical opening is w = q − P⁻¹ t. The stiffness k belongs to the
+/// point and is passed to every function; the history h is that of the last accepted step and never changes
+/// inside a solve. Source: formulation of the rigid-cohesive law in trial form, README.md of models/.
 class InterfaceLaw {
  public:
   virtual ~InterfaceLaw() = default;
@@ -49,9 +49,11 @@ class InterfaceLaw {
   /// ∂q_eq/∂q, size 2.
   virtual Vec2 opening_gradient(const Vec2& q) const = 0;
 
-  /// Traction and consistent tangent at q. On the damage surface the history's `loading` flag chooses the side.
+  /// Traction and consistent tangent at q. On the damage surface the history's `loading` flag chooses the
+  /// side.
   virtual Response respond(const Vec2& q, const History& h, double k) const = 0;
-  /// Traction and secant stiffness at q with the damage of h frozen (contact in compression still follows q_n).
+  /// Traction and secant stiffness at q with the damage of h frozen (contact in compression still follows
+  /// q_n).
   virtual Response respond_frozen(const Vec2& q, const History& h, double k) const = 0;
   /// Energy dissipated per area by a point whose largest opening is κ, G(κ) [F/L].
   virtual double dissipation(double kappa, double k) const = 0;

@@ -46,13 +46,19 @@ class LinearSoftening final : public DamageLaw {
 
 Schema<LinearSofteningParameters> schema() {
   using P = LinearSofteningParameters;
-  return Schema<P>("Linear softening from the tensile strength to a stress-free crack, energy per area fixed.")
+  return Schema<P>(
+             "Linear softening from the tensile strength to a stress-free crack, energy per area fixed.")
       .number("tensile_strength", &P::tensile_strength,
-              {.dimension = dimension::stress, .bounds = above(0), .text = "Traction ft at which the interface starts to crack."})
+              {.dimension = dimension::stress,
+               .bounds = above(0),
+               .text = "Traction ft at which the interface starts to crack."})
       .number("fracture_energy", &P::fracture_energy,
-              {.dimension = dimension::energy_per_area, .bounds = above(0), .text = "Energy Gf per area of a complete crack."})
+              {.dimension = dimension::energy_per_area,
+               .bounds = above(0),
+               .text = "Energy Gf per area of a complete crack."})
       .number("shear_weight", &P::shear_weight,
-              {.fallback = 1.0, .bounds = above(0),
+              {.fallback = 1.0,
+               .bounds = above(0),
                .text = "Weight β of sliding against opening in q_eq = sqrt(<q_n>² + (β q_s)²)."});
 }
 

@@ -19,7 +19,8 @@ class BodyForce final : public Load {
   void add_to(StageLoads& stage, const Body& body) const override {
     check_materials(body);
     for (std::size_t i = 0; i < body.assembly.num_blocks(); ++i) {
-      if (!acts_on(body.assembly.regions[static_cast<std::size_t>(body.assembly.blocks[i].region)].material)) continue;
+      if (!acts_on(body.assembly.regions[static_cast<std::size_t>(body.assembly.blocks[i].region)].material))
+        continue;
       const Vec2 force = body.volume(BlockId{i}) * p_.force;
       add_point_force(stage, body, BlockId{i}, body.assembly.blocks[i].moments.centroid, force);
       stage.resultant += force.norm();

@@ -35,8 +35,9 @@ Schema<EdgeTractionParameters> schema() {
       .text("on", &P::on, {.text = "Name of the boundary."})
       .point("traction", &P::traction,
              {.fallback = Vec2(0, 0), .dimension = dimension::stress, .text = "Traction (tx, ty)."})
-      .number("pressure", &P::pressure,
-              {.fallback = 0.0, .dimension = dimension::stress, .text = "Pressure against the outward normal."});
+      .number(
+          "pressure", &P::pressure,
+          {.fallback = 0.0, .dimension = dimension::stress, .text = "Pressure against the outward normal."});
 }
 
 std::unique_ptr<Load> make(const EdgeTractionParameters& p) { return std::make_unique<EdgeTraction>(p); }

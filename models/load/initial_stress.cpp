@@ -32,11 +32,14 @@ class InitialStress final : public Load {
 Schema<InitialStressParameters> schema() {
   using P = InitialStressParameters;
   return Schema<P>("A stress that is there without strain: prestress, shrinkage.")
-      .number("xx", &P::xx, {.fallback = 0.0, .dimension = dimension::stress, .text = "σx, tension positive."})
-      .number("yy", &P::yy, {.fallback = 0.0, .dimension = dimension::stress, .text = "σy, tension positive."})
+      .number("xx", &P::xx,
+              {.fallback = 0.0, .dimension = dimension::stress, .text = "σx, tension positive."})
+      .number("yy", &P::yy,
+              {.fallback = 0.0, .dimension = dimension::stress, .text = "σy, tension positive."})
       .number("xy", &P::xy, {.fallback = 0.0, .dimension = dimension::stress, .text = "τxy."})
-      .texts("regions", &P::regions,
-             {.fallback = std::vector<std::string>{}, .text = "Names of the regions it is in; all when empty."});
+      .texts(
+          "regions", &P::regions,
+          {.fallback = std::vector<std::string>{}, .text = "Names of the regions it is in; all when empty."});
 }
 
 std::unique_ptr<Load> make(const InitialStressParameters& p) { return std::make_unique<InitialStress>(p); }

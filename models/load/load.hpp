@@ -21,7 +21,7 @@ struct StageLoads {
   std::vector<double> force;         ///< work-conjugate to d, size 6 · blocks
   std::vector<Vec3> initial_stress;  ///< by block [F/L²]; empty when there is none
   std::vector<DrivenSpring> driven;
-  double resultant = 0;              ///< Σ |force| of the single loads [F]
+  double resultant = 0;  ///< Σ |force| of the single loads [F]
 };
 
 /// Something that acts on the structure in a stage.

@@ -11,11 +11,13 @@ struct PrescribedDisplacementParameters : Place {
   Position where;
 };
 
-/// A point driven through a stiff spring: the stage's factor multiplies the displacement δ of the spring's far end.
+/// A point driven through a stiff spring: the stage's factor multiplies the displacement δ of the spring's
+/// far end.
 ///
 ///     K += p̄ Tᵀ l lᵀ T,   f += p̄ δ Tᵀ l,   reaction r = p̄ (δ − lᵀ u)
 ///
-/// The spring is there in every stage; before its own it holds the point. Source: Pearce et al. (2000), eqs 16-22.
+/// The spring is there in every stage; before its own it holds the point. Source: Pearce et al. (2000), eqs
+/// 16-22.
 class PrescribedDisplacement final : public Load {
  public:
   explicit PrescribedDisplacement(PrescribedDisplacementParameters p) : p_(std::move(p)) {}
@@ -33,8 +35,10 @@ Schema<PrescribedDisplacementParameters> schema() {
   using P = PrescribedDisplacementParameters;
   Schema<P> s("A point driven through a stiff spring; the load factor multiplies the displacement.");
   add_place(s);
-  return s.text("name", &P::name, {.fallback = "driven", .text = "Name under which its reaction is recorded."})
-      .point("direction", &P::direction, {.dimension = dimension::none, .text = "Direction (lx, ly), any length."})
+  return s
+      .text("name", &P::name, {.fallback = "driven", .text = "Name under which its reaction is recorded."})
+      .point("direction", &P::direction,
+             {.dimension = dimension::none, .text = "Direction (lx, ly), any length."})
       .number("displacement", &P::displacement,
               {.fallback = 1.0, .dimension = dimension::length, .text = "Displacement δ at load factor 1."});
 }

@@ -23,7 +23,8 @@ class Consistent final : public Treatment {
   double largest_stiffness(const SideFaces& side) const override {
     return std::max(p_.alpha, largest_alpha) * mean_trace(side);
   }
-  PointRows rows(const SideFaces& side, const Mat26& first, const Mat26& second, const Vec2& p) const override {
+  PointRows rows(const SideFaces& side, const Mat26& first, const Mat26& second,
+                 const Vec2& p) const override {
     PointRows out = jump_rows(side.normal, first, second);
     const Vec2 w = stress_weights(side);
     const auto traction = traction_rows(side.normal);
@@ -47,10 +48,13 @@ class Consistent final : public Treatment {
 
 Schema<ConsistentParameters> schema() {
   using P = ConsistentParameters;
-  return Schema<P>("Variationally consistent joint (symmetric interior penalty): no locking, no added compliance.")
-      .number("alpha", &P::alpha,
-              {.fallback = 0.6, .bounds = above(0),
-               .text = "Stiffness in units of the blocks' trace constant; above 0.5 every assembly is stable."});
+  return Schema<P>(
+             "Variationally consistent joint (symmetric interior penalty): no locking, no added compliance.")
+      .number(
+          "alpha", &P::alpha,
+          {.fallback = 0.6,
+           .bounds = above(0),
+           .text = "Stiffness in units of the blocks' trace constant; above 0.5 every assembly is stable."});
 }
 
 std::unique_ptr<Treatment> make(const ConsistentParameters& p) { return std::make_unique<Consistent>(p); }

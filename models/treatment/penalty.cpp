@@ -20,7 +20,9 @@ class Penalty final : public Treatment {
  public:
   explicit Penalty(const PenaltyParameters& p) : p_(p) {}
 
-  double stiffness(const SideFaces& side) const override { return p_.stiffness.value_or(p_.factor * scale(side)); }
+  double stiffness(const SideFaces& side) const override {
+    return p_.stiffness.value_or(p_.factor * scale(side));
+  }
   double largest_stiffness(const SideFaces& side) const override {
     return p_.stiffness.value_or(std::max(p_.factor, largest_factor) * scale(side));
   }
@@ -44,7 +46,8 @@ Schema<PenaltyParameters> schema() {
       .number("factor", &P::factor,
               {.fallback = 100.0, .bounds = above(0), .text = "Stiffness in units of E/(centroid distance)."})
       .number("stiffness", &P::stiffness,
-              {.dimension = dimension::interface_stiffness, .bounds = above(0),
+              {.dimension = dimension::interface_stiffness,
+               .bounds = above(0),
                .text = "Absolute stiffness k; when given, `factor` is not used."});
 }
 

@@ -17,7 +17,8 @@ double trace_constant(const Block& block, const Mat3& stiffness) {
     boundary += length * rows.transpose() * rows;
   }
   const Mat3 energy = block.moments.area * stiffness.inverse();
-  return Eigen::GeneralizedSelfAdjointEigenSolver<Mat3>(boundary, energy, Eigen::EigenvaluesOnly).eigenvalues()(2);
+  return Eigen::GeneralizedSelfAdjointEigenSolver<Mat3>(boundary, energy, Eigen::EigenvaluesOnly)
+      .eigenvalues()(2);
 }
 
 }  // namespace dda

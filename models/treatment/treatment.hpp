@@ -9,9 +9,9 @@ namespace dda {
 
 /// What a treatment knows of one of the two blocks of a side.
 struct BlockFace {
-  Mat3 stiffness;     ///< C [F/L²]
-  double trace;       ///< c = max over σ of ∮|σn|² ds / (A σ:C⁻¹:σ) [F/L³], see trace_constant
-  double modulus;     ///< E [F/L²]
+  Mat3 stiffness;  ///< C [F/L²]
+  double trace;    ///< c = max over σ of ∮|σn|² ds / (A σ:C⁻¹:σ) [F/L³], see trace_constant
+  double modulus;  ///< E [F/L²]
 };
 
 /// A side between two blocks, as a treatment sees it.
@@ -34,7 +34,8 @@ struct PointRows {
 ///     consistent   q = g + P⁻¹ {σ}n          {σ}n = w_i σ_i n + w_j σ_j n
 ///     P = k diag(1, β²)
 ///
-/// A law never knows which treatment called it. Source: formulation of the consistent interface, models/README.md.
+/// A law never knows which treatment called it. Source: formulation of the consistent interface,
+/// models/README.md.
 class Treatment {
  public:
   virtual ~Treatment() = default;
@@ -43,7 +44,8 @@ class Treatment {
   /// The largest k to which a steep law may raise it [F/L³].
   virtual double largest_stiffness(const SideFaces& side) const = 0;
   /// Rows of a point from the displacement rows T of both blocks at it.
-  virtual PointRows rows(const SideFaces& side, const Mat26& first, const Mat26& second, const Vec2& p) const = 0;
+  virtual PointRows rows(const SideFaces& side, const Mat26& first, const Mat26& second,
+                         const Vec2& p) const = 0;
   /// Weights (w_i, w_j) of the two stresses in {σ}n; zero when stresses do not enter.
   virtual Vec2 stress_weights(const SideFaces& side) const = 0;
 };

@@ -1,0 +1,103 @@
+// What a converged step may have passed over: the limit point, a wanted gauge value, the last rupture.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "continuation/path.hpp"
+
+namespace dda {
+namespace {
+
+State between(const State& a, const State& b, double share) {
+  State out = a;
+  for (std::size_t i = 0; i < out.d.size(); ++i) out.d[i] += share * (b.d[i] - a.d[i]);
+  out.load_factor += share * (b.load_factor - a.load_factor);
+  return out;
+}
+
+}  // namespace
+
+/// Share of the step at which the limit point is to be sought, when the step crosses it and the peak is not
+/// yet bracketed: where the tangents of both ends meet, an upper bound of a concave load and exact at a kink.
+std::optional<double> Path::before_peak(const Candidate& candidate) const {
+  const double dissipated = candidate.dissipated - walker_.here().dissipated;
+  if (dissipated <= 0 || !walker_.leaving().dissipates || !candidate.arriving.dissipates) return {};
+  const double sign = memory_.direction < 0 ? -1 : 1;
+  const double rise = sign * walker_.leaving().rate(load_) * dissipated;
+  const double fall = sign * candidate.arriving.rate(load_) * dissipated;
+  if (rise <= 0 || fall >= 0) return {};
+  const double from = load_of(walker_.state()), to = load_of(candidate.state);
+  const double share = (to - from - fall) / (rise - fall);
+  const double top = from + share * rise, highest = std::max({from, to, memory_.peak_load});
+  if (top <= highest * (1 + parameters_.peak_tolerance)) return {};
+  return std::clamp(share, 0.1, 0.9);
+}
+
+std::vector<Landing> Path::present_landings() const {
+  std::vector<Landing> out = landings_;
+  if (parameters_.stop.load_below > 0 && memory_.peak_load > 0)
+    out.push_back({"load", load_,
+                   (memory_.direction < 0 ? -1 : 1) * parameters_.stop.load_below * memory_.peak_load, true});
+  return out;
+}
+
+std::optional<Path::Crossing> Path::first_crossing(const Candidate& candidate) const {
+  std::optional<Crossing> first;
+  for (const Landing& landing : present_landings()) {
+    const double from = walker_.value(landing.gauge);
+    const double to = landing.gauge.value(candidate.state.d, candidate.state.load_factor);
+    constexpr double on_it = 1e-7;
+    if (std::abs(from - landing.value) <= on_it * std::max(std::abs(landing.value), std::abs(to - from)))
+      continue;
+    if ((from - landing.value) * (to - landing.value) > 0) continue;
+    const double share = (landing.value - from) / (to - from);
+    if (!first || share < first->share) first = Crossing{landing, share};
+  }
+  return first;
+}
+
+std::optional<Point> Path::land(const Candidate& beyond, const Crossing& crossing,
+                                const std::string& control) {
+  const Landing& landing = crossing.landing;
+  const double step = landing.value - walker_.value(landing.gauge);
+  const auto equation = make_gauge_control(landing.gauge);
+  const Attempt tried =
+      walker_.attempt(*equation, step, between(walker_.state(), beyond.state, crossing.share));
+  if (!tried.converged) return {};
+  Candidate candidate = walker_.evaluate(tried);
+  constexpr double round_off = 1e-9;
+  if (!objection(candidate).empty() || candidate.dissipated > beyond.dissipated * (1 + round_off)) {
+    ++walker_.effort().rejected;
+    return {};
+  }
+  Point point = keep(std::move(candidate), control);
+  point.landed.push_back(fmt::format("{}={:g}", landing.name, landing.value));
+  if (landing.ends_path)
+    end(Ending::Kind::goal_reached,
+        landing.name == "load"
+            ? fmt::format("load below {:g} % of its peak", 100 * parameters_.stop.load_below)
+            : fmt::format("{} reached {:g}", landing.name, landing.value));
+  return point;
+}
+
+/// Lands on zero load: where the last crack of the structure breaks.
+std::optional<Point> Path::rupture() {
+  const double load = load_.value(walker_.state().d, walker_.state().load_factor);
+  const double rate = walker_.leaving().rate(load_);
+  if (load * rate >= 0) return {};
+  const auto equation = make_gauge_control(load_);
+  const Attempt tried = walker_.attempt(*equation, -load, walker_.ahead(-load / rate));
+  if (!tried.converged) return {};
+  Candidate candidate = walker_.evaluate(tried);
+  if (!objection(candidate).empty()) {
+    ++walker_.effort().rejected;
+    return {};
+  }
+  Point point = keep(std::move(candidate), "load");
+  point.landed.push_back("complete rupture");
+  end(Ending::Kind::goal_reached, "complete rupture");
+  return point;
+}
+
+}  // namespace dda

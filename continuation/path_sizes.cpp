@@ -1,0 +1,60 @@
+// How long the next step of a path is.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "continuation/path.hpp"
+
+namespace dda {
+
+/// The first step after a crack: small against the load and against what the fastest point may still open.
+double Path::first_amount() const {
+  const Tangent& leaving = walker_.leaving();
+  if (!leaving.dissipates)
+    return 0.25 * std::min(next_event(walker_), std::max(1e-3, std::abs(walker_.state().load_factor)));
+  constexpr double of_load = 0.02, of_opening = 0.1;
+  const double load_rate = std::abs(leaving.rate(load_));
+  double amount = load_rate > 0 ? of_load * std::abs(load_of(walker_.state())) / load_rate
+                                : std::numeric_limits<double>::infinity();
+  const System& system = walker_.system();
+  const auto laws = system.laws(walker_.state().d, walker_.state().load_factor);
+  for (std::size_t p = 0; p < laws.opening.size(); ++p) {
+    if (!system.history()[p].loading) continue;
+    const InterfacePoint& point = system.equilibrium().point(p);
+    const double rate =
+        point.law->opening_gradient(laws.opening[p]).dot(system.equilibrium().opening(p, leaving.d));
+    const double left = point.law->rupture_kappa(point.stiffness) - system.kappa(p, system.history()[p]);
+    if (rate > 0 && left > 0) amount = std::min(amount, of_opening * left / rate);
+  }
+  return amount;
+}
+
+/// No step may be predicted to change load or displacement by more than the deck allows.
+double Path::bounded(double amount) const {
+  const double load_rate = std::abs(walker_.leaving().rate(load_));
+  const double displacement_rate_now = std::abs(displacement_rate(walker_.leaving()));
+  if (load_rate > 0 && memory_.peak_load > 0)
+    amount = std::min(amount, parameters_.step.largest * memory_.peak_load / load_rate);
+  constexpr double of_displacement = 5;  // displacement may grow by half in one step of the default size
+  if (displacement_rate_now > 0 && memory_.largest_displacement > 0)
+    amount = std::min(amount, of_displacement * parameters_.step.largest * memory_.largest_displacement /
+                                  displacement_rate_now);
+  return amount;
+}
+
+/// The next step from how far this one strayed from its tangent.
+void Path::resize(const Candidate& candidate, double amount, const Move& move) {
+  const State predicted = walker_.ahead(amount);
+  const double load = std::abs(load_of(predicted) - load_of(candidate.state)) /
+                      std::max(memory_.peak_load, std::abs(load_of(candidate.state)));
+  const double displacement =
+      std::abs(displacement_of(predicted) - displacement_of(candidate.state)) /
+      std::max(memory_.largest_displacement, std::abs(displacement_of(candidate.state)));
+  constexpr double balance_share = 0.005;  // of the accuracy, for the energy a step leaves unaccounted for
+  const double strayed =
+      std::max({load, displacement, unaccounted(candidate) / candidate.work / balance_share, 1e-12});
+  memory_.step = amount * std::clamp(std::sqrt(parameters_.step.accuracy / strayed), 0.3, 2.0);
+  memory_.step_control = move.control;
+}
+
+}  // namespace dda

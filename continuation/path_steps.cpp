@@ -1,0 +1,191 @@
+// Steps of a path: which control, how it is tried, what follows when it fails.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "continuation/path.hpp"
+#include "continuation/rescue.hpp"
+
+namespace dda {
+namespace {
+
+/// A step is tried again with this share of its size when Newton fails.
+constexpr double cut = 0.25;
+/// Below this share of its first size a step is given up.
+constexpr double smallest_share = 1e-4;
+/// How many times one step is shortened for the peak or a landing.
+constexpr int most_refinements = 20;
+
+}  // namespace
+
+std::optional<Point> Path::take_step() {
+  if (walker_.leaving().d.empty())
+    return end(Ending::Kind::stopped_early, "the tangent stiffness is singular here");
+  const bool cracked = walker_.here().dissipated > 0 || walker_.leaving().dissipates;
+  if (!cracked) return event_step();
+  if (const std::string why = driver_->obstacle(walker_.leaving()); !why.empty())
+    return end(Ending::Kind::stopped_early, why);
+  const Move move = driver_->next(walker_);
+  if (!move.to_event) return controlled_step(move);
+  if (!walker_.leaving().dissipates) return event_step();
+  auto point = sequential_step("event", std::numeric_limits<double>::min());
+  return point ? point : end(Ending::Kind::stopped_early, "no interface limits the load any more");
+}
+
+std::optional<Point> Path::event_step() {
+  const double amount = next_event(walker_);
+  if (!std::isfinite(amount)) return linear_step();
+  driver_->obstacle(walker_.leaving());  // fixes the direction of a prescribed gauge on the elastic branch
+  const Move move = event_move(walker_);
+  std::string why;
+  const auto candidate = try_step(move, amount, why);
+  if (!candidate) {
+    if (driver_->may_be_rescued())
+      if (auto point = sequential_step("sequentially_linear", memory_.last_quantum)) return point;
+    return end(Ending::Kind::stopped_early, "the next initiation was not found: " + why);
+  }
+  if (const auto crossing = first_crossing(*candidate))
+    if (auto point = land(*candidate, *crossing, "event")) return point;
+  memory_.step = 0;
+  return keep(*candidate, move.control);
+}
+
+/// Nothing can crack any more: the response is linear up to the full reference load.
+std::optional<Point> Path::linear_step() {
+  const double rest = 1 - walker_.state().load_factor;
+  if (walker_.here().dissipated > 0)
+    return end(Ending::Kind::stopped_early, "no interface can crack any further under this load");
+  if (rest <= 0)
+    return end(Ending::Kind::goal_reached, "nothing can crack; the full reference load is applied");
+  const Move move{.control = "load",
+                  .equation = make_gauge_control({.rows = {}, .per_load_factor = 1}),
+                  .arc = {},
+                  .rate = walker_.leaving().load_factor};
+  std::string why;
+  const auto candidate = try_step(move, rest / walker_.leaving().load_factor, why);
+  if (!candidate) return end(Ending::Kind::stopped_early, why);
+  if (const auto crossing = first_crossing(*candidate))
+    if (auto point = land(*candidate, *crossing, move.control)) return point;
+  return keep(*candidate, move.control);
+}
+
+std::optional<Point> Path::controlled_step(const Move& move) {
+  const bool known = memory_.step > 0 && memory_.step_control == move.control;
+  double amount = bounded(known ? memory_.step : first_amount());
+  if (load_of(walker_.ahead(amount)) <= 0 && load_of(walker_.state()) > 0)
+    if (auto point = rupture()) return point;
+  const double smallest = smallest_share * amount;
+  std::string why;
+  for (int refinements = 0; amount > smallest;) {
+    const auto candidate = try_step(move, amount, why);
+    if (!candidate) {
+      if (load_of(walker_.ahead(amount / cut)) <= 0)
+        if (auto point = rupture()) return point;
+      amount *= cut;
+      continue;
+    }
+    if (const auto share = before_peak(*candidate); share && refinements++ < most_refinements) {
+      report("refined", "the step crosses the limit point");
+      ++walker_.effort().rejected;
+      amount *= *share;
+      continue;
+    }
+    if (const auto crossing = first_crossing(*candidate)) {
+      if (auto point = land(*candidate, *crossing, move.control)) return point;
+      amount *= 0.5 * std::max(crossing->share, 0.1);
+      continue;
+    }
+    resize(*candidate, amount, move);
+    return keep(*candidate, move.control);
+  }
+  if (auto point = rupture()) return point;
+  if (driver_->may_be_rescued())
+    if (auto point = sequential_step("sequentially_linear", memory_.last_quantum)) return point;
+  if (const std::string turned = turning_point(); !turned.empty())
+    return end(Ending::Kind::stopped_early, turned);
+  return end(Ending::Kind::stopped_early,
+             fmt::format("{} control found no next equilibrium: {}", move.control, why));
+}
+
+std::optional<Candidate> Path::try_step(const Move& move, double amount, std::string& why) {
+  const Attempt tried = attempt(move, amount);
+  if (!tried.converged) {
+    why = tried.reason;
+    report("rejected", fmt::format("{}: {}", move.control, why));
+    return {};
+  }
+  Candidate candidate = walker_.evaluate(tried);
+  why = objection(candidate);
+  if (why.empty()) return candidate;
+  ++walker_.effort().rejected;
+  report("rejected", fmt::format("{}: {}", move.control, why));
+  return {};
+}
+
+Attempt Path::attempt(const Move& move, double amount) {
+  if (!move.arc) {
+    const double step = move.to_event ? 1.0 : amount * move.rate;
+    return walker_.attempt(*move.equation, step, walker_.ahead(amount));
+  }
+  ArcLength arc = *move.arc;
+  arc.length *= amount * move.rate;
+  return walker_.attempt(arc);
+}
+
+/// Work of the step that neither storage nor dissipation explains: quadrature error, or a jump [FL].
+double Path::unaccounted(const Candidate& candidate) const {
+  const Candidate& here = walker_.here();
+  return std::abs((candidate.work - here.work) - (candidate.stored - here.stored) -
+                  (candidate.dissipated - here.dissipated));
+}
+
+/// Why a converged state is not the next point of this path; "" when it is.
+std::string Path::objection(const Candidate& candidate) const {
+  const Candidate& here = walker_.here();
+  const double dissipated = candidate.dissipated - here.dissipated, work = candidate.work - here.work;
+  const double missing = unaccounted(candidate);
+  constexpr double of_dissipation = 0.1, of_total = 0.02, of_work = 0.01;
+  if (missing >
+      of_dissipation * std::max(dissipated, of_total * candidate.dissipated) + of_work * std::abs(work))
+    return fmt::format("the step jumps: {:.1e} of its work is unaccounted for", missing / std::abs(work));
+  const double before = load_of(walker_.state()), after = load_of(candidate.state);
+  if (here.dissipated > 0 && dissipated <= 0 && after < before && walker_.leaving().dissipates)
+    return "the step retraces the unloading branch";
+  return {};
+}
+
+/// Looks beyond the point where a control ends, by dissipation: the driver's own word if the path turns
+/// against it.
+std::string Path::turning_point() {
+  if (!walker_.leaving().dissipates) return {};
+  for (const double share : {0.01, 0.1, 1.0}) {
+    std::string why;
+    const auto beyond = try_step(dissipation_move(walker_), share * memory_.last_quantum, why);
+    if (!beyond) continue;
+    if (std::string turned = driver_->obstacle(beyond->arriving); !turned.empty()) return turned;
+  }
+  return {};
+}
+
+std::optional<Point> Path::sequential_step(const std::string& control, double quantum) {
+  const auto found = sequentially_linear(walker_.system(), walker_.state(), quantum);
+  if (!found) return {};
+  const double dissipated = walker_.here().dissipated;
+  const double released = walker_.jump(found->state, found->history);
+  memory_.jump_energy += released;
+  memory_.step = 0;
+  if (control != "event") {
+    ++walker_.effort().rescues;
+    report("rescued", fmt::format("sequentially linear steps dissipated {:.3e}",
+                                  walker_.here().dissipated - dissipated));
+  }
+  Candidate here = walker_.here();
+  --walker_.effort().accepted;
+  Point point = keep(std::move(here), control);
+  point.jump_energy = released;
+  return point;
+}
+
+}  // namespace dda
