@@ -88,6 +88,7 @@ Point Path::keep(Candidate candidate, const std::string& control) {
     memory_.peak_load = here;
     out.is_highest = true;
   }
+  memory_.unaccounted += unaccounted(candidate);
   memory_.largest_displacement =
       std::max(memory_.largest_displacement, std::abs(displacement_of(candidate.state)));
   if (const double quantum = candidate.dissipated - walker_.here().dissipated; quantum > 0)

@@ -45,6 +45,7 @@ struct PathMemory {
   double largest_displacement = 0;
   double jump_energy = 0;
   double last_quantum = 0;  ///< energy dissipated by the last good step
+  double unaccounted = 0;  ///< Σ |work − storage − dissipation| of the single steps [FL]
   double driver = 0;        ///< what the driver remembers
 };
 

@@ -94,6 +94,8 @@ std::optional<Point> Path::rupture() {
     ++walker_.effort().rejected;
     return {};
   }
+  if (const auto crossing = first_crossing(candidate))
+    if (auto point = land(candidate, *crossing, "load")) return point;
   Point point = keep(std::move(candidate), "load");
   point.landed.push_back("complete rupture");
   end(Ending::Kind::goal_reached, "complete rupture");

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <limits>
 
 #include "framework/output/svg/plot.hpp"
 #include "studies/commands.hpp"
@@ -18,6 +20,7 @@ struct Compared {
   RunResult result;
   double seconds = 0;
   PathDistance distance;  ///< to the first control's path
+  double at_landings = 0; ///< difference of load on the wanted gauge values, nothing interpolated
   bool is_expected = false;
 };
 
@@ -60,7 +63,7 @@ Compared run_control(const DeckFile& deck, const std::string& control, const fs:
   if (!line.run.quiet) fmt::print(stderr, "{}\n", control);
   const auto start = std::chrono::steady_clock::now();
   const RunOptions options{folder / control, line.run.overwrite, line.run.quiet};
-  Compared out{control, run_deck(deck, options, mpi), 0, {}, false};
+  Compared out{control, run_deck(deck, options, mpi), 0, {}, 0, false};
   out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const auto& expected = deck.deck.path.expected_to_stop;
   out.is_expected = out.result.ending.kind == Ending::Kind::goal_reached ||
@@ -75,7 +78,8 @@ std::vector<Column> columns(const Compared& first) {
           {"rejected", ""},        {"rescues", ""},
           {"iterations", ""},      {"factorisations", ""},
           {"seconds", "s"},        {"peak", first.result.measures.load_unit()},
-          {"load_difference", ""}, {"hausdorff_distance", ""}};
+          {"load_difference", ""}, {"hausdorff_distance", ""},
+          {"difference_at_landings", ""}};
 }
 
 std::vector<TableCell> row(const Compared& run) {
@@ -92,7 +96,8 @@ std::vector<TableCell> row(const Compared& run) {
           run.seconds,
           s["peak"]["load"].get<double>(),
           run.distance.load,
-          run.distance.hausdorff};
+          run.distance.hausdorff,
+          run.at_landings};
 }
 
 std::string text_of(const TableCell& cell) {
@@ -146,6 +151,18 @@ svg::Figure overlay(const std::vector<Compared>& runs) {
   return out;
 }
 
+/// Over the displacement gauges on whose values the deck lets steps land.
+double at_landings(const Deck& deck, const RunResult& first, const RunResult& second) {
+  const Measures& measures = first.measures;
+  double largest = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t k = 0; k < measures.displacements().size(); ++k) {
+    const auto wanted = deck.record.at.find(measures.names()[measures.displacements()[k]].name);
+    if (wanted != deck.record.at.end())
+      largest = std::fmax(largest, difference_at(first.trace, second.trace, k, wanted->second));
+  }
+  return largest;
+}
+
 void write_comparison(const RunFolder& folder, const std::vector<Compared>& runs) {
   CurveTable csv(folder.file("compare.csv"), columns(runs.front()));
   for (const Compared& run : runs) csv.append(row(run));
@@ -166,6 +183,7 @@ int command_compare(const CommandLine& line) {
     runs.push_back(run_control(decks[i], line.controls[i], folder.path(), line, mpi));
     if (runs.back().result.ending.kind == Ending::Kind::interrupted) return 130;
     runs.back().distance = distance(runs.front().result.trace, runs.back().result.trace);
+    runs.back().at_landings = at_landings(decks[i].deck, runs.front().result, runs.back().result);
   }
   write_comparison(folder, runs);
   fmt::print("{}{}\n", table(runs), folder.path().string());

@@ -166,4 +166,19 @@ PathDistance distance(const Trace& first, const Trace& second) {
           std::max(one_sided(of_second, a, peak), one_sided(of_first, b, peak))};
 }
 
+double difference_at(const Trace& first, const Trace& second, std::size_t k, const std::vector<double>& values) {
+  const auto landed = [&](const Trace& trace, double value) {
+    constexpr double round_off = 1e-7;
+    return std::ranges::find_if(trace, [&](const TracePoint& at) {
+      return std::abs(at.displacements[k] - value) <= round_off * std::abs(value);
+    });
+  };
+  double largest = std::numeric_limits<double>::quiet_NaN();
+  for (const double value : values) {
+    const auto a = landed(first, value), b = landed(second, value);
+    if (a != first.end() && b != second.end()) largest = std::fmax(largest, std::abs(a->load - b->load));
+  }
+  return largest / std::ranges::max(first, {}, &TracePoint::load).load;
+}
+
 }  // namespace dda

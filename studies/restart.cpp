@@ -68,7 +68,7 @@ Measurement take_measurement(const RestartData& data, const std::string& name) {
 
 void put(RestartData& data, const PathMemory& m) {
   data.numbers["path"] = {m.peak_load,   m.step,         m.largest_displacement,
-                          m.jump_energy, m.last_quantum, m.driver};
+                          m.jump_energy, m.last_quantum, m.unaccounted, m.driver};
   data.integers["path.direction"] = {m.direction};
   data.texts["path.step_control"] = {m.step_control};
 }
@@ -82,7 +82,8 @@ PathMemory take_path(const RestartData& data) {
           .largest_displacement = n.at(2),
           .jump_energy = n.at(3),
           .last_quantum = n.at(4),
-          .driver = n.at(5)};
+          .unaccounted = n.at(5),
+          .driver = n.at(6)};
 }
 
 void put(RestartData& data, const Tangent& leaving) {

@@ -79,6 +79,8 @@ Json summarise(const Simulation& simulation, const RunMemory& memory, const Meas
   out["rescues"] = effort.rescues;
   out["peak"] = peak_of(memory, measures);
   out["energy_balance_error"] = energy_balance_error(memory.start, end, jump_energy);
+  out["energy_balance_scatter"] =
+      end.work == 0 ? 0.0 : simulation.path().memory().unaccounted / std::abs(end.work);
   out["jump_energy"] = jump_energy;
   out["units"] = units_of(simulation.deck().units);
   out["peak_memory_mib"] = peak_memory_mib();
