@@ -160,9 +160,10 @@ std::string Path::objection(const Candidate& candidate) const {
 /// against it.
 std::string Path::turning_point() {
   if (!walker_.leaving().dissipates) return {};
-  for (const double share : {0.01, 0.1, 1.0}) {
+  const double smallest = std::max(memory_.last_quantum, 1e-4 * walker_.here().dissipated);
+  for (const double multiple : {1.0, 10.0, 100.0}) {
     std::string why;
-    const auto beyond = try_step(dissipation_move(walker_), share * memory_.last_quantum, why);
+    const auto beyond = try_step(dissipation_move(walker_), multiple * smallest, why);
     if (!beyond) continue;
     if (std::string turned = driver_->obstacle(beyond->arriving); !turned.empty()) return turned;
   }

@@ -144,6 +144,8 @@ svg::Figure overlay(const std::vector<Compared>& runs) {
         series.x.push_back(point.displacements[k]);
         series.y.push_back(point.load);
       }
+      if (runs[r].result.ending.kind == Ending::Kind::stopped_early && !series.x.empty())
+        panel.markers.push_back({series.x.back(), series.y.back(), runs[r].control + " stops"});
       panel.series.push_back(std::move(series));
     }
     out.panels.push_back(std::move(panel));
