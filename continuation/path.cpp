@@ -69,7 +69,7 @@ bool Path::at_end() {
     end(Ending::Kind::goal_reached, fmt::format("{} steps", parameters_.stop.steps));
     return true;
   }
-  constexpr double nothing = 1e-9;
+  constexpr double nothing = 1e-6;
   if (memory_.peak_load > 0 && std::abs(load_of(walker_.state())) <= nothing * memory_.peak_load &&
       walker_.here().dissipated > 0) {
     end(Ending::Kind::goal_reached, "complete rupture");

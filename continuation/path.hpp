@@ -118,6 +118,7 @@ class Path {
   std::optional<Point> land(const Candidate& beyond, const Crossing& crossing, const std::string& control);
   std::optional<Point> rupture();
   std::string turning_point();
+  bool is_mechanism(const State& state) const;
 
   // Sizes and ends.
   double first_amount() const;

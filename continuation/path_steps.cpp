@@ -105,6 +105,10 @@ std::optional<Point> Path::controlled_step(const Move& move) {
     if (auto point = sequential_step("sequentially_linear", memory_.last_quantum)) return point;
   if (const std::string turned = turning_point(); !turned.empty())
     return end(Ending::Kind::stopped_early, turned);
+  constexpr double hardly_any = 1e-3;
+  if (const double left = load_of(walker_.state()) / memory_.peak_load; left < hardly_any)
+    return end(Ending::Kind::goal_reached,
+               fmt::format("complete rupture: what is left is a mechanism ({:.1e} of the peak)", left));
   return end(Ending::Kind::stopped_early,
              fmt::format("{} control found no next equilibrium: {}", move.control, why));
 }
@@ -170,9 +174,15 @@ std::string Path::turning_point() {
   return {};
 }
 
+/// Whether only the weak springs hold the structure any more: it moves far beyond what it did under its peak.
+bool Path::is_mechanism(const State& state) const {
+  constexpr double far = 100;
+  return std::abs(displacement_of(state)) > far * memory_.largest_displacement;
+}
+
 std::optional<Point> Path::sequential_step(const std::string& control, double quantum) {
   const auto found = sequentially_linear(walker_.system(), walker_.state(), quantum);
-  if (!found) return {};
+  if (!found || is_mechanism(found->state)) return {};
   const double dissipated = walker_.here().dissipated;
   const double released = walker_.jump(found->state, found->history);
   memory_.jump_energy += released;
