@@ -116,6 +116,7 @@ class Path {
   };
   std::optional<Crossing> first_crossing(const Candidate& candidate) const;
   std::optional<Point> land(const Candidate& beyond, const Crossing& crossing, const std::string& control);
+  void end_at(const Landing& landing);
   std::optional<Point> rupture();
   std::string turning_point();
   bool is_mechanism(const State& state) const;

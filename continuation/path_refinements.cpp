@@ -73,12 +73,16 @@ std::optional<Point> Path::land(const Candidate& beyond, const Crossing& crossin
   }
   Point point = keep(std::move(candidate), control);
   point.landed.push_back(fmt::format("{}={:g}", landing.name, landing.value));
-  if (landing.ends_path)
-    end(Ending::Kind::goal_reached,
-        landing.name == "load"
-            ? fmt::format("load below {:g} % of its peak", 100 * parameters_.stop.load_below)
-            : fmt::format("{} reached {:g}", landing.name, landing.value));
+  end_at(landing);
   return point;
+}
+
+/// Ends the path when that is what the landing is for.
+void Path::end_at(const Landing& landing) {
+  if (!landing.ends_path) return;
+  end(Ending::Kind::goal_reached,
+      landing.name == "load" ? fmt::format("load below {:g} % of its peak", 100 * parameters_.stop.load_below)
+                             : fmt::format("{} reached {:g}", landing.name, landing.value));
 }
 
 /// Lands on zero load: where the last crack of the structure breaks.

@@ -184,6 +184,9 @@ std::optional<Point> Path::sequential_step(const std::string& control, double qu
   const auto found = sequentially_linear(walker_.system(), walker_.state(), quantum);
   if (!found || is_mechanism(found->state)) return {};
   const double dissipated = walker_.here().dissipated;
+  Candidate beyond;
+  beyond.state = found->state;
+  const auto crossing = first_crossing(beyond);
   const double released = walker_.jump(found->state, found->history);
   memory_.jump_energy += released;
   memory_.step = 0;
@@ -196,6 +199,7 @@ std::optional<Point> Path::sequential_step(const std::string& control, double qu
   --walker_.effort().accepted;
   Point point = keep(std::move(here), control);
   point.jump_energy = released;
+  if (crossing) end_at(crossing->landing);  // a jump cannot land; that it passed the value is enough to end
   return point;
 }
 
