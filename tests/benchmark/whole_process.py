@@ -1,0 +1,83 @@
+"""Times whole runs of the program, from its start to its end, and prints Markdown tables for the README.
+
+    whole_process.py PROGRAM [RUNS]
+
+Each deck is run RUNS times (default 7) after one that fills the file cache; a number is the median. The split by
+phase is summary.json's, of the same runs; "outside" is what the process spends before its clock and after it.
+Exit 1 when a median exceeds its target.
+"""
+
+import json
+import os
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+STUDIES = Path(__file__).resolve().parents[2] / "studies"
+
+
+@dataclass(frozen=True)
+class Case:
+    name: str
+    study: str
+    target: float  # seconds, of the whole process
+    settings: tuple = ()
+
+
+BRITTLE = "interfaces.joints.law.fracture_energy=0.02"
+CASES = (Case("snap-back-beam", "snap-back-beam", 1.0), Case("voronoi-beam", "voronoi-beam", 3.0),
+         Case("voronoi-beam, Gf = 0.02", "voronoi-beam", 3.0, (BRITTLE,)))
+
+
+def measure(program, deck, settings, folder):
+    """Seconds of one whole process, and its summary."""
+    command = [program, "run", deck, "--folder", folder, "--overwrite", "--quiet"]
+    for setting in settings:
+        command += ["--set", setting]
+    start = time.perf_counter()
+    subprocess.run(command, check=True, capture_output=True, env=os.environ | {"OMP_NUM_THREADS": "1"})
+    seconds = time.perf_counter() - start
+    return seconds, json.loads((Path(folder) / "summary.json").read_text(encoding="utf-8"))
+
+
+def measure_case(program, case, runs):
+    with tempfile.TemporaryDirectory() as folder:
+        deck = STUDIES / case.study / "deck.yaml"
+        found = [measure(program, deck, case.settings, folder) for _ in range(runs + 1)][1:]
+    summary = found[-1][1]
+    phases = {name: statistics.median(run["timings"][name] for _, run in found) for name in summary["timings"]}
+    phases["outside"] = statistics.median(seconds - run["timings"]["total"] for seconds, run in found)
+    return statistics.median(seconds for seconds, _ in found), phases, summary
+
+
+def overview(measured):
+    print("| deck | blocks | steps | iterations | factorisations | whole process [s] | target [s] |")
+    print("|---|---|---|---|---|---|---|")
+    for case, (seconds, _, summary) in measured:
+        counts = " | ".join(str(summary[name]) for name in ("blocks", "steps", "newton_iterations", "factorisations"))
+        print(f"| {case.name} | {counts} | {seconds:.2f} | {case.target:g} |")
+
+
+def split(measured):
+    names = [name for name in measured[0][1][1] if name != "total"]
+    print("\n| phase [s] | " + " | ".join(case.name for case, _ in measured) + " |")
+    print("|---|" + "---|" * len(measured))
+    for name in names:
+        seconds = (f"{phases.get(name, 0):.3f}" for _, (_, phases, _) in measured)
+        print(f"| {name.replace('_', '-')} | " + " | ".join(seconds) + " |")
+
+
+def main(arguments):
+    program, runs = arguments[0], int(arguments[1]) if len(arguments) > 1 else 7
+    measured = [(case, measure_case(program, case, runs)) for case in CASES]
+    overview(measured)
+    split(measured)
+    return 1 if any(result[0] > case.target for case, result in measured) else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,128 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+
+#include "continuation/linear/linear_system.hpp"
+#include "support/cracked.hpp"
+
+namespace dda {
+namespace {
+
+using Pairs = std::vector<std::pair<BlockId, BlockId>>;
+
+Eigen::MatrixXd dense(const BlockMatrix& a) {
+  const auto n = static_cast<Eigen::Index>(6 * a.num_rows());
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(n, n);
+  for (std::size_t r = 0; r < a.num_rows(); ++r)
+    for (std::size_t s = a.row_start()[r]; s < a.row_start()[r + 1]; ++s)
+      out.block<6, 6>(static_cast<Eigen::Index>(6 * r), static_cast<Eigen::Index>(6 * a.columns()[s])) =
+          a.value(s);
+  return out;
+}
+
+/// A symmetric matrix of blocks; the diagonal is shifted by `shift`, so that 20 makes it definite.
+BlockMatrix random_matrix(std::size_t blocks, const Pairs& pairs, double shift, Random& random) {
+  BlockMatrix out(blocks, pairs);
+  const auto block = [&] {
+    Mat6 m;
+    for (int i = 0; i < 36; ++i) m(i) = random.between(-1, 1);
+    return m;
+  };
+  for (std::size_t i = 0; i < blocks; ++i) {
+    const Mat6 m = block();
+    out.add(BlockId{i}, BlockId{i}, m + m.transpose() + shift * Mat6::Identity());
+  }
+  for (const auto& [i, j] : pairs) {
+    const Mat6 m = block();
+    out.add(i, j, m);
+    out.add(j, i, m.transpose());
+  }
+  return out;
+}
+
+class SolverContract : public testing::TestWithParam<std::string> {
+ protected:
+  std::unique_ptr<DirectSolver> make() { return direct_solvers().choose(GetParam()).make(); }
+  static Pairs chain(std::size_t blocks) {
+    Pairs out;
+    for (std::size_t i = 0; i + 1 < blocks; ++i) out.emplace_back(BlockId{i}, BlockId{i + 1});
+    return out;
+  }
+  /// Factorises, solves for three columns, and looks at the residuals and at the inertia.
+  void expect_solves(DirectSolver& solver, const BlockMatrix& a) {
+    ASSERT_TRUE(solver.factor(a));
+    const Eigen::MatrixXd full = dense(a);
+    const auto n = full.rows();
+    const std::vector<double> right = random_.vector(static_cast<std::size_t>(3 * n), 1);
+    std::vector<double> x = right;
+    solver.solve(x, 3);
+    const Eigen::Map<const Eigen::MatrixXd> b(right.data(), n, 3), found(x.data(), n, 3);
+    EXPECT_LT((full * found - b).norm(), 1e-12 * full.norm() * found.norm());
+    EXPECT_GT(solver.factor_flops(), 0);
+    if (solver.num_negative_pivots() >= 0) {
+      const auto values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(full).eigenvalues();
+      EXPECT_EQ(solver.num_negative_pivots(), (values.array() < 0).count());
+    }
+  }
+  Random random_{25};
+};
+
+TEST_P(SolverContract, SolvesDefiniteAndIndefiniteSystems) {
+  const auto solver = make();
+  expect_solves(*solver, random_matrix(9, chain(9), 20, random_));
+  expect_solves(*solver, random_matrix(9, chain(9), 0, random_));
+  expect_solves(*solver, random_matrix(9, chain(9), -20, random_));
+}
+
+TEST_P(SolverContract, TakesAnotherPattern) {
+  const auto solver = make();
+  expect_solves(*solver, random_matrix(4, chain(4), 20, random_));
+  expect_solves(*solver, random_matrix(4, {{BlockId{0}, BlockId{3}}}, 20, random_));
+  expect_solves(*solver, random_matrix(11, chain(11), 0, random_));
+}
+
+TEST_P(SolverContract, SaysThatAMatrixIsSingular) {
+  const auto solver = make();
+  BlockMatrix a(3, chain(3));
+  for (const std::size_t i : {0, 2}) a.add(BlockId{i}, BlockId{i}, Mat6::Identity());
+  EXPECT_FALSE(solver->factor(a));
+  expect_solves(*solver, random_matrix(3, chain(3), 20, random_));
+}
+
+/// Random tangents: softening, released and intact points, then more and more of them.
+TEST_P(SolverContract, LowRankUpdatesEqualNewFactorisations) {
+  const Structure structure(square_deck());
+  const Equilibrium equilibrium = structure.equilibrium();
+  const auto choice = direct_solvers().choose(GetParam());
+  LinearSystem updated(equilibrium, choice, LinearSystem::Update::low_rank);
+  LinearSystem factorised(equilibrium, choice, LinearSystem::Update::refactorise);
+  for (int round = 0; round < 12; ++round) {
+    std::vector<Mat2> tangents;
+    for (std::size_t p = 0; p < equilibrium.num_crackable(); ++p) {
+      const Vec2 stiffness = equilibrium.point(p).trial_stiffness();
+      Mat2 d = stiffness.asDiagonal();
+      if (random_.between(0, 12) < round) {
+        const Vec2 e = random_.point(1);
+        d = random_.between(0, 1) * d - random_.between(0, 0.3) * stiffness.x() * e * e.transpose();
+      }
+      tangents.push_back(d);
+    }
+    ASSERT_TRUE(updated.set_tangent(tangents));
+    ASSERT_TRUE(factorised.set_tangent(tangents));
+    const std::vector<double> b = random_.vector(equilibrium.num_unknowns(), 1);
+    std::vector<double> x(b.size()), y(b.size()), back(b.size());
+    updated.solve(b, x);
+    factorised.solve(b, y);
+    EXPECT_LT((vec(x) - vec(y)).norm(), 1e-10 * vec(y).norm()) << "round " << round;
+    updated.multiply(x, back);
+    EXPECT_LT((vec(back) - vec(b)).norm(), 1e-8 * vec(b).norm());
+  }
+  EXPECT_EQ(updated.num_factorisations(), 1u);
+  EXPECT_GT(factorised.num_factorisations(), 5u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Registry, SolverContract, testing::ValuesIn(names_of(direct_solvers())),
+                         [](const auto& chosen) { return chosen.param; });
+
+}  // namespace
+}  // namespace dda

@@ -1,0 +1,169 @@
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "continuation/path.hpp"
+#include "continuation/rescue.hpp"
+#include "support/cracked.hpp"
+
+namespace dda {
+namespace {
+
+/// The guided bar with one softening interface: u(σ) = σL/E + w_c (1 − σ/ft) after the peak.
+std::string bar_deck(double length) {
+  const auto x = [&](double share) { return std::to_string(share * length); };
+  return "scene:\n  regions:\n"
+         "    - {name: a, material: concrete, vertices: [[0, 0], [" +
+         x(0.5) + ", 0], [" + x(0.5) +
+         ", 100], [0, 100]]}\n"
+         "    - {name: b, material: concrete, vertices: [[" +
+         x(0.5) + ", 0], [" + x(1) + ", 0], [" + x(1) + ", 100], [" + x(0.5) +
+         ", 100]]}\n"
+         "  curves: {crack: [[" +
+         x(0.5) + ", 0], [" + x(0.5) +
+         ", 100]]}\n"
+         "  boundaries: {left: [[0, 0], [0, 100]], right: [[" +
+         x(1) + ", 0], [" + x(1) +
+         ", 100]]}\n"
+         "thickness: 100\nmaterials: {concrete: {type: linear_elastic, young_modulus: 30000, poisson_ratio: "
+         "0}}\n"
+         "interfaces: {crack: {points: midpoint, law: {type: linear_softening, tensile_strength: 3, "
+         "fracture_energy: 0.1}}}\n"
+         "supports:\n  wall: {on: left, fix: x}\n"
+         "  guide_a: {at: [" +
+         x(0.25) + ", 50], fix: y}\n  guide_b: {at: [" + x(0.75) +
+         ", 50], fix: y}\n"
+         "  turn_a: {at: [" +
+         x(0.25) + ", 50], fix: rotation}\n  turn_b: {at: [" + x(0.75) +
+         ", 50], fix: rotation}\n"
+         "stages: [{loads: [{type: edge_traction, on: right, traction: [1, 0]}]}]\n"
+         "gauges: {u: {type: relative_displacement, from: [0, 50], to: [" +
+         x(1) + ", 50]}}\n";
+}
+
+class Bar {
+ public:
+  Bar(double length, const std::string& path_yaml, std::vector<double> landings = {})
+      : structure_(bar_deck(length)),
+        equilibrium_(structure_.equilibrium()),
+        parameters_(path_schema().read(parse_yaml(path_yaml, "path.yaml"))),
+        system_(equilibrium_, parameters_.linear, parameters_.update),
+        walker_(system_, parameters_),
+        book_{system_.loading().gauges, "", "u"},
+        path_(walker_, parameters_, book_, wanted(landings)) {}
+
+  Path& path() { return path_; }
+  const Walker& walker() const { return walker_; }
+  System& system() { return system_; }
+  double stress() const { return walker_.state().load_factor; }
+  double elongation() const { return walker_.value(book_.gauges.front().functional); }
+
+ private:
+  std::vector<Landing> wanted(const std::vector<double>& values) const {
+    std::vector<Landing> out;
+    for (const double value : values) out.push_back({"u", book_.gauges.front().functional, value, false});
+    return out;
+  }
+  Structure structure_;
+  Equilibrium equilibrium_;
+  PathParameters parameters_;
+  System system_;
+  Walker walker_;
+  GaugeBook book_;
+  Path path_;
+};
+
+class PathOfTheBar : public testing::TestWithParam<double> {};
+
+TEST_P(PathOfTheBar, IsTheClosedForm) {
+  const double length = GetParam(), wc = 0.2 / 3;
+  Bar bar(length, "stop: {load_below: 0}");
+  double peak = 0;
+  for ([[maybe_unused]] const Point& point : bar.path()) {
+    peak = std::max(peak, bar.stress());
+    const double w = bar.walker().here().dissipated > 0 ? wc * (1 - bar.stress() / 3) : 0;
+    EXPECT_NEAR(bar.elongation(), bar.stress() * length / 30000 + w, 1e-8 * wc);
+  }
+  EXPECT_EQ(bar.path().ending().kind, Ending::Kind::goal_reached);
+  EXPECT_EQ(bar.path().ending().reason, "complete rupture");
+  EXPECT_NEAR(peak, 3, 3e-8);
+  EXPECT_NEAR(bar.walker().here().dissipated, 1000, 1e-5) << "Gf A";
+  EXPECT_NEAR(bar.walker().here().work, 1000, 1e-5);
+}
+
+INSTANTIATE_TEST_SUITE_P(Lengths, PathOfTheBar, testing::Values(100.0, 1000.0 / 3, 1000.0, 2000.0));
+
+TEST(Path, LandsOnWantedGaugeValues) {
+  const std::vector<double> values{0.005, 0.02, 0.05};
+  Bar bar(100, "stop: {load_below: 0.02}", values);
+  std::size_t landed = 0;
+  for (const Point& point : bar.path()) {
+    if (point.landed.empty() || landed >= values.size()) continue;
+    EXPECT_NEAR(bar.elongation(), values[landed], 1e-7 * values[landed]);
+    ++landed;
+  }
+  EXPECT_EQ(landed, values.size());
+}
+
+TEST(Path, EndsOnItsRules) {
+  Bar below(100, "stop: {load_below: 0.4}");
+  for ([[maybe_unused]] const Point& point : below.path()) {
+  }
+  EXPECT_EQ(below.path().ending().kind, Ending::Kind::goal_reached);
+  EXPECT_NEAR(below.stress(), 1.2, 1e-6);
+  Bar counted(100, "stop: {steps: 3}");
+  int steps = 0;
+  for (const Point& point : counted.path()) EXPECT_EQ(point.step, ++steps);
+  EXPECT_EQ(steps, 3);
+  EXPECT_EQ(counted.path().ending().reason, "3 steps");
+}
+
+TEST(Path, ControlsThatCannotFollowSaySo) {
+  Bar load(1000, "control: load");
+  for ([[maybe_unused]] const Point& point : load.path()) {
+  }
+  EXPECT_EQ(load.path().ending().kind, Ending::Kind::stopped_early);
+  EXPECT_THAT(load.path().ending().reason, testing::HasSubstr("limit point"));
+  EXPECT_NEAR(load.stress(), 3, 1e-6);
+  Bar opening(1000, "control: {type: opening, gauge: u}");
+  for ([[maybe_unused]] const Point& point : opening.path()) {
+  }
+  EXPECT_EQ(opening.path().ending().kind, Ending::Kind::stopped_early);
+  EXPECT_THAT(opening.path().ending().reason, testing::HasSubstr("snaps back"));
+}
+
+TEST(Path, CanBeInterrupted) {
+  Bar bar(100, "stop: {load_below: 0.02}");
+  int asked = 0;
+  bar.path().interrupt_when([&] { return ++asked > 3; });
+  int steps = 0;
+  for ([[maybe_unused]] const Point& point : bar.path()) ++steps;
+  EXPECT_EQ(steps, 3);
+  EXPECT_EQ(bar.path().ending().kind, Ending::Kind::interrupted);
+}
+
+/// From the first crack of the bar and of the square: the result is an equilibrium on the damage surface.
+TEST(Rescue, EndsInAnEquilibriumThatHasDissipatedTheQuantum) {
+  Bar bar(1000, "stop: {steps: 2}");
+  for ([[maybe_unused]] const Point& point : bar.path()) {
+  }
+  System& system = bar.system();
+  const std::vector<History> before = system.history();
+  const double start = system.dissipated(before), quantum = 30;
+  const auto found = sequentially_linear(system, bar.walker().state(), quantum);
+  ASSERT_TRUE(found);
+  EXPECT_GE(system.dissipated(found->history), start + quantum);
+  EXPECT_EQ(system.dissipated(system.history()), start) << "the system itself has not moved";
+  system.set_history(found->history);
+  const LawValues laws = system.laws(found->state.d, found->state.load_factor);
+  std::vector<double> residual(found->state.d.size());
+  system.residual(found->state.d, found->state.load_factor, laws, residual);
+  EXPECT_LT(system.residual_norm(residual), 1e-8 * system.force_level(found->state.d));
+  // On the envelope: w = κ − σ/k and σ = ft (1 − w/w_c).
+  const double k = system.equilibrium().point(0).stiffness, wc = 0.2 / 3;
+  const double w = found->history[0].kappa - found->state.load_factor / k;
+  EXPECT_NEAR(found->state.load_factor, 3 * (1 - w / wc), 1e-8);
+}
+
+}  // namespace
+}  // namespace dda

@@ -1,0 +1,125 @@
+#include <gtest/gtest.h>
+
+#include "support/structure.hpp"
+
+namespace dda {
+namespace {
+
+class OnSquare : public testing::Test {
+ protected:
+  Functional gauge(const std::string& yaml) const {
+    const Equilibrium equilibrium = square_.equilibrium();
+    return gauges()
+        .choose(parse_yaml(yaml, "d"))
+        .make()
+        ->functional({square_.assembly(), equilibrium.stages().back().reactions});
+  }
+  StageLoads load(const std::string& yaml) const {
+    StageLoads out = square_.no_loads();
+    loads().choose(parse_yaml(yaml, "d")).make()->add_to(out, square_.body());
+    return out;
+  }
+  /// Power of the load in the field u = a + G x.
+  double power(const StageLoads& of, const Vec2& a, const Mat2& g) const {
+    const std::vector<double> d = square_.field(a, g);
+    double sum = 0;
+    for (std::size_t i = 0; i < d.size(); ++i) sum += of.force[i] * d[i];
+    return sum;
+  }
+  Vec2 displacement(std::size_t block, const Vec2& x, const std::vector<double>& d) const {
+    return displacement_rows(x - square_.assembly().blocks[block].moments.centroid) *
+           Eigen::Map<const Vec6>(d.data() + 6 * block);
+  }
+  static Mat2 gradient() {
+    Mat2 g;
+    g << 0.3, -0.2, 0.5, 0.7;
+    return g;
+  }
+  const Structure square_{square_deck()};
+  Random random_{4};
+};
+
+TEST_F(OnSquare, DisplacementOfAPointOfOneBlock) {
+  const std::vector<double> d = random_.vector(24, 1);
+  const double value = gauge("{type: displacement, at: [0.9, 0.1], direction: [3, 4]}").value(d, 0);
+  EXPECT_NEAR(value, Vec2(0.6, 0.8).dot(displacement(1, {0.9, 0.1}, d)), 1e-14);
+}
+
+TEST_F(OnSquare, DisplacementWhereBlocksMeetIsTheirMeanOrThatOfOne) {
+  const std::vector<double> d = random_.vector(24, 1);
+  const Vec2 x(0.6, 0.45);
+  double mean = 0;
+  for (std::size_t b = 0; b < 4; ++b) mean += displacement(b, x, d).y() / 4;
+  EXPECT_NEAR(gauge("{type: displacement, at: [0.6, 0.45], direction: [0, 1]}").value(d, 0), mean, 1e-14);
+  EXPECT_NEAR(
+      gauge("{type: displacement, at: [0.6, 0.45], inside: [0.8, 0.8], direction: [0, 1]}").value(d, 0),
+      displacement(2, x, d).y(), 1e-14);
+}
+
+TEST_F(OnSquare, RelativeDisplacement) {
+  const std::vector<double> d = random_.vector(24, 1);
+  const Vec2 from(0.1, 0.1), to(0.9, 0.7), l = (to - from).normalized();
+  EXPECT_NEAR(gauge("{type: relative_displacement, from: [0.1, 0.1], to: [0.9, 0.7]}").value(d, 0),
+              l.dot(displacement(2, to, d) - displacement(0, from, d)), 1e-14);
+}
+
+TEST_F(OnSquare, ReactionIsTheForceOfTheSpringsOnTheStructure) {
+  // A shift of the whole square by (1, 0) stretches every spring of the wall by 1; they pull back.
+  const Equilibrium equilibrium = square_.equilibrium();
+  const double stiffness = 1e5 * 3 * 0.7;
+  const std::vector<double> d = square_.field({1, 0}, Mat2::Zero());
+  EXPECT_NEAR(gauge("{type: reaction, of: wall.x}").value(d, 0) / (-4 * stiffness), 1, 1e-14);
+  EXPECT_NEAR(gauge("{type: reaction, of: wall.y}").value(d, 0), 0, 1e-10);
+  EXPECT_EQ(gauge("{type: reaction, of: wall.x, scale: -2}").value(d, 0), 8 * stiffness);
+}
+
+TEST_F(OnSquare, LoadGaugeIsTheScaledLoadFactor) {
+  EXPECT_EQ(gauge("{type: load, scale: 250}").value(random_.vector(24, 1), 0.4), 100);
+}
+
+TEST_F(OnSquare, PointLoad) {
+  const StageLoads found = load("{type: point_load, at: [0.6, 0.45], force: [2, -3]}");
+  const Vec2 u = Vec2(1, 2) + gradient() * Vec2(0.6, 0.45);
+  EXPECT_NEAR(power(found, {1, 2}, gradient()), Vec2(2, -3).dot(u), 1e-14);
+  EXPECT_NEAR(found.resultant, std::sqrt(13.0), 1e-15);
+}
+
+TEST_F(OnSquare, EdgeTractionIsExactForLinearDisplacements) {
+  const StageLoads found = load("{type: edge_traction, on: right, traction: [2, -3], pressure: 0.5}");
+  // ∫ τ · u dA over x = 1 with thickness 0.7; the pressure acts against n = (1, 0).
+  const Vec2 u = Vec2(1, 2) + gradient() * Vec2(1, 0.5);
+  EXPECT_NEAR(power(found, {1, 2}, gradient()), 0.7 * Vec2(1.5, -3).dot(u), 1e-14);
+  EXPECT_NEAR(found.resultant, 0.7 * Vec2(1.5, -3).norm(), 1e-14);
+}
+
+TEST_F(OnSquare, BodyForce) {
+  const StageLoads everywhere = load("{type: body_force, force: [2, -3]}");
+  const Vec2 u = Vec2(1, 2) + gradient() * Vec2(0.5, 0.5);
+  EXPECT_NEAR(power(everywhere, {1, 2}, gradient()), 0.7 * Vec2(2, -3).dot(u), 1e-14);
+  const auto& blocks = square_.assembly().blocks;
+  const double mortar = blocks[0].moments.area + blocks[3].moments.area;
+  EXPECT_NEAR(power(load("{type: body_force, force: [2, -3], materials: [mortar]}"), {0, 1}, Mat2::Zero()),
+              -3 * 0.7 * mortar, 1e-14);
+}
+
+TEST_F(OnSquare, InitialStressWorksAgainstTheStrain) {
+  const StageLoads found = load("{type: initial_stress, xx: 2, yy: -1, xy: 0.5}");
+  const double strain_work = 2 * 0.3 - 1 * 0.7 + 0.5 * (0.5 - 0.2);
+  EXPECT_NEAR(power(found, {1, 2}, gradient()), -0.7 * strain_work, 1e-14);
+  const StageLoads partly = load("{type: initial_stress, xx: 2, regions: [b]}");
+  EXPECT_EQ(partly.initial_stress[1], Vec3(2, 0, 0));
+  EXPECT_EQ(partly.initial_stress[0], Vec3(0, 0, 0));
+}
+
+TEST_F(OnSquare, PrescribedDisplacementDrivesASpring) {
+  const StageLoads found =
+      load("{type: prescribed_displacement, at: [1, 0.2], direction: [0, -2], displacement: 0.3}");
+  ASSERT_EQ(found.driven.size(), 1u);
+  EXPECT_EQ(found.driven[0].name, "driven");
+  EXPECT_EQ(found.driven[0].prescribed, 0.3);
+  const std::vector<double> d = random_.vector(24, 1);
+  EXPECT_NEAR(found.driven[0].displacement.value(d, 0), -displacement(1, {1, 0.2}, d).y(), 1e-14);
+}
+
+}  // namespace
+}  // namespace dda

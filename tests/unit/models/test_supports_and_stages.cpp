@@ -1,0 +1,121 @@
+#include <gmock/gmock.h>
+
+#include <Eigen/LU>
+
+#include "support/structure.hpp"
+
+namespace dda {
+namespace {
+
+using testing::HasSubstr;
+
+std::string refusal(const std::string& yaml) {
+  try {
+    Structure(yaml).equilibrium();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::string held_by(const std::string& support) {
+  std::string deck = square_deck();
+  const std::string wall = "wall: {on: left, fix: xy}";
+  return deck.replace(deck.find(wall), wall.size(), support);
+}
+
+TEST(Support, FreeRigidMotionsAreNamed) {
+  EXPECT_THAT(refusal(held_by("wall: {on: left, fix: x}")), HasSubstr("against: translation in y"));
+  EXPECT_THAT(refusal(held_by("pin: {at: [0, 0], fix: xy}")), HasSubstr("against: rotation about ("));
+  EXPECT_THAT(refusal(held_by("turn: {at: [0.2, 0.2], fix: rotation}")),
+              testing::AllOf(HasSubstr("translation in x"), HasSubstr("translation in y"),
+                             Not(HasSubstr("rotation"))));
+  EXPECT_EQ(refusal(square_deck()), "");
+}
+
+TEST(Support, PlacesOffTheStructureAreRefused) {
+  EXPECT_THAT(refusal(held_by("pin: {at: [2, 0], fix: xy}")), HasSubstr("lies outside every block"));
+  EXPECT_THAT(refusal(held_by("wall: {on: lft, fix: xy}")), HasSubstr("unknown boundary 'lft'"));
+}
+
+TEST(Place, BlocksThatMeetShareOrOneIsMeant) {
+  const Structure square(square_deck());
+  EXPECT_EQ(blocks_of(square.assembly(), {{0.6, 0.45}, {}}, {}).size(), 4u);
+  EXPECT_EQ(blocks_of(square.assembly(), {{0.6, 0.45}, Vec2(0.9, 0.1)}, {}), (std::vector{BlockId{1}}));
+  EXPECT_THROW(blocks_of(square.assembly(), {{0.1, 0.1}, Vec2(0.9, 0.1)}, {}), InputError);
+}
+
+TEST(Place, BoundaryPointsCarryTheLengthAndTheNormal) {
+  const Structure square(square_deck());
+  double length = 0;
+  for (const BoundaryPoint& point : boundary_points(square.assembly(), "right", {})) {
+    EXPECT_LT((point.normal - Vec2(1, 0)).norm(), 1e-14);
+    EXPECT_NEAR(point.x.x(), 1, 1e-14);
+    length += point.length;
+  }
+  EXPECT_NEAR(length, 1, 1e-14);
+}
+
+std::string joint(const std::string& energy) {
+  return "  joint: {between: [mortar, stone], law: {type: linear_softening, tensile_strength: 0.01, "
+         "fracture_energy: " +
+         energy + "}}\n";
+}
+
+/// The steepest slope ft²/(2 Gf) decides: small keeps the treatment's k, steep raises it, too steep is
+/// refused.
+TEST(InterfacePoints, StiffnessFollowsTheSofteningSlope) {
+  const Equilibrium mild = Structure(square_deck("", joint("2e-4"))).equilibrium();
+  EXPECT_TRUE(mild.interfaces().notices.empty());
+  const Equilibrium steep = Structure(square_deck("", joint("2e-6"))).equilibrium();
+  ASSERT_EQ(steep.interfaces().notices.size(), 1u);
+  EXPECT_THAT(steep.interfaces().notices[0], HasSubstr("stiffness raised"));
+  for (std::size_t p = 0; p < steep.num_crackable(); ++p) {
+    EXPECT_GE(steep.point(p).stiffness, mild.point(p).stiffness);
+    EXPECT_GE(steep.point(p).stiffness, 1.02 * steep.point(p).law->steepest_slope());
+  }
+  EXPECT_THAT(refusal(square_deck("", joint("5e-7"))), HasSubstr("blocks are too large for the softening"));
+}
+
+const std::string uniform = R"(stages:
+  - {name: shrink, loads: [{type: initial_stress, xx: 0.3, yy: -0.2, xy: 0.1}]}
+  - {name: more, loads: [{type: initial_stress, xx: 0.1}, {type: point_load, at: [1, 1], force: [0, 1]}]}
+support_stiffness: 1e-13
+)";
+
+/// In one material without supports the strain −C⁻¹σ0 leaves no stress: every joint and block is at rest.
+TEST(Loading, InitialStressIsInEquilibriumWithConsistentJoints) {
+  std::string deck = square_deck(uniform);
+  deck.replace(deck.find("young_modulus: 3, poisson_ratio: 0.3"), 36, "young_modulus: 2, poisson_ratio: 0.2");
+  const Structure square(deck);
+  const Equilibrium equilibrium = square.equilibrium();
+  const Loading& loading = equilibrium.stages()[0];
+  const Vec3 strain = -square.body().materials[0]->stiffness().inverse() * Vec3(0.3, -0.2, 0.1);
+  Mat2 g;
+  g << strain.x(), strain.z() / 2, strain.z() / 2, strain.y();
+  const std::vector<double> d = square.field({0, 0}, g);
+  std::vector<double> q(2 * equilibrium.num_crackable()), residual(d.size(), 0.0);
+  equilibrium.gather(loading, d, 1, q);
+  for (const double opening : q) EXPECT_NEAR(opening, 0, 1e-14);
+  equilibrium.intact().multiply_add(d, residual);
+  std::vector<double> trial = loading.reference_offset;
+  for (std::size_t i = 0; i < trial.size(); ++i)
+    trial[i] *= equilibrium.point(i / 2).trial_stiffness()[static_cast<Eigen::Index>(i % 2)];
+  equilibrium.scatter_add(trial, residual);
+  for (std::size_t i = 0; i < d.size(); ++i) EXPECT_NEAR(residual[i], loading.reference[i], 1e-12);
+}
+
+TEST(Loading, AStageIsDeadInTheNext) {
+  const Structure square(square_deck(uniform));
+  const Equilibrium equilibrium = square.equilibrium();
+  ASSERT_EQ(equilibrium.stages().size(), 2u);
+  const Loading &first = equilibrium.stages()[0], &second = equilibrium.stages()[1];
+  EXPECT_EQ(second.dead, first.reference);
+  EXPECT_EQ(second.dead_offset, first.reference_offset);
+  for (const double f : first.dead) EXPECT_EQ(f, 0);
+  EXPECT_NE(second.reference, first.reference);
+  EXPECT_EQ(second.load.value(std::vector<double>(24, 0.0), 0.5), 0.5) << "resultant 1 times the load factor";
+}
+
+}  // namespace
+}  // namespace dda

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "continuation/path.hpp"
+#include "models/equilibrium.hpp"
+#include "studies/deck.hpp"
+
+namespace dda::verification {
+
+/// A deck made into blocks and their equilibrium, without a path.
+struct Structure {
+  Deck deck;
+  Assembly assembly;
+  Body body;
+  Equilibrium equilibrium;
+
+  explicit Structure(const std::string& deck_text);
+};
+
+/// An accepted point of a path with everything that closed forms speak of.
+struct Traced {
+  std::string control;
+  State state;
+  double load = 0;                              ///< load gauge
+  double dissipated = 0, stored = 0, work = 0;  ///< [F L]
+  std::map<std::string, double> gauges;         ///< by deck name
+};
+
+/// A path followed to its end.
+struct Trace {
+  std::vector<Traced> points;
+  Ending ending;
+
+  const Traced& last() const { return points.back(); }
+  /// Index of the largest load.
+  std::size_t peak() const;
+};
+
+/// Follows the path of a deck given as text.
+Trace follow(const std::string& deck_text);
+
+/// The matrix written out, 6 · blocks square.
+Eigen::MatrixXd dense(const BlockMatrix& matrix);
+
+/// K⁻¹ f by the default sparse solver.
+std::vector<double> solve(const BlockMatrix& matrix, std::vector<double> force);
+
+/// Full reference load of the last stage on the intact structure: d = K₀⁻¹ (dead + reference).
+std::vector<double> intact_response(const Equilibrium& equilibrium);
+
+/// Smallest eigenvalue of the matrix scaled to a unit diagonal: its sign is that of the matrix's own, and
+/// blocks of unlike size or stiffness cost no digits.
+double smallest_scaled_eigenvalue(const BlockMatrix& matrix);
+
+/// Strain (εx, εy, γxy) of a block.
+Vec3 strain_of(const std::vector<double>& d, std::size_t block);
+
+}  // namespace dda::verification
