@@ -25,6 +25,14 @@ struct Node {
   std::vector<Node> items;         ///< of a sequence
   std::vector<NodeEntry> entries;  ///< of a map, in the order of the file; keys are unique
 
+  // Defined where NodeEntry is complete: a node holds entries, an entry holds a node.
+  Node();
+  Node(const Node&);
+  Node(Node&&) noexcept;
+  Node& operator=(const Node&);
+  Node& operator=(Node&&) noexcept;
+  ~Node();
+
   bool is_null() const { return kind == Kind::null; }
   bool is_scalar() const { return kind == Kind::scalar; }
   bool is_sequence() const { return kind == Kind::sequence; }

@@ -35,8 +35,11 @@ const char* name_of(Anchor anchor) {
 }
 
 std::string stroke_of(const LineStyle& style) {
-  return fmt::format("stroke=\"{}\" stroke-width=\"{}\"{}", style.colour, coordinate(style.width),
-                     style.dashed ? " stroke-dasharray=\"6 3.5\"" : "");
+  const std::string dashes =
+      style.dashed
+          ? fmt::format(" stroke-dasharray=\"5 9\" stroke-dashoffset=\"{}\"", coordinate(style.dash_offset))
+          : "";
+  return fmt::format("stroke=\"{}\" stroke-width=\"{}\"{}", style.colour, coordinate(style.width), dashes);
 }
 
 }  // namespace

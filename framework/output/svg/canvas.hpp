@@ -22,6 +22,7 @@ struct LineStyle {
   std::string colour = ink;
   double width = 1;
   bool dashed = false;
+  double dash_offset = 0;  ///< where the dashes start, so that coinciding curves show one after the other
 };
 
 /// A rectangle of the picture, y downwards [px].
