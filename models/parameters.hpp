@@ -58,7 +58,7 @@ struct ModelParameters {
   std::vector<StageParameters> stages;
   std::vector<std::pair<std::string, GaugeChoice>> gauge_names;
   double support_stiffness = 1e5;
-  double weak_springs = 1e-12;
+  double weak_springs = 1e-13;
   Position where;
 };
 
@@ -93,7 +93,7 @@ void add_model(Schema<P>& schema) {
           "support_stiffness", &P::support_stiffness,
           {.fallback = 1e5, .bounds = above(0), .text = "Stiffness of supports in units of E · thickness."})
       .number("weak_springs", &P::weak_springs,
-              {.fallback = 1e-12,
+              {.fallback = 1e-13,
                .bounds = at_least(0),
                .text = "Springs that hold every block's centroid, in units of E · thickness."});
 }

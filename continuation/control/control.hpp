@@ -38,7 +38,7 @@ std::unique_ptr<Control> make_gauge_control(Functional gauge);
 
 /// Dissipation prescribed, Σ W (G(max(κ, q_eq)) − G(κ)) = s, s an energy.
 ///
-/// Source: Gutiérrez (2004), Verhoosel et al. (2009), as in the formulation.
+/// Source: models/README.md for G.
 std::unique_ptr<Control> make_dissipation_control(const System& system);
 
 /// The next initiation at frozen damage: max over unbroken points of q_eq/κ − 1 = 0 at s = 1.

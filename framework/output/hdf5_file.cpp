@@ -279,7 +279,9 @@ std::string Hdf5File::bytes() const {
 }
 
 void Hdf5File::close() {
-  if (id_ >= 0) checked(H5Fclose(std::exchange(id_, -1)), "close");
+  if (id_ < 0) return;
+  checked(H5Fclose(std::exchange(id_, -1)), "close");
+  if (const std::string reason = take_closing_failure(); !reason.empty()) throw Hdf5Error("close: " + reason);
 }
 
 }  // namespace dda

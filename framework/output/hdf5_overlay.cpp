@@ -14,6 +14,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "framework/errors.hpp"
@@ -47,7 +48,11 @@ struct Overlay : H5FD_t {
 Overlay& overlay_of(H5FD_t* file) { return *static_cast<Overlay*>(file); }
 const Overlay& overlay_of(const H5FD_t* file) { return *static_cast<const Overlay*>(file); }
 
+thread_local std::string closing_failure;
+thread_local std::string last_reason;
+
 herr_t fail(const char* reason) {
+  last_reason = reason;
   H5Epush2(H5E_DEFAULT, __FILE__, __func__, __LINE__, H5E_ERR_CLS, H5E_VFL, H5E_WRITEERROR, "%s", reason);
   return -1;
 }
@@ -198,7 +203,8 @@ H5FD_t* open_file(const char* name, unsigned, hid_t, haddr_t) {
 
 herr_t close_file(H5FD_t* file) {
   const std::unique_ptr<Overlay> overlay(&overlay_of(file));
-  return commit(*overlay);
+  if (commit(*overlay) < 0) closing_failure = last_reason;
+  return 0;
 }
 
 herr_t read_file(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t address, std::size_t size, void* buffer) {
@@ -273,6 +279,8 @@ H5FD_class_t make_class() {
 }
 
 }  // namespace
+
+std::string take_closing_failure() { return std::exchange(closing_failure, {}); }
 
 std::int64_t overlay_driver() {
   static const H5FD_class_t driver = make_class();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 namespace dda {
 
@@ -19,6 +20,12 @@ namespace dda {
 /// file is locked (flock) against readers while it is open. Returns HDF5's identifier of the driver; the file
 /// must exist. Source: HDF5 file format 3.0, II.A superblock version 0; HDF5 1.10 H5FDdevelop.
 std::int64_t overlay_driver();
+
+/// Why the last closing through the driver could not write, "" when it could; asking clears it.
+///
+/// HDF5 cannot be told by the driver itself: where closing a driver fails, the library keeps an identifier of freed
+/// memory and crashes at the end of the program.
+std::string take_closing_failure();
 
 /// The reason given when another program holds the lock.
 inline constexpr const char* locked_reason = "another program holds the file's lock";

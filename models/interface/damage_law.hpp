@@ -12,7 +12,7 @@ namespace dda {
 ///     ψ = ½ k ⟨−q_n⟩² + ψ_soft(κ), so mixed mode, unloading and contact are variational and D is symmetric
 ///
 /// A member writes the curve t_eq(κ), its slope and G(κ); everything else is here.
-/// Source: trial form of the rigid-cohesive law; equivalent opening of Camacho-Ortiz type with weight β.
+/// Source: models/README.md.
 class DamageLaw : public InterfaceLaw {
  public:
   explicit DamageLaw(double shear_weight) : beta_(shear_weight) {}

@@ -28,7 +28,7 @@ struct Response {
 /// q = (q_n, q_s) [L], q_n > 0 opens. A law is softening "rigid until strength" in series with the numerical
 /// compliance P⁻¹ of the treatment: its physical opening is w = q − P⁻¹ t. The stiffness k belongs to the
 /// point and is passed to every function; the history h is that of the last accepted step and never changes
-/// inside a solve. Source: formulation of the rigid-cohesive law in trial form, README.md of models/.
+/// inside a solve. Source: models/README.md.
 class InterfaceLaw {
  public:
   virtual ~InterfaceLaw() = default;

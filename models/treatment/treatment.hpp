@@ -34,8 +34,7 @@ struct PointRows {
 ///     consistent   q = g + P⁻¹ {σ}n          {σ}n = w_i σ_i n + w_j σ_j n
 ///     P = k diag(1, β²)
 ///
-/// A law never knows which treatment called it. Source: formulation of the consistent interface,
-/// models/README.md.
+/// A law never knows which treatment called it. Source: models/README.md.
 class Treatment {
  public:
   virtual ~Treatment() = default;
