@@ -107,6 +107,7 @@ class Path {
   Attempt attempt(const Move& move, double amount);
   std::string objection(const Candidate& candidate) const;
   double unaccounted(const Candidate& candidate) const;
+  bool is_coarse(const Candidate& candidate) const;
 
   // Refinements of a converged step.
   std::optional<double> before_peak(const Candidate& candidate) const;

@@ -92,6 +92,12 @@ std::optional<Point> Path::controlled_step(const Move& move) {
       amount *= *share;
       continue;
     }
+    if (is_coarse(*candidate) && refinements++ < most_refinements) {
+      report("refined", "the step leaves too much energy unaccounted for");
+      ++walker_.effort().rejected;
+      amount *= 0.5;
+      continue;
+    }
     if (const auto crossing = first_crossing(*candidate)) {
       if (auto point = land(*candidate, *crossing, move.control)) return point;
       amount *= 0.5 * std::max(crossing->share, 0.1);
@@ -143,6 +149,12 @@ double Path::unaccounted(const Candidate& candidate) const {
   const Candidate& here = walker_.here();
   return std::abs((candidate.work - here.work) - (candidate.stored - here.stored) -
                   (candidate.dissipated - here.dissipated));
+}
+
+/// Whether the quadrature of the work misses a kink within the step: the energy balance of a run is the sum of these.
+bool Path::is_coarse(const Candidate& candidate) const {
+  constexpr double share = 0.01;  // of the accuracy, twice what the step size aims at
+  return unaccounted(candidate) > share * parameters_.step.accuracy * std::abs(candidate.work);
 }
 
 /// Why a converged state is not the next point of this path; "" when it is.
