@@ -53,11 +53,16 @@ class SupportMaker {
         add_spring(name + suffix, {id, *p.at, direction}, stiffness);
   }
 
+  /// Springs along a boundary are as stiff as the length they stand for, so that a uniform traction moves it evenly.
   void add_along(const std::string& name, const SupportParameters& p, double stiffness) {
-    for (const BoundaryPoint& point : boundary_points(body_.assembly, *p.on, p.where)) {
+    const auto points = boundary_points(body_.assembly, *p.on, p.where);
+    double length = 0;
+    for (const BoundaryPoint& point : points) length += point.length;
+    const double per_length = stiffness * static_cast<double>(points.size()) / length;
+    for (const BoundaryPoint& point : points) {
       if (p.fix == Fix::rotation) add_rotation(name, point.block, stiffness);
       for (const auto& [suffix, direction] : directions(p, point.normal))
-        add_spring(name + suffix, {point.block, point.x, direction}, stiffness);
+        add_spring(name + suffix, {point.block, point.x, direction}, per_length * point.length);
     }
   }
 

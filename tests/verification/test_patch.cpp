@@ -205,5 +205,24 @@ TEST_P(PatchOf, PenaltyJointsErrsByTheirCompliance) {
 
 INSTANTIATE_TEST_SUITE_P(All, PatchOf, testing::ValuesIn(drawings()));
 
+/// Supports along a boundary are springs: under a uniform traction they must not bend an edge of unequal sides.
+TEST(PatchUnderDefaults, VoronoiPlateOnSupportedEdgesKeepsUniformStrain) {
+  const Trace trace = follow(R"(
+scene:
+  regions:
+    - {name: plate, material: steel, vertices: [[0, 0], [100, 0], [100, 60], [0, 60]]}
+  boundaries: {left: [[0, 0], [0, 60]], right: [[100, 0], [100, 60]], bottom: [[0, 0], [100, 0]]}
+  subdivision: {type: voronoi, blocks: 50}
+thickness: 10
+materials: {steel: {type: linear_elastic, young_modulus: 1000, poisson_ratio: 0.3}}
+supports: {left: {on: left, fix: x}, bottom: {on: bottom, fix: y}}
+stages:
+  - loads: [{type: edge_traction, on: right, traction: [1, 0]}]
+)");
+  const std::vector<double>& d = trace.last().state.d;
+  for (std::size_t block = 0; block < d.size() / 6; ++block)
+    EXPECT_LT((strain_of(d, block) - Vec3(1e-3, -3e-4, 0)).cwiseAbs().maxCoeff(), 1e-10 * 1e-3) << block;
+}
+
 }  // namespace
 }  // namespace dda::verification
