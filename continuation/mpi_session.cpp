@@ -14,6 +14,8 @@ MpiSession::MpiSession() {
     setenv("OMPI_MCA_btl", "self", keep);
     setenv("OMPI_MCA_pml", "ob1", keep);
     setenv("OMPI_MCA_osc", "^ucx", keep);
+    // Processes started side by side remove each other's folder for temporary files; a single rank needs none.
+    setenv("OMPI_MCA_orte_create_session_dirs", "0", keep);
   }
   MPI_Init(nullptr, nullptr);
   char program[] = "dda";
