@@ -21,12 +21,16 @@ Functional find_load(const std::string& name, const GaugeBook& book, const Funct
 }  // namespace
 
 Path::Path(Walker& walker, const PathParameters& parameters, const GaugeBook& gauges,
-           std::vector<Landing> landings)
+           std::vector<Landing> landings, std::vector<Leg> legs)
     : walker_(walker),
       parameters_(parameters),
       driver_(parameters.control.make(gauges)),
       load_(find_load(parameters.load_gauge, gauges, walker.system().loading().load, parameters.where)),
-      landings_(std::move(landings)) {}
+      landings_(std::move(landings)),
+      legs_(std::move(legs)) {
+  for (const auto& law : walker.system().equilibrium().interfaces().laws)
+    releases_at_once_ = releases_at_once_ || law->releases_at_once();
+}
 
 PathMemory Path::memory() const {
   PathMemory out = memory_;
@@ -70,18 +74,31 @@ bool Path::at_end() {
     return true;
   }
   constexpr double nothing = 1e-6;
-  if (memory_.peak_load > 0 && std::abs(load_of(walker_.state())) <= nothing * memory_.peak_load &&
-      walker_.here().dissipated > 0) {
+  const bool at_leg_start = memory_.leg > 0 && walker_.effort().accepted == memory_.leg_start;
+  if (!leg().unloads && !at_leg_start && memory_.peak_load > 0 &&
+      std::abs(load_of(walker_.state())) <= nothing * memory_.peak_load && walker_.here().dissipated > 0) {
     end(Ending::Kind::goal_reached, "complete rupture");
     return true;
   }
   return false;
 }
 
+void Path::begin_next_leg() {
+  ++memory_.leg;
+  memory_.leg_start = walker_.effort().accepted;
+  memory_.step = 0;
+  walker_.unload();
+  report("leg", leg().name);
+}
+
 Point Path::keep(Candidate candidate, const std::string& control) {
   Point out;
   out.control = control;
   out.newton_iterations = candidate.newton_iterations;
+  out.residual = candidate.residual;
+  out.tolerance = candidate.tolerance;
+  out.multiplier_iterations = candidate.multiplier_iterations;
+  out.gap = candidate.gap;
   const double load = load_.value(candidate.state.d, candidate.state.load_factor);
   if (memory_.direction == 0 && load != 0) memory_.direction = load > 0 ? 1 : -1;
   if (const double here = load_of(candidate.state); here > memory_.peak_load) {

@@ -16,7 +16,15 @@ struct Landing {
   std::string name;  ///< of the gauge
   Functional gauge;
   double value = 0;
-  bool ends_path = false;
+  bool ends_leg = false;
+  bool only_falling = false;  ///< counts only when passed downwards
+};
+
+/// A part of the path under the loads of its last stage: followed by the control, or unloaded.
+struct Leg {
+  std::string name;
+  bool unloads = false;        ///< leaves the damage surfaces and goes straight to `until`
+  std::vector<Landing> until;  ///< the next leg begins at the first of them
 };
 
 /// An accepted point of the path.
@@ -24,6 +32,9 @@ struct Point {
   int step = 0;
   std::string control;
   int newton_iterations = 0;
+  double residual = 0, tolerance = 0;  ///< of equilibrium, relative to the force level
+  int multiplier_iterations = 0;
+  double gap = 0;                   ///< relative, that iterated multipliers leave
   double jump_energy = 0;           ///< released on the way here where no equilibrium path led [FL]
   std::vector<std::string> landed;  ///< "cmod=0.1", "peak?" …: why fields should be kept here
   bool is_highest = false;          ///< the largest load so far
@@ -45,8 +56,10 @@ struct PathMemory {
   double largest_displacement = 0;
   double jump_energy = 0;
   double last_quantum = 0;  ///< energy dissipated by the last good step
-  double unaccounted = 0;  ///< Σ |work − storage − dissipation| of the single steps [FL]
+  double unaccounted = 0;   ///< Σ |work − storage − dissipation| of the single steps [FL]
   double driver = 0;        ///< what the driver remembers
+  int leg = 0;              ///< which leg is being followed
+  int leg_start = 0;        ///< accepted steps before it
 };
 
 /// The equilibrium path of the last stage as a range: `for (const Point& p : path)`.
@@ -55,11 +68,13 @@ struct PathMemory {
 /// tangent predicted the last one; a step across the limit point is shortened until the peak is bracketed;
 /// steps land on wanted gauge values; a converged step that no continuous path explains (its energies do not
 /// balance), or that retraces the unloading branch, is rejected; where Newton fails at the smallest step,
-/// sequentially linear steps carry on. The walker must stand at the start of the stage.
+/// sequentially linear steps carry on; points whose law loses its strength at once are released event by
+/// event (release.hpp). The path may have several legs: loading, unloading to a gauge value, loading again.
+/// The walker must stand at the start of the stage.
 class Path {
  public:
   Path(Walker& walker, const PathParameters& parameters, const GaugeBook& gauges,
-       std::vector<Landing> landings);
+       std::vector<Landing> landings, std::vector<Leg> legs = {Leg{}});
 
   /// The next accepted point, or nothing at the end; then `ending()` says why.
   std::optional<Point> next();
@@ -103,6 +118,12 @@ class Path {
   std::optional<Point> linear_step();
   std::optional<Point> controlled_step(const Move& move);
   std::optional<Point> sequential_step(const std::string& control, double quantum);
+  std::optional<Point> release_step();
+  std::optional<Point> increment_step();
+  std::optional<Point> unload_step();
+  std::optional<Point> jump_to(const Settled& found, const std::string& control);
+  std::optional<Point> land_ahead(double amount);
+  bool creates_energy(const Candidate& beyond) const;
   std::optional<Candidate> try_step(const Move& move, double amount, std::string& why);
   Attempt attempt(const Move& move, double amount);
   std::string objection(const Candidate& candidate) const;
@@ -117,6 +138,8 @@ class Path {
   };
   std::optional<Crossing> first_crossing(const Candidate& candidate) const;
   std::optional<Point> land(const Candidate& beyond, const Crossing& crossing, const std::string& control);
+  std::optional<Point> land_on_strength(const Candidate& beyond, const std::string& control);
+  double share_to_strength(const Candidate& candidate) const;
   void end_at(const Landing& landing);
   std::optional<Point> rupture();
   std::string turning_point();
@@ -129,6 +152,9 @@ class Path {
   Point keep(Candidate candidate, const std::string& control);
   std::vector<Landing> present_landings() const;
   bool at_end();
+  const Leg& leg() const { return legs_[static_cast<std::size_t>(memory_.leg)]; }
+  bool is_last_leg() const { return static_cast<std::size_t>(memory_.leg) + 1 == legs_.size(); }
+  void begin_next_leg();
   std::optional<Point> end(Ending::Kind kind, std::string reason);
   double load_of(const State& state) const;
   double displacement_of(const State& state) const;
@@ -142,6 +168,8 @@ class Path {
   std::unique_ptr<Driver> driver_;
   Functional load_;
   std::vector<Landing> landings_;
+  std::vector<Leg> legs_;
+  bool releases_at_once_ = false;  ///< some law does
   PathMemory memory_;
   Ending ending_;
   std::function<bool()> interrupted_;

@@ -44,6 +44,22 @@ Schema<NewtonParameters> newton_schema() {
                {.fallback = 15, .bounds = between(2, 200), .text = "Iterations before a step is given up."});
 }
 
+Schema<MultiplierParameters> multiplier_schema() {
+  using P = MultiplierParameters;
+  return Schema<P>("When the multipliers of augmented Lagrangian joints are good.")
+      .number("tolerance", &P::tolerance,
+              {.fallback = 1e-8,
+               .bounds = above(0) & at_most(1e-2),
+               .text = "Largest gap left, in units of the shortening of a block under the largest traction."})
+      .integer("max_iterations", &P::max_iterations,
+               {.fallback = 1000, .bounds = at_least(1), .text = "Iterations before a step is given up."})
+      .boolean(
+          "predicted", &P::predicted,
+          {.fallback = true,
+           .text =
+               "Start each step from the multipliers that the path's tangent predicts, not the last ones."});
+}
+
 }  // namespace
 
 Schema<PathParameters> path_schema() {
@@ -62,6 +78,7 @@ Schema<PathParameters> path_schema() {
                .bounds = above(0) & at_most(0.1),
                .text = "The peak load is bracketed to this relative width."})
       .section("newton", &P::newton, newton_schema())
+      .section("multipliers", &P::multipliers, multiplier_schema())
       .choice("linear", &P::linear, direct_solvers(), {.fallback = "mumps", .text = "Linear solver."})
       .one_of(
           "update", &P::update,

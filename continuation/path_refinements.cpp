@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "continuation/path.hpp"
+#include "continuation/reach.hpp"
 
 namespace dda {
 namespace {
@@ -13,6 +14,8 @@ State between(const State& a, const State& b, double share) {
   State out = a;
   for (std::size_t i = 0; i < out.d.size(); ++i) out.d[i] += share * (b.d[i] - a.d[i]);
   out.load_factor += share * (b.load_factor - a.load_factor);
+  for (std::size_t p = 0; p < out.multipliers.size(); ++p)
+    out.multipliers[p] += share * (b.multipliers[p] - a.multipliers[p]);
   return out;
 }
 
@@ -36,9 +39,11 @@ std::optional<double> Path::before_peak(const Candidate& candidate) const {
 
 std::vector<Landing> Path::present_landings() const {
   std::vector<Landing> out = landings_;
-  if (parameters_.stop.load_below > 0 && memory_.peak_load > 0)
+  out.insert(out.end(), leg().until.begin(), leg().until.end());
+  if (is_last_leg() && !leg().unloads && parameters_.stop.load_below > 0 && memory_.peak_load > 0)
     out.push_back({"load", load_,
-                   (memory_.direction < 0 ? -1 : 1) * parameters_.stop.load_below * memory_.peak_load, true});
+                   (memory_.direction < 0 ? -1 : 1) * parameters_.stop.load_below * memory_.peak_load, true,
+                   true});
   return out;
 }
 
@@ -51,6 +56,7 @@ std::optional<Path::Crossing> Path::first_crossing(const Candidate& candidate) c
     if (std::abs(from - landing.value) <= on_it * std::max(std::abs(landing.value), std::abs(to - from)))
       continue;
     if ((from - landing.value) * (to - landing.value) > 0) continue;
+    if (landing.only_falling && std::abs(to) > std::abs(from)) continue;
     const double share = (landing.value - from) / (to - from);
     if (!first || share < first->share) first = Crossing{landing, share};
   }
@@ -77,12 +83,41 @@ std::optional<Point> Path::land(const Candidate& beyond, const Crossing& crossin
   return point;
 }
 
-/// Ends the path when that is what the landing is for.
+/// Ends the leg, and with the last one the path, when that is what the landing is for.
 void Path::end_at(const Landing& landing) {
-  if (!landing.ends_path) return;
+  if (!landing.ends_leg) return;
+  if (!is_last_leg()) return begin_next_leg();
   end(Ending::Kind::goal_reached,
-      landing.name == "load" ? fmt::format("load below {:g} % of its peak", 100 * parameters_.stop.load_below)
-                             : fmt::format("{} reached {:g}", landing.name, landing.value));
+      landing.only_falling ? fmt::format("load below {:g} % of its peak", 100 * parameters_.stop.load_below)
+                           : fmt::format("{} reached {:g}", landing.name, landing.value));
+}
+
+/// Share of a step at which a point that loses its strength at once reaches it; 1 when none does.
+double Path::share_to_strength(const Candidate& candidate) const {
+  const System& system = walker_.system();
+  const State &from = walker_.state(), &to = candidate.state;
+  const auto before = system.laws(from.d, from.load_factor), after = system.laws(to.d, to.load_factor);
+  double share = 1;
+  for (std::size_t p = 0; p < before.opening.size(); ++p) {
+    const InterfacePoint& point = system.equilibrium().point(p);
+    if (!point.law->releases_at_once() || system.is_broken(p)) continue;
+    const LawAt law{*point.law, system.history()[p], point.stiffness};
+    if (law.opening(after.opening[p]) <= law.kappa() * (1 + 1e-10)) continue;
+    share = std::min(share, reach(law, before.opening[p], after.opening[p] - before.opening[p]));
+  }
+  return share;
+}
+
+/// Lands where the first of those points stands exactly at its strength.
+std::optional<Point> Path::land_on_strength(const Candidate& beyond, const std::string& control) {
+  const double share = share_to_strength(beyond);
+  const auto equation = make_strength_control(walker_.system());
+  const Attempt tried = walker_.attempt(*equation, 1, between(walker_.state(), beyond.state, share));
+  if (!tried.converged) return {};
+  Candidate candidate = walker_.evaluate(tried);
+  if (objection(candidate).empty()) return keep(std::move(candidate), control);
+  ++walker_.effort().rejected;
+  return {};
 }
 
 /// Lands on zero load: where the last crack of the structure breaks.

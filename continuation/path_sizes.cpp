@@ -19,11 +19,12 @@ double Path::first_amount() const {
   const System& system = walker_.system();
   const auto laws = system.laws(walker_.state().d, walker_.state().load_factor);
   for (std::size_t p = 0; p < laws.opening.size(); ++p) {
-    if (!system.history()[p].loading) continue;
+    const History& h = system.history()[p];
+    if (!h.loading) continue;
     const InterfacePoint& point = system.equilibrium().point(p);
     const double rate =
-        point.law->opening_gradient(laws.opening[p]).dot(system.equilibrium().opening(p, leaving.d));
-    const double left = point.law->rupture_kappa(point.stiffness) - system.kappa(p, system.history()[p]);
+        point.law->opening_gradient(laws.opening[p], h, point.stiffness).dot(leaving.opening[p]);
+    const double left = point.law->rupture_kappa(point.stiffness) - system.kappa(p);
     if (rate > 0 && left > 0) amount = std::min(amount, of_opening * left / rate);
   }
   return amount;

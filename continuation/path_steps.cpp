@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "continuation/path.hpp"
+#include "continuation/release.hpp"
 #include "continuation/rescue.hpp"
 
 namespace dda {
@@ -21,14 +22,18 @@ constexpr int most_refinements = 20;
 }  // namespace
 
 std::optional<Point> Path::take_step() {
+  if (leg().unloads) return unload_step();
+  if (is_release_pending(walker_.system()) && driver_->load_increment() == 0) return release_step();
   if (walker_.leaving().d.empty())
     return end(Ending::Kind::stopped_early, "the tangent stiffness is singular here");
   const bool cracked = walker_.here().dissipated > 0 || walker_.leaving().dissipates;
+  if (driver_->load_increment() > 0) return increment_step();
   if (!cracked) return event_step();
   if (const std::string why = driver_->obstacle(walker_.leaving()); !why.empty())
     return end(Ending::Kind::stopped_early, why);
   const Move move = driver_->next(walker_);
-  if (!move.to_event) return controlled_step(move);
+  const bool between_releases = releases_at_once_ && !walker_.leaving().dissipates;
+  if (!move.to_event && !between_releases) return controlled_step(move);
   if (!walker_.leaving().dissipates) return event_step();
   auto point = sequential_step("event", std::numeric_limits<double>::min());
   return point ? point : end(Ending::Kind::stopped_early, "no interface limits the load any more");
@@ -38,6 +43,7 @@ std::optional<Point> Path::event_step() {
   const double amount = next_event(walker_);
   if (!std::isfinite(amount)) return linear_step();
   driver_->obstacle(walker_.leaving());  // fixes the direction of a prescribed gauge on the elastic branch
+  if (auto point = land_ahead(amount)) return point;
   const Move move = event_move(walker_);
   std::string why;
   const auto candidate = try_step(move, amount, why);
@@ -52,10 +58,18 @@ std::optional<Point> Path::event_step() {
   return keep(*candidate, move.control);
 }
 
+/// Lands on a wanted value that lies before an event predicted `amount` ahead.
+std::optional<Point> Path::land_ahead(double amount) {
+  Candidate predicted = walker_.here();
+  predicted.state = walker_.ahead(amount);
+  const auto crossing = first_crossing(predicted);
+  return crossing ? land(predicted, *crossing, "event") : std::nullopt;
+}
+
 /// Nothing can crack any more: the response is linear up to the full reference load.
 std::optional<Point> Path::linear_step() {
   const double rest = 1 - walker_.state().load_factor;
-  if (walker_.here().dissipated > 0)
+  if (rest <= 0 && walker_.here().dissipated > 0)
     return end(Ending::Kind::stopped_early, "no interface can crack any further under this load");
   if (rest <= 0)
     return end(Ending::Kind::goal_reached, "nothing can crack; the full reference load is applied");
@@ -98,9 +112,15 @@ std::optional<Point> Path::controlled_step(const Move& move) {
       amount *= 0.5;
       continue;
     }
-    if (const auto crossing = first_crossing(*candidate)) {
+    const double strength = releases_at_once_ ? share_to_strength(*candidate) : 1;
+    if (const auto crossing = first_crossing(*candidate); crossing && crossing->share <= strength) {
       if (auto point = land(*candidate, *crossing, move.control)) return point;
       amount *= 0.5 * std::max(crossing->share, 0.1);
+      continue;
+    }
+    if (strength < 1) {
+      if (auto point = land_on_strength(*candidate, move.control)) return point;
+      amount *= 0.5 * std::max(strength, 0.1);
       continue;
     }
     resize(*candidate, amount, move);
@@ -151,7 +171,8 @@ double Path::unaccounted(const Candidate& candidate) const {
                   (candidate.dissipated - here.dissipated));
 }
 
-/// Whether the quadrature of the work misses a kink within the step: the energy balance of a run is the sum of these.
+/// Whether the quadrature of the work misses a kink within the step: the energy balance of a run is the sum
+/// of these.
 bool Path::is_coarse(const Candidate& candidate) const {
   constexpr double share = 0.01;  // of the accuracy, twice what the step size aims at
   return unaccounted(candidate) > share * parameters_.step.accuracy * std::abs(candidate.work);
@@ -196,23 +217,107 @@ std::optional<Point> Path::sequential_step(const std::string& control, double qu
   const auto found = sequentially_linear(walker_.system(), walker_.state(), quantum);
   if (!found || is_mechanism(found->state)) return {};
   const double dissipated = walker_.here().dissipated;
-  Candidate beyond;
-  beyond.state = found->state;
-  const auto crossing = first_crossing(beyond);
-  const double released = walker_.jump(found->state, found->history);
-  memory_.jump_energy += released;
-  memory_.step = 0;
-  if (control != "event") {
+  auto point = jump_to(*found, control);
+  if (point && control != "event") {
     ++walker_.effort().rescues;
     report("rescued", fmt::format("sequentially linear steps dissipated {:.3e}",
                                   walker_.here().dissipated - dissipated));
   }
+  return point;
+}
+
+/// Whether less was put in than is stored and spent, by more than the chord of a curved path explains.
+bool Path::creates_energy(const Candidate& beyond) const {
+  const Candidate& here = walker_.here();
+  const double spent = beyond.dissipated - here.dissipated, work = beyond.work - here.work;
+  constexpr double of_spent = 0.5, round_off = 1e-8;
+  return work - (beyond.stored - here.stored) - spent < -of_spent * spent - round_off * std::abs(beyond.work);
+}
+
+/// Accepts an equilibrium that no control led to; a wanted value can be passed but not landed on.
+std::optional<Point> Path::jump_to(const Settled& found, const std::string& control) {
+  Candidate beyond = walker_.settled(found);
+  if (!(beyond.residual <= beyond.tolerance)) {
+    report("rejected", fmt::format("{}: relative residual {:.1e}", control, beyond.residual));
+    return {};
+  }
+  if (creates_energy(beyond)) {
+    report("rejected", control + ": the jump would create energy");
+    return {};
+  }
+  const auto crossing = first_crossing(beyond);
+  const double released = walker_.jump(std::move(beyond));
+  memory_.jump_energy += released;
+  memory_.step = 0;
   Candidate here = walker_.here();
   --walker_.effort().accepted;
   Point point = keep(std::move(here), control);
   point.jump_energy = released;
-  if (crossing) end_at(crossing->landing);  // a jump cannot land; that it passed the value is enough to end
+  if (crossing) end_at(crossing->landing);
   return point;
+}
+
+/// Next vertex of an instantaneous release.
+std::optional<Point> Path::release_step() {
+  const auto held = driver_->held_in_release();
+  const auto found =
+      release_piece(walker_.system(), walker_.state(), parameters_.newton, held ? &*held : nullptr);
+  if (found && !is_mechanism(found->state))
+    if (auto point = jump_to(*found, "release")) return point;
+  return end(Ending::Kind::stopped_early,
+             held ? "failure: what is released leaves no equilibrium under this control; use `staged`"
+                  : "what is released leaves no equilibrium");
+}
+
+/// The load raised by the largest of halved increments that still finds an equilibrium.
+std::optional<Point> Path::increment_step() {
+  if (memory_.step == 0) memory_.step = driver_->load_increment() * next_event(walker_);
+  if (!std::isfinite(memory_.step)) return linear_step();
+  const double first = memory_.step;
+  for (double increment = first; increment > smallest_share * first; increment *= 0.5) {
+    const auto found = load_increment(walker_.system(), walker_.state(), parameters_.newton, increment);
+    if (!found || is_mechanism(found->state)) {
+      ++walker_.effort().rejected;
+      continue;
+    }
+    auto point = jump_to(*found, "load_increments");
+    if (!point) continue;
+    memory_.step = increment;
+    return point;
+  }
+  return end(Ending::Kind::stopped_early, fmt::format("failure: no equilibrium beyond a load factor of {:g}",
+                                                      walker_.state().load_factor));
+}
+
+/// A tenth of the way to the leg's goal, off the damage surfaces.
+std::optional<Point> Path::unload_step() {
+  const Landing goal = leg().until.front();
+  const double rest = goal.value - walker_.value(goal.gauge);
+  if (walker_.leaving().d.empty())
+    return end(Ending::Kind::stopped_early, "the tangent stiffness is singular here");
+  if (walker_.leaving().rate(goal.gauge) * rest < 0 && !walker_.leaving().dissipates) walker_.turn_back();
+  const double rate = walker_.leaving().rate(goal.gauge);
+  if (!(rate * rest > 0))
+    return end(Ending::Kind::stopped_early,
+               fmt::format("unloading does not lead to {} = {:g}", goal.name, goal.value));
+  constexpr double parts = 10;
+  if (memory_.step == 0) memory_.step = std::abs(rest) / parts;
+  const Move move{
+      .control = "unloading", .equation = make_gauge_control(goal.gauge), .arc = {}, .rate = rate};
+  std::string why;
+  for (double length = memory_.step; length > smallest_share * memory_.step; length *= cut) {
+    const bool arrives = length > (1 - 1e-9) * std::abs(rest);
+    const double amount = arrives ? rest / rate : length / std::abs(rate);
+    const auto candidate = try_step(move, amount, why);
+    if (!candidate) continue;
+    Point point = keep(*candidate, move.control);
+    if (arrives) {
+      point.landed.push_back(fmt::format("{}={:g}", goal.name, goal.value));
+      end_at(goal);
+    }
+    return point;
+  }
+  return end(Ending::Kind::stopped_early, "unloading found no next equilibrium: " + why);
 }
 
 }  // namespace dda

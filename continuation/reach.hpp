@@ -4,9 +4,22 @@
 
 namespace dda {
 
-/// Largest x in (0, ∞) at which the equivalent opening of q = a + x b reaches κ; infinite when it never does.
+/// A point's law with what it knows.
+struct LawAt {
+  const InterfaceLaw& law;
+  const History& history;
+  double stiffness = 0;  ///< k [F/L³]
+
+  double kappa() const { return law.kappa(history, stiffness); }
+  double opening(const Vec2& q) const { return law.equivalent_opening(q, history, stiffness); }
+  Vec2 gradient(const Vec2& q) const { return law.opening_gradient(q, history, stiffness); }
+};
+
+/// Smallest x in (0, ∞) at which the equivalent opening of q = a + x b rises through κ; infinite when it
+/// never does.
 ///
-/// q_eq is convex in x, so Newton from the right converges monotonically.
-double reach(const InterfaceLaw& law, const Vec2& a, const Vec2& b, double kappa);
+/// Between the places where q_n or q_s change sign the opening is convex in x: Newton from the right end of
+/// each such stretch converges monotonically, guarded by bisection.
+double reach(const LawAt& point, const Vec2& a, const Vec2& b);
 
 }  // namespace dda

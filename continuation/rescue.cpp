@@ -19,8 +19,7 @@ class SecantWalk {
     const auto p = static_cast<std::size_t>(critical_);
     const InterfacePoint& point = system_.equilibrium().point(p);
     constexpr double growth = 1.08;
-    history[p].kappa =
-        std::min(growth * system_.kappa(p, history[p]), point.law->rupture_kappa(point.stiffness));
+    history[p] = point.law->grown(history[p], point.stiffness, growth);
     system_.set_history(std::move(history));
     return settle();
   }
@@ -30,9 +29,8 @@ class SecantWalk {
     const auto laws = system_.laws_at(state_.d, state_.load_factor);
     double nearest = -1;
     for (std::size_t p = 0; p < laws->opening.size(); ++p) {
-      if (is_broken(p)) continue;
-      const double ratio = system_.equilibrium().point(p).law->equivalent_opening(laws->opening[p]) /
-                           system_.kappa(p, system_.history()[p]);
+      if (system_.is_broken(p)) continue;
+      const double ratio = point_at(p).opening(laws->opening[p]) / system_.kappa(p);
       if (ratio <= nearest) continue;
       nearest = ratio;
       critical_ = static_cast<int>(p);
@@ -44,9 +42,9 @@ class SecantWalk {
   std::size_t critical() const { return static_cast<std::size_t>(critical_); }
 
  private:
-  bool is_broken(std::size_t p) const {
+  LawAt point_at(std::size_t p) const {
     const InterfacePoint& point = system_.equilibrium().point(p);
-    return system_.kappa(p, system_.history()[p]) >= point.law->rupture_kappa(point.stiffness);
+    return {*point.law, system_.history()[p], point.stiffness};
   }
 
   /// The secant stiffness depends on which cracks are closed: repeat until that set stays.
@@ -54,8 +52,9 @@ class SecantWalk {
     constexpr int passes = 12;
     for (int pass = 0; pass < passes; ++pass) {
       const auto secant = system_.laws_at(state_.d, state_.load_factor);
-      if (!system_.use_tangent(system_.new_stamp(), secant->tangent)) return false;
+      if (!system_.use_path_tangent(*secant)) return false;
       if (!move_to_limit(*secant)) return false;
+      system_.set_multipliers(state_.multipliers);
       if (system_.laws_at(state_.d, state_.load_factor)->tangent == secant->tangent) return true;
     }
     return false;
@@ -65,16 +64,12 @@ class SecantWalk {
   bool move_to_limit(const LawValues& secant) {
     const std::size_t n = state_.d.size(), points = secant.opening.size();
     const auto dead = dead_solution(secant), live = live_solution(secant);
-    std::vector<Vec2> q_dead(points), q_live(points);
-    const Equilibrium& equilibrium = system_.equilibrium();
-    equilibrium.gather(system_.loading(), dead, 0, {q_dead.data()->data(), 2 * points});
-    equilibrium.gather(live, {q_live.data()->data(), 2 * points});
-    add_offset(system_.loading().reference_offset, q_live);
+    const std::vector<Vec2> q_dead = openings(dead, system_.loading().dead_offset);
+    const std::vector<Vec2> q_live = openings(live, system_.loading().reference_offset);
     double limit = std::numeric_limits<double>::infinity();
     for (std::size_t p = 0; p < points; ++p) {
-      if (is_broken(p)) continue;
-      const double x =
-          reach(*equilibrium.point(p).law, q_dead[p], q_live[p], system_.kappa(p, system_.history()[p]));
+      if (system_.is_broken(p)) continue;
+      const double x = reach(point_at(p), q_dead[p], q_live[p]);
       if (x >= limit) continue;
       limit = x;
       critical_ = static_cast<int>(p);
@@ -82,16 +77,22 @@ class SecantWalk {
     if (!std::isfinite(limit)) return false;
     for (std::size_t i = 0; i < n; ++i) state_.d[i] = dead[i] + limit * live[i];
     state_.load_factor = limit;
+    if (system_.iterates_multipliers()) state_.multipliers = system_.multiplier_rates(state_.d);
     return true;
   }
 
-  static void add_offset(const std::vector<double>& offset, std::vector<Vec2>& q) {
-    for (std::size_t i = 0; i < offset.size(); ++i) q[i / 2][static_cast<Eigen::Index>(i % 2)] += offset[i];
+  std::vector<Vec2> openings(const std::vector<double>& d, const std::vector<double>& offset) const {
+    std::vector<Vec2> out(system_.equilibrium().num_active());
+    for (std::size_t p = 0; p < out.size(); ++p) {
+      out[p] = system_.opening_rate(p, d);
+      if (!offset.empty()) out[p] += Eigen::Map<const Vec2>(offset.data() + 2 * p);
+    }
+    return out;
   }
 
   std::vector<double> solve(std::vector<double> force) {
     std::vector<double> out(force.size());
-    system_.linear().solve(force, out);
+    system_.path_linear().solve(force, out);
     return out;
   }
 
@@ -124,7 +125,7 @@ class SecantWalk {
 
 }  // namespace
 
-std::optional<SecantState> sequentially_linear(System& system, const State& start, double quantum) {
+std::optional<Settled> sequentially_linear(System& system, const State& start, double quantum) {
   const std::vector<History> before = system.history();
   const double goal = system.dissipated(before) + quantum;
   system.set_frozen(true);
@@ -136,9 +137,9 @@ std::optional<SecantState> sequentially_linear(System& system, const State& star
     if (good && system.dissipated(system.history()) >= goal) break;
   }
   system.set_frozen(false);
-  std::optional<SecantState> out;
+  std::optional<Settled> out;
   if (good) {
-    out = SecantState{walk.state(), system.history()};
+    out = Settled{walk.state(), system.history()};
     for (History& h : out->history) h.loading = false;
     out->history[walk.critical()].loading = true;
   }

@@ -6,12 +6,6 @@
 
 namespace dda {
 
-/// An equilibrium on the damage surface with the damage that belongs to it.
-struct SecantState {
-  State state;
-  std::vector<History> history;
-};
-
 /// Sequentially linear steps from an equilibrium until `quantum` more energy has been dissipated [FL].
 ///
 ///     K_sec(κ) d̂ = ∂f/∂λ,  K_sec d_dead = f_dead      positive definite
@@ -21,6 +15,6 @@ struct SecantState {
 /// For laws that unload to the origin every such state is an admissible equilibrium, whatever Newton says.
 /// The way between them is no equilibrium path: its energy is booked as a jump. Nothing when no point limits
 /// the load or the contact set of an intermediate state does not settle.
-std::optional<SecantState> sequentially_linear(System& system, const State& start, double quantum);
+std::optional<Settled> sequentially_linear(System& system, const State& start, double quantum);
 
 }  // namespace dda

@@ -1,8 +1,10 @@
 #include "continuation/system.hpp"
 
+#include <Eigen/LU>
 #include <Tpetra_Core.hpp>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace dda {
 
@@ -10,8 +12,13 @@ System::System(const Equilibrium& equilibrium, const DirectSolverChoice& solver,
     : equilibrium_(equilibrium),
       loading_(nullptr),
       linear_(equilibrium, solver, update),
-      history_(equilibrium.num_crackable()),
+      history_(equilibrium.num_active()),
       map_(Teuchos::rcp(new TpetraMap(equilibrium.num_unknowns(), 0, Tpetra::getDefaultComm()))) {
+  for (std::size_t p = 0; p < equilibrium.num_active() && !physical_; ++p)
+    if (equilibrium.point(p).multiplier == Multiplier::iterated) {
+      physical_ = std::make_unique<LinearSystem>(equilibrium, solver, update);
+      multipliers_.assign(equilibrium.num_active(), Vec2::Zero());
+    }
   set_stage(0);
 }
 
@@ -19,6 +26,67 @@ void System::set_stage(std::size_t stage) {
   loading_ = &equilibrium_.stages()[stage];
   remembered_.laws.reset();
   linear_.keep_solutions_of(loading_->reference, loading_->dead);
+  if (physical_) physical_->keep_solutions_of(loading_->reference, loading_->dead);
+}
+
+void System::set_multipliers(const std::vector<Vec2>& m) {
+  if (multipliers_.empty()) return;
+  multipliers_ = m;
+  if (m.empty()) multipliers_.assign(equilibrium_.num_active(), Vec2::Zero());
+  remembered_.laws.reset();
+}
+
+std::vector<Vec2> System::next_multipliers(const LawValues& laws) const {
+  std::vector<Vec2> out = multipliers_;
+  for (std::size_t p = 0; p < out.size(); ++p)
+    if (const InterfacePoint& point = equilibrium_.point(p); point.multiplier == Multiplier::iterated)
+      out[p] = laws.traction[p].cwiseQuotient(point.trial_stiffness());
+  return out;
+}
+
+double System::relative_gap(const LawValues& laws) const {
+  const std::vector<Vec2> next = next_multipliers(laws);
+  double gap = 0, unit = 0;
+  for (std::size_t p = 0; p < next.size(); ++p) {
+    gap = std::max(gap, (next[p] - multipliers_[p]).norm());
+    unit = std::max(unit, laws.traction[p].norm() / equilibrium_.point(p).spring_unit);
+  }
+  return unit > 0 ? gap / unit : 0;
+}
+
+bool System::use_path_tangent(const LawValues& laws) {
+  if (!physical_) return use_tangent(new_stamp(), laws.tangent);
+  path_tangent_ = laws.tangent;
+  for (std::size_t p = 0; p < path_tangent_.size(); ++p) {
+    const InterfacePoint& point = equilibrium_.point(p);
+    if (point.multiplier != Multiplier::iterated) continue;
+    const Vec2 soft = point.trial_stiffness(), stiff = point.physical_stiffness / point.stiffness * soft;
+    const Mat2 compliance = (stiff.cwiseInverse() - soft.cwiseInverse()).asDiagonal();
+    path_tangent_[p] = laws.tangent[p] * (Mat2::Identity() + compliance * laws.tangent[p]).inverse();
+  }
+  return physical_->set_tangent(path_tangent_);
+}
+
+Vec2 System::opening_rate(std::size_t p, std::span<const double> d) const {
+  Vec2 rate = equilibrium_.opening(p, d);
+  const InterfacePoint& point = equilibrium_.point(p);
+  if (physical_ && point.multiplier == Multiplier::iterated)
+    rate += (path_tangent_[p] * rate).cwiseQuotient(point.trial_stiffness());
+  return rate;
+}
+
+std::vector<Vec2> System::multiplier_rates(std::span<const double> d) const {
+  std::vector<Vec2> out(multipliers_.size());
+  for (std::size_t p = 0; p < out.size(); ++p) out[p] = opening_rate(p, d) - equilibrium_.opening(p, d);
+  return out;
+}
+
+std::vector<Vec2> System::openings(std::span<const double> d, double load_factor) const {
+  const std::size_t n = equilibrium_.num_active();
+  std::vector<Vec2> out(n);
+  equilibrium_.gather(*loading_, d, load_factor, {out.data()->data(), 2 * n});
+  for (std::size_t p = 0; p < multipliers_.size(); ++p) out[p] += multipliers_[p];
+  return out;
 }
 
 void System::set_history(std::vector<History> history) {
@@ -47,9 +115,8 @@ std::shared_ptr<const LawValues> System::laws_at(std::span<const double> d, doub
 }
 
 LawValues System::laws(std::span<const double> d, double load_factor) const {
-  const std::size_t n = equilibrium_.num_crackable();
-  LawValues out{std::vector<Vec2>(n), std::vector<Vec2>(n), std::vector<Mat2>(n)};
-  equilibrium_.gather(*loading_, d, load_factor, {out.opening.data()->data(), 2 * n});
+  const std::size_t n = equilibrium_.num_active();
+  LawValues out{openings(d, load_factor), std::vector<Vec2>(n), std::vector<Mat2>(n)};
   for (std::size_t p = 0; p < n; ++p) {
     const InterfacePoint& point = equilibrium_.point(p);
     const Response response = frozen_
@@ -68,8 +135,9 @@ void System::residual(std::span<const double> d, double load_factor, const LawVa
   equilibrium_.intact().multiply_add(d, out);
   std::vector<Vec2> correction(laws.traction.size());
   for (std::size_t p = 0; p < correction.size(); ++p) {
-    const Vec2 stiffness = equilibrium_.point(p).trial_stiffness();
+    const Vec2 stiffness = equilibrium_.point(p).intact_stiffness();
     Vec2 jump = laws.opening[p];
+    if (!multipliers_.empty()) jump -= multipliers_[p];
     if (!loading_->dead_offset.empty()) jump -= Eigen::Map<const Vec2>(loading_->dead_offset.data() + 2 * p);
     if (!loading_->reference_offset.empty())
       jump -= load_factor * Eigen::Map<const Vec2>(loading_->reference_offset.data() + 2 * p);
@@ -93,28 +161,54 @@ void System::load_derivative(const LawValues& laws, std::span<double> out) const
   equilibrium_.scatter_add({t.data()->data(), 2 * t.size()}, out);
 }
 
+BlockMatrix System::stiffness(const State& state) const {
+  std::vector<Mat2> tangents = laws(state.d, state.load_factor).tangent;
+  for (Mat2& d : tangents) d = 0.5 * (d + d.transpose()).eval();
+  return linear_.matrix_with(tangents);
+}
+
 void System::apply_metric(Metric metric, std::span<double> v) const {
-  if (metric == Metric::openings && equilibrium_.num_crackable() > 0) {
-    std::vector<double> q(2 * equilibrium_.num_crackable());
+  if (metric == Metric::openings && equilibrium_.num_active() > 0) {
+    std::vector<double> q(2 * equilibrium_.num_active());
     equilibrium_.gather(v, q);
     std::ranges::fill(v, 0.0);
     equilibrium_.scatter_add(q, v);
     return;
   }
-  for (std::size_t i = 0; i < v.size(); ++i) {
+  const std::size_t of_blocks = block_unknowns * equilibrium_.num_blocks();
+  for (std::size_t i = 0; i < of_blocks; ++i) {
     const double size = equilibrium_.block_size()[i / block_unknowns];
     if (i % block_unknowns >= 2) v[i] *= size * size;
   }
+  std::ranges::fill(v.subspan(of_blocks), 0.0);
 }
 
 double System::residual_norm(std::span<const double> r) const {
   double sum = 0;
-  for (std::size_t b = 0; b < equilibrium_.num_blocks(); ++b) {
+  const std::size_t blocks = equilibrium_.num_blocks();
+  for (std::size_t b = 0; b < blocks; ++b) {
     const Eigen::Map<const Vec6> at(r.data() + 6 * b);
     const double size = equilibrium_.block_size()[b];
     sum += at.head<2>().squaredNorm() + at.tail<4>().squaredNorm() / (size * size);
   }
+  for (std::size_t i = block_unknowns * blocks; i < r.size(); ++i) sum += r[i] * r[i];
   return std::sqrt(sum);
+}
+
+double System::round_off(std::span<const double> d, double load_factor) const {
+  constexpr double safety = 4;
+  std::vector<double> sum(d.size());
+  for (std::size_t i = 0; i < sum.size(); ++i)
+    sum[i] = std::abs(loading_->dead[i]) + std::abs(load_factor * loading_->reference[i]);
+  equilibrium_.intact().multiply_add_absolute(d, sum);
+  return safety * std::numeric_limits<double>::epsilon() * residual_norm(sum);
+}
+
+double System::relative_residual(const State& at) {
+  std::vector<double> residual(at.d.size());
+  this->residual(at.d, at.load_factor, *laws_at(at.d, at.load_factor), residual);
+  const double level = force_level(at.d), norm = residual_norm(residual);
+  return level > 0 ? norm / level : (norm > 0 ? 1.0 : 0.0);
 }
 
 double System::force_level(std::span<const double> d) const {
@@ -134,21 +228,20 @@ double System::block_forces(std::span<const double> d) const {
 
 double System::kappa(std::size_t p, const History& h) const {
   const InterfacePoint& point = equilibrium_.point(p);
-  return std::max(h.kappa, point.law->initial_kappa(point.stiffness));
+  return point.law->kappa(h, point.stiffness);
+}
+
+bool System::is_broken(std::size_t p) const {
+  const InterfacePoint& point = equilibrium_.point(p);
+  return point.law->is_broken(history_[p], point.stiffness);
 }
 
 std::vector<History> System::next_history(std::span<const double> d, double load_factor) const {
-  const std::size_t n = equilibrium_.num_crackable();
-  std::vector<Vec2> q(n);
-  equilibrium_.gather(*loading_, d, load_factor, {q.data()->data(), 2 * n});
+  const std::vector<Vec2> q = openings(d, load_factor);
   std::vector<History> out = history_;
-  constexpr double round_off = 1e-10;
-  for (std::size_t p = 0; p < n; ++p) {
+  for (std::size_t p = 0; p < q.size(); ++p) {
     const InterfacePoint& point = equilibrium_.point(p);
-    const double reached = kappa(p, history_[p]);
-    const double opening = point.law->equivalent_opening(q[p]);
-    out[p].loading = opening >= reached * (1 - round_off);
-    if (opening > reached) out[p].kappa = opening;
+    out[p] = point.law->accept(q[p], history_[p], point.stiffness);
   }
   return out;
 }
@@ -157,37 +250,33 @@ std::size_t System::active_set(const LawValues& laws) const {
   std::size_t hash = 1469598103934665603ull;  // FNV-1a
   for (std::size_t p = 0; p < laws.opening.size(); ++p) {
     const InterfacePoint& point = equilibrium_.point(p);
-    const double reached = kappa(p, history_[p]);
-    const double opening = point.law->equivalent_opening(laws.opening[p]);
-    const bool damaged = reached > point.law->initial_kappa(point.stiffness);
-    const std::size_t mode = (opening > reached ? 1u : 0u) + (damaged && laws.opening[p].x() < 0 ? 2u : 0u) +
-                             (opening >= point.law->rupture_kappa(point.stiffness) ? 4u : 0u);
-    hash = (hash ^ (mode + 8 * (mode ? p + 1 : 0))) * 1099511628211ull;
+    const std::size_t piece = point.law->piece(laws.opening[p], history_[p], point.stiffness);
+    hash = (hash ^ (piece + 32 * (piece ? p + 1 : 0))) * 1099511628211ull;
   }
   return hash;
 }
 
 double System::dissipated(const std::vector<History>& history) const {
   double sum = 0;
-  for (std::size_t p = 0; p < history.size(); ++p) {
-    if (history[p].kappa == 0) continue;
-    const InterfacePoint& point = equilibrium_.point(p);
-    sum += point.weight * point.law->dissipation(history[p].kappa, point.stiffness);
-  }
+  for (std::size_t p = 0; p < history.size(); ++p)
+    sum += equilibrium_.point(p).weight * history[p].dissipated;
   return sum;
 }
 
 double System::stored(const State& state, const LawValues& laws) const {
-  // ½ dᵀ K_b d + ½ Σ W t·q = ½ dᵀ K0 d + ½ Σ W (t·q − P B d·B d): only crackable points are summed.
+  // ½ dᵀ K_b d + Σ W ψ = ½ dᵀ K0 d + Σ W (ψ − ½ B d·D0 B d): only active points are summed.
   std::vector<double> force(state.d.size(), 0.0);
   equilibrium_.intact().multiply_add(state.d, force);
   double energy = 0;
   for (std::size_t i = 0; i < force.size(); ++i) energy += 0.5 * force[i] * state.d[i];
-  for (std::size_t p = 0; p < laws.traction.size(); ++p) {
+  for (std::size_t p = 0; p < laws.opening.size(); ++p) {
     const InterfacePoint& point = equilibrium_.point(p);
     const Vec2 jump = equilibrium_.opening(p, state.d);
-    energy += 0.5 * point.weight *
-              (laws.traction[p].dot(laws.opening[p]) - jump.dot(point.trial_stiffness().cwiseProduct(jump)));
+    energy += point.weight * (point.law->stored(laws.opening[p], history_[p], point.stiffness) -
+                              0.5 * jump.dot(point.intact_stiffness().cwiseProduct(jump)));
+    if (point.multiplier == Multiplier::iterated)
+      energy -=
+          0.5 * point.weight * multipliers_[p].dot(point.trial_stiffness().cwiseProduct(multipliers_[p]));
   }
   for (const Spring& spring : equilibrium_.driven_springs()) {
     const double u = spring.displacement.value(state.d, state.load_factor);

@@ -16,6 +16,13 @@ namespace dda {
 struct State {
   std::vector<double> d;
   double load_factor = 0;
+  std::vector<Vec2> multipliers = {};  ///< m of every active point when some are iterated, else empty [L]
+};
+
+/// An equilibrium with the history that belongs to it.
+struct Settled {
+  State state;
+  std::vector<History> history;
 };
 
 /// What the laws say at a state.
@@ -31,8 +38,9 @@ enum class Metric { natural, openings };
 
 /// Equilibrium with its memory: what every LOCA group of a run shares.
 ///
-///     R(d, λ) = K0 d + Bᵀ W (t(q; h) − P B d) − f(λ),      K = K0 + Bᵀ W (D − P) B
+///     R(d, λ) = K0 d + Bᵀ W (t(q; h) − D0 B d) − f(λ),      K = K0 + Bᵀ W (D − D0) B
 ///
+/// Iterated multipliers m enter as q = B d + q0(λ) + m and stay during a solve (`set_multipliers`).
 /// The history changes only in `commit`; groups are cloned freely and hold no memory of their own.
 /// With `frozen` damage the laws answer with their secant at the committed history (event control).
 class System {
@@ -49,6 +57,25 @@ class System {
   bool frozen() const { return frozen_; }
   void set_frozen(bool frozen);
   const Teuchos::RCP<const TpetraMap>& map() const { return map_; }
+
+  /// Whether any joint's multiplier is iterated.
+  bool iterates_multipliers() const { return !multipliers_.empty(); }
+  const std::vector<Vec2>& multipliers() const { return multipliers_; }
+  void set_multipliers(const std::vector<Vec2>& m);
+  /// P⁻¹ t of the iterated points: what their multipliers are to become, m of the others.
+  std::vector<Vec2> next_multipliers(const LawValues& laws) const;
+  /// Largest |P⁻¹ t − m| in units of the largest t/(E/h), the shortening of a block under its traction.
+  double relative_gap(const LawValues& laws) const;
+
+  /// The stiffness by which the path goes on: K, but with the physical stiffness p̄ of joints whose k is only
+  /// a device of the iteration, D̄ = D (1 + (P̄⁻¹ − P⁻¹) D)⁻¹. False when it is singular.
+  bool use_path_tangent(const LawValues& laws);
+  LinearSystem& path_linear() { return physical_ ? *physical_ : linear_; }
+  const LinearSystem& path_linear() const { return physical_ ? *physical_ : linear_; }
+  /// Rate of q at a point when d moves by `d` under the path tangent in use.
+  Vec2 opening_rate(std::size_t p, std::span<const double> d) const;
+  /// Rates of the multipliers for the same movement; empty when none is iterated.
+  std::vector<Vec2> multiplier_rates(std::span<const double> d) const;
 
   /// Laws at (d, λ) with the committed history, or the given one.
   LawValues laws(std::span<const double> d, double load_factor) const;
@@ -68,11 +95,19 @@ class System {
   std::size_t new_stamp() { return ++stamps_; }
   bool use_tangent(std::size_t stamp, std::span<const Mat2> tangents);
 
+  /// Symmetric part of the tangent stiffness K at a state, with the committed history.
+  BlockMatrix stiffness(const State& state) const;
+
   /// v ← W v of the metric.
   void apply_metric(Metric metric, std::span<double> v) const;
 
   /// ‖R‖ with moments and stress resultants divided by the blocks' size [F].
   double residual_norm(std::span<const double> r) const;
+  /// ‖R‖ over the force level.
+  double relative_residual(const State& at);
+  /// What rounding leaves of a residual at best: 4 ε ‖ |K0| |d| + |f| ‖, measured like ‖R‖. Stiff joints and
+  /// blocks that move far as a whole make it large [F].
+  double round_off(std::span<const double> d, double load_factor) const;
   /// The force level that a residual is compared with: ‖V C ε / size‖ over the blocks, at least a tenth of
   /// the largest that was accepted so far, so that an unloaded end of the path can still be reached [F].
   double force_level(std::span<const double> d) const;
@@ -84,23 +119,29 @@ class System {
 
   /// History after accepting (d): κ grows to q_eq, points on their surface are marked as loading.
   std::vector<History> next_history(std::span<const double> d, double load_factor) const;
-  /// κ of a point, at least that of its initiation [L].
+  /// κ of a point in the committed history, at least that of its initiation [L].
+  double kappa(std::size_t p) const { return kappa(p, history_[p]); }
   double kappa(std::size_t p, const History& h) const;
+  bool is_broken(std::size_t p) const;
 
   /// A fingerprint of which points load, are closed or ruptured at these openings.
   std::size_t active_set(const LawValues& laws) const;
 
-  /// Σ W G(κ), dissipated energy [FL].
+  /// Σ W h.dissipated [FL].
   double dissipated(const std::vector<History>& history) const;
   /// Energy stored in blocks, joints, supports and weak springs, without the driven springs' own [FL].
   double stored(const State& state, const LawValues& laws) const;
 
  private:
   double block_forces(std::span<const double> d) const;
+  std::vector<Vec2> openings(std::span<const double> d, double load_factor) const;
 
   const Equilibrium& equilibrium_;
   const Loading* loading_;
   LinearSystem linear_;
+  std::unique_ptr<LinearSystem> physical_;  ///< only when multipliers are iterated
+  std::vector<Mat2> path_tangent_;          ///< D̄ in use, only then
+  std::vector<Vec2> multipliers_;
   std::vector<History> history_;
   bool frozen_ = false;
   double highest_level_ = 0;

@@ -15,9 +15,9 @@ namespace dda {
 struct Tangent {
   std::vector<double> d;
   double load_factor = 0;
-  bool dissipates = false;
-  std::vector<double>
-      opening_rate;  ///< e · q̇ of the points flagged as loading, 0 elsewhere; negative = unloads
+  bool dissipates = false;        ///< a crack grows
+  std::vector<Vec2> multipliers;  ///< rates of iterated multipliers, else empty
+  std::vector<Vec2> opening;      ///< q̇ of every active point
 
   /// Rate of a gauge along the direction.
   double rate(const Functional& gauge) const { return gauge.value(d, load_factor) - gauge.constant; }
@@ -27,8 +27,9 @@ struct Tangent {
 /// An empty direction when the tangent is singular.
 Tangent arriving_tangent(System& system, const State& state);
 
-/// The direction in which the path goes on: points that would unload are taken off the set, and unflagged in
-/// the history, until all that are left load. Starts from the arriving tangent of the same state.
+/// The direction in which the path goes on: points that would unload or stick are taken off the set, and
+/// unflagged in the history, until all that are left load and slide. Starts from the arriving tangent of the
+/// same state.
 Tangent leaving_tangent(System& system, const State& state, Tangent arriving);
 
 }  // namespace dda

@@ -1,5 +1,6 @@
 #include "continuation/walker.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace dda {
@@ -7,6 +8,7 @@ namespace dda {
 Walker::Walker(System& system, StepperParameters parameters)
     : system_(system), parameters_(std::move(parameters)) {
   here_.state.d.assign(system.equilibrium().num_unknowns(), 0.0);
+  here_.state.multipliers = system.multipliers();
   here_.history = system.history();
   begin_stage(0);
 }
@@ -21,6 +23,7 @@ void Walker::begin_stage(std::size_t stage) {
 Attempt Walker::attempt(Control& control, double step, const State& guess) {
   Attempt out = controlled_step(system_, here_.state, control, step, guess, parameters_);
   effort_.newton_iterations += out.newton_iterations;
+  effort_.multiplier_iterations += out.multiplier_iterations;
   if (!out.converged) ++effort_.rejected;
   return out;
 }
@@ -28,6 +31,7 @@ Attempt Walker::attempt(Control& control, double step, const State& guess) {
 Attempt Walker::attempt(const ArcLength& arc) {
   Attempt out = arc_length_step(system_, here_.state, arc, parameters_);
   effort_.newton_iterations += out.newton_iterations;
+  effort_.multiplier_iterations += out.multiplier_iterations;
   if (!out.converged) ++effort_.rejected;
   return out;
 }
@@ -36,6 +40,8 @@ State Walker::ahead(double amount) const {
   State out = here_.state;
   for (std::size_t i = 0; i < out.d.size(); ++i) out.d[i] += amount * leaving_.d[i];
   out.load_factor += amount * leaving_.load_factor;
+  for (std::size_t p = 0; p < out.multipliers.size(); ++p)
+    out.multipliers[p] += amount * leaving_.multipliers[p];
   return out;
 }
 
@@ -51,7 +57,10 @@ Candidate Walker::evaluate(const Attempt& attempt) {
                 .history = system_.next_history(attempt.state.d, attempt.state.load_factor),
                 .arriving = {},
                 .newton_iterations = attempt.newton_iterations,
-                .residual = attempt.residual};
+                .residual = attempt.residual,
+                .tolerance = attempt.tolerance,
+                .multiplier_iterations = attempt.multiplier_iterations,
+                .gap = attempt.gap};
   const std::vector<History> before = system_.history();
   system_.set_history(out.history);
   out.arriving = arriving_tangent(system_, out.state);
@@ -61,33 +70,61 @@ Candidate Walker::evaluate(const Attempt& attempt) {
   out.work = here_.work + external_work(system_, here_.state, out.state, leaving_, out.arriving,
                                         smooth ? dissipated : 0.0);
   system_.set_history(before);
+  system_.set_multipliers(here_.state.multipliers);
   return out;
 }
 
 void Walker::accept(Candidate candidate) {
   here_ = std::move(candidate);
   system_.set_history(here_.history);
+  system_.set_multipliers(here_.state.multipliers);
   system_.remember_force_level(here_.state.d);
   if (here_.arriving.d.empty()) here_.arriving = arriving_tangent(system_, here_.state);
   leaving_ = leaving_tangent(system_, here_.state, here_.arriving);
   ++effort_.accepted;
 }
 
-double Walker::jump(const State& state, std::vector<History> history) {
-  Candidate next{.state = state, .history = std::move(history), .arriving = {}};
+Candidate Walker::settled(const Settled& found) {
+  Candidate next{.state = found.state, .history = found.history, .arriving = {}};
+  const std::vector<History> before = system_.history();
   system_.set_history(next.history);
+  system_.set_multipliers(next.state.multipliers);
   fill_energies(next);
+  next.residual = system_.relative_residual(next.state);
+  next.tolerance =
+      std::max(parameters_.newton.tolerance,
+               system_.round_off(next.state.d, next.state.load_factor) / system_.force_level(next.state.d));
   next.work = here_.work + external_work(system_, here_.state, next.state, leaving_, {}, 0.0);
+  system_.set_history(before);
+  system_.set_multipliers(here_.state.multipliers);
+  return next;
+}
+
+double Walker::jump(Candidate next) {
   const double released =
       (next.work - here_.work) - (next.stored - here_.stored) - (next.dissipated - here_.dissipated);
   accept(std::move(next));
   return released;
 }
 
+void Walker::unload() {
+  for (History& h : here_.history) h.loading = h.sliding = false;
+  system_.set_history(here_.history);
+  leaving_ = arriving_tangent(system_, here_.state);
+}
+
+void Walker::turn_back() {
+  leaving_.load_factor *= -1;
+  for (double& value : leaving_.d) value *= -1;
+  for (auto* rates : {&leaving_.opening, &leaving_.multipliers})
+    for (Vec2& rate : *rates) rate *= -1;
+}
+
 void Walker::restore(Candidate at, std::vector<History> history, const Effort& effort, Tangent leaving) {
   here_ = std::move(at);
   here_.history = history;
   system_.set_history(std::move(history));
+  system_.set_multipliers(here_.state.multipliers);
   effort_ = effort;
   leaving_ = std::move(leaving);
 }

@@ -16,6 +16,7 @@ struct Effort {
   int rejected = 0;
   int rescues = 0;
   int newton_iterations = 0;
+  int multiplier_iterations = 0;
 };
 
 /// An equilibrium that a step may accept, with all that judging it needs.
@@ -28,7 +29,9 @@ struct Candidate {
   double work = 0;        ///< since the start of the run [FL]
   double load = 0;        ///< load gauge
   int newton_iterations = 0;
-  double residual = 0;
+  double residual = 0, tolerance = 0;  ///< relative to the force level
+  int multiplier_iterations = 0;
+  double gap = 0;  ///< relative, of iterated multipliers
 };
 
 /// Stands on an equilibrium of the path, tries steps from it, and moves when one is kept.
@@ -56,11 +59,18 @@ class Walker {
   Candidate evaluate(const Attempt& attempt);
   /// Moves to a candidate.
   void accept(Candidate candidate);
-  /// Moves to an equilibrium that no continuous step led to; returns the energy released on the way [FL].
-  double jump(const State& state, std::vector<History> history);
+  /// An equilibrium that no continuous step led to, with its residual.
+  Candidate settled(const Settled& found);
+  /// Moves there; returns the energy released on the way [FL].
+  double jump(Candidate next);
 
   /// The point that lies `amount` further along the leaving tangent, in its own unit.
   State ahead(double amount) const;
+
+  /// Leaves the damage surfaces: from here on nothing loads or slides until it is reached again.
+  void unload();
+  /// Goes on in the opposite direction.
+  void turn_back();
 
   /// Starts the next stage at the present state with load factor 0.
   void begin_stage(std::size_t stage);

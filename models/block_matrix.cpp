@@ -37,4 +37,13 @@ void BlockMatrix::multiply_add(std::span<const double> x, std::span<double> y) c
   }
 }
 
+void BlockMatrix::multiply_add_absolute(std::span<const double> x, std::span<double> y) const {
+  for (std::size_t r = 0; r + 1 < row_start_.size(); ++r) {
+    Vec6 sum = Vec6::Zero();
+    for (std::size_t s = row_start_[r]; s < row_start_[r + 1]; ++s)
+      sum.noalias() += values_[s].cwiseAbs() * Eigen::Map<const Vec6>(x.data() + 6 * columns_[s]).cwiseAbs();
+    Eigen::Map<Vec6>(y.data() + 6 * r) += sum;
+  }
+}
+
 }  // namespace dda

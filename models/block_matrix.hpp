@@ -26,6 +26,8 @@ class BlockMatrix {
   void add(BlockId i, BlockId j, const Mat6& m) { values_[slot(i, j)] += m; }
   /// y += A x; x and y of length 6 · num_rows().
   void multiply_add(std::span<const double> x, std::span<double> y) const;
+  /// y += |A| |x|: what rounding in A x is relative to.
+  void multiply_add_absolute(std::span<const double> x, std::span<double> y) const;
 
  private:
   std::size_t slot(BlockId i, BlockId j) const;

@@ -1,5 +1,6 @@
 #include "models/equilibrium.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "models/loading.hpp"
@@ -22,15 +23,32 @@ void add_pairs(const std::vector<Spring>& springs, std::vector<std::pair<BlockId
         if (a < b) pairs.emplace_back(a, b);
 }
 
-/// Adds scale · [first second]ᵀ diag(p) [first second] to the four blocks of a pair.
-void add_joint(BlockMatrix& matrix, const InterfacePoint& point, const Vec2& p, const Mat26& first,
-               const Mat26& second) {
-  const Mat26 pf = p.asDiagonal() * first, ps = p.asDiagonal() * second;
-  matrix.add(point.first, point.first, first.transpose() * pf);
-  matrix.add(point.second, point.second, second.transpose() * ps);
-  const Mat6 coupling = first.transpose() * ps;
-  matrix.add(point.first, point.second, coupling);
-  matrix.add(point.second, point.first, coupling.transpose());
+/// Adds [rows]ᵀ diag(p) [rows] of every part of a point with every other.
+void add_joint(BlockMatrix& matrix, const InterfacePoint& point, const Vec2& p) {
+  point.for_each_part([&](BlockId a, const Mat26& left) {
+    point.for_each_part(
+        [&](BlockId b, const Mat26& right) { matrix.add(a, b, left.transpose() * p.asDiagonal() * right); });
+  });
+}
+
+/// Adds −W P⁻¹ of the mean traction's rows: the energy that a consistent joint subtracts.
+void subtract_stress_energy(BlockMatrix& matrix, const InterfacePoint& point) {
+  const PointRows& rows = point.rows;
+  if (rows.first_stress.isZero() && rows.second_stress.isZero()) return;
+  const Vec2 p = -point.weight * point.trial_stiffness().cwiseInverse();
+  const Mat26 first = p.asDiagonal() * rows.first_stress, second = p.asDiagonal() * rows.second_stress;
+  matrix.add(point.first, point.first, rows.first_stress.transpose() * first);
+  matrix.add(point.second, point.second, rows.second_stress.transpose() * second);
+  matrix.add(point.first, point.second, rows.first_stress.transpose() * second);
+  matrix.add(point.second, point.first, rows.second_stress.transpose() * first);
+}
+
+/// Adds −(1 + δ) W P of an unknown multiplier.
+void subtract_multiplier_energy(BlockMatrix& matrix, const InterfacePoint& point) {
+  if (point.multiplier != Multiplier::unknown) return;
+  const Mat26 rows = point.multiplier_rows();
+  const Vec2 p = -(1 + point.perturbation) * point.weight * point.trial_stiffness();
+  matrix.add(point.node, point.node, rows.transpose() * p.asDiagonal() * rows);
 }
 
 }  // namespace
@@ -48,6 +66,9 @@ Equilibrium::Equilibrium(const Body& body, const ModelParameters& model)
   stages_ = make_stages(body, model, set_, supports, programme, findings);
   findings.throw_if_any();
   for (const Block& block : body.assembly.blocks) block_size_.push_back(std::sqrt(block.moments.area));
+  for (Loading& stage : stages_)
+    for (auto* force : {&stage.dead, &stage.reference, &stage.dead_work, &stage.reference_work})
+      force->resize(num_unknowns(), 0.0);
   assemble(body, model, springs);
 }
 
@@ -55,7 +76,12 @@ void Equilibrium::assemble(const Body& body, const ModelParameters& model,
                            const std::vector<Spring>& springs) {
   auto pairs = touching_blocks(body);
   add_pairs(springs, pairs);
-  intact_ = BlockMatrix(num_blocks_, pairs);
+  for (const InterfacePoint& point : set_.points)
+    if (point.multiplier == Multiplier::unknown && point.column == 0) {
+      pairs.emplace_back(point.first, point.node);
+      pairs.emplace_back(point.second, point.node);
+    }
+  intact_ = BlockMatrix(num_nodes(), pairs);
   const double weak = model.weak_springs * body.largest_modulus() * body.thickness;
   for (std::size_t i = 0; i < num_blocks_; ++i) {
     const BlockId id{i};
@@ -65,12 +91,42 @@ void Equilibrium::assemble(const Body& body, const ModelParameters& model,
     intact_.add(id, id, k);
   }
   for (const Spring& spring : springs) add_spring(spring);
+  for (const InterfacePoint& point : set_.points) {
+    subtract_stress_energy(intact_, point);
+    subtract_multiplier_energy(intact_, point);
+    add_joint(intact_, point, point.weight * point.intact_stiffness());
+  }
+  hold_unused_unknowns(body.largest_modulus() * body.thickness);
+}
+
+/// A node has room for three multipliers; what no point uses gets a diagonal of its own.
+void Equilibrium::hold_unused_unknowns(double stiffness) {
+  std::vector<int> used(set_.num_nodes, 0);
   for (const InterfacePoint& point : set_.points)
-    if (!point.rows.first_stress.isZero() || !point.rows.second_stress.isZero())
-      add_joint(intact_, point, -point.weight * point.trial_stiffness().cwiseInverse(),
-                point.rows.first_stress, point.rows.second_stress);
-  for (const InterfacePoint& point : set_.points)
-    add_joint(intact_, point, point.weight * point.trial_stiffness(), point.rows.first, point.rows.second);
+    if (point.multiplier == Multiplier::unknown)
+      used[point.node.value() - num_blocks_] =
+          std::max(used[point.node.value() - num_blocks_], point.column + 2);
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    Mat6 rest = Mat6::Zero();
+    for (int j = used[i]; j < block_unknowns; ++j) rest(j, j) = stiffness;
+    intact_.add(BlockId{num_blocks_ + i}, BlockId{num_blocks_ + i}, rest);
+  }
+}
+
+BlockMatrix Equilibrium::unperturbed() const {
+  BlockMatrix out = intact_;
+  for (const InterfacePoint& point : set_.points) {
+    if (point.multiplier != Multiplier::unknown) continue;
+    const Mat26 rows = point.multiplier_rows();
+    const Vec2 p = point.perturbation * point.weight * point.trial_stiffness();
+    out.add(point.node, point.node, rows.transpose() * p.asDiagonal() * rows);
+  }
+  return out;
+}
+
+std::size_t Equilibrium::num_unknown_multipliers() const {
+  return 2 * static_cast<std::size_t>(
+                 std::ranges::count(set_.points, Multiplier::unknown, &InterfacePoint::multiplier));
 }
 
 void Equilibrium::add_spring(const Spring& spring) {
@@ -81,12 +137,15 @@ void Equilibrium::add_spring(const Spring& spring) {
 
 Vec2 Equilibrium::opening(std::size_t p, std::span<const double> d) const {
   const InterfacePoint& point = set_.points[p];
-  return point.rows.first * Eigen::Map<const Vec6>(d.data() + 6 * point.first.value()) +
-         point.rows.second * Eigen::Map<const Vec6>(d.data() + 6 * point.second.value());
+  Vec2 out = point.rows.first * Eigen::Map<const Vec6>(d.data() + 6 * point.first.value()) +
+             point.rows.second * Eigen::Map<const Vec6>(d.data() + 6 * point.second.value());
+  if (point.multiplier == Multiplier::unknown)
+    out += Eigen::Map<const Vec2>(d.data() + 6 * point.node.value() + static_cast<std::size_t>(point.column));
+  return out;
 }
 
 void Equilibrium::gather(std::span<const double> d, std::span<double> q) const {
-  for (std::size_t p = 0; p < set_.num_crackable; ++p) Eigen::Map<Vec2>(q.data() + 2 * p) = opening(p, d);
+  for (std::size_t p = 0; p < set_.num_active; ++p) Eigen::Map<Vec2>(q.data() + 2 * p) = opening(p, d);
 }
 
 void Equilibrium::gather(const Loading& loading, std::span<const double> d, double load_factor,
@@ -98,12 +157,14 @@ void Equilibrium::gather(const Loading& loading, std::span<const double> d, doub
 }
 
 void Equilibrium::scatter_add(std::span<const double> t, std::span<double> f) const {
-  for (std::size_t p = 0; p < set_.num_crackable; ++p) {
+  for (std::size_t p = 0; p < set_.num_active; ++p) {
     const Vec2 force = set_.points[p].weight * Eigen::Map<const Vec2>(t.data() + 2 * p);
     if (force.isZero(0)) continue;
     const InterfacePoint& point = set_.points[p];
     Eigen::Map<Vec6>(f.data() + 6 * point.first.value()) += point.rows.first.transpose() * force;
     Eigen::Map<Vec6>(f.data() + 6 * point.second.value()) += point.rows.second.transpose() * force;
+    if (point.multiplier == Multiplier::unknown)
+      Eigen::Map<Vec2>(f.data() + 6 * point.node.value() + static_cast<std::size_t>(point.column)) += force;
   }
 }
 

@@ -28,7 +28,7 @@ struct WorkPair {
 /// The loads of one stage with everything before it at full value.
 ///
 ///     f(λ) = dead + λ reference          size 6 · blocks
-///     q0(λ) = dead_offset + λ reference_offset    2 per crackable point, from initial stress; empty when
+///     q0(λ) = dead_offset + λ reference_offset    2 per active point, from initial stress; empty when
 ///     there is none
 struct Loading {
   std::string name;
@@ -45,37 +45,42 @@ struct Loading {
 
 /// Equilibrium of the blocks: four operators, nothing about solvers.
 ///
-///     intact   K0 = K_b + Bᵀ W P B       constant, symmetric positive definite        [F/L and lengths]
-///     q        = B d + q0(λ)             2 per point that can crack                    [L]
-///     residual R = K0 d + Bᵀ W (t(q; h) − P B d) − f(λ)    size 6 · blocks
-///     tangent  K = K0 + Bᵀ W (D − P) B
+///     intact   K0 = K_b + Bᵀ W D0 B      constant, symmetric; positive definite without multipliers [F/L and
+///     lengths] q        = B d + q0(λ)             2 per active point                            [L] residual
+///     R = K0 d + Bᵀ W (t(q; h) − D0 B d) − f(λ)    size 6 · nodes tangent  K = K0 + Bᵀ W (D − D0) B
 ///
-/// K_b holds strain energy, springs and, for consistent joints, −Sᵀ W P⁻¹ S with S d = {σ}n.
-/// Only points that can crack are asked at run time; bonds are part of K0.
+/// K_b holds strain energy, springs and, for consistent joints, −Sᵀ W P⁻¹ S with S d = {σ}n. Nodes are the
+/// blocks and behind them, for Lagrange joints, one node of multipliers per side, m in columns 0-1 and 2-3.
+/// Only active points are asked at run time: those that can crack or iterate a multiplier. Bonds are part of
+/// K0.
 class Equilibrium {
  public:
   Equilibrium(const Body& body, const ModelParameters& model);
 
   std::size_t num_blocks() const { return num_blocks_; }
-  std::size_t num_unknowns() const { return block_unknowns * num_blocks_; }
+  std::size_t num_nodes() const { return num_blocks_ + set_.num_nodes; }
+  std::size_t num_unknowns() const { return block_unknowns * num_nodes(); }
   std::size_t num_points() const { return set_.points.size(); }
-  /// Points 0 … num_crackable()−1 can crack; the operators below act on these.
-  std::size_t num_crackable() const { return set_.num_crackable; }
+  /// Points 0 … num_active()−1 are asked at run time; the operators below act on these.
+  std::size_t num_active() const { return set_.num_active; }
   const InterfaceSet& interfaces() const { return set_; }
   const InterfacePoint& point(std::size_t p) const { return set_.points[p]; }
   const BlockMatrix& intact() const { return intact_; }
+  /// K0 without the perturbation δ of unknown multipliers: singular once for each redundant one.
+  BlockMatrix unperturbed() const;
+  std::size_t num_unknown_multipliers() const;
   const std::vector<Loading>& stages() const { return stages_; }
   /// Length scale of each block, √area [L]: makes rotations and strains comparable with translations.
   const std::vector<double>& block_size() const { return block_size_; }
   /// V C of each block, 3 × 3: stress resultants from strains [F L].
   const std::vector<Mat3>& strain_stiffness() const { return strain_stiffness_; }
 
-  /// q = B d + q0(λ); q of size 2 · num_crackable().
+  /// q = B d + q0(λ); q of size 2 · num_active().
   void gather(const Loading& loading, std::span<const double> d, double load_factor,
               std::span<double> q) const;
   /// q = B d without offsets, for directions.
   void gather(std::span<const double> d, std::span<double> q) const;
-  /// f += Bᵀ W t for the points given; t of size 2 · num_crackable().
+  /// f += Bᵀ W t for the points given; t of size 2 · num_active().
   void scatter_add(std::span<const double> t, std::span<double> f) const;
   /// One point's opening from its rows.
   Vec2 opening(std::size_t p, std::span<const double> d) const;
@@ -86,6 +91,7 @@ class Equilibrium {
  private:
   void assemble(const Body& body, const ModelParameters& model, const std::vector<Spring>& springs);
   void add_spring(const Spring& spring);
+  void hold_unused_unknowns(double stiffness);
 
   std::size_t num_blocks_;
   InterfaceSet set_;

@@ -61,10 +61,10 @@ class PointMaker {
   InterfaceSet make() {
     InterfaceSet out;
     const auto& sides = body_.assembly.sides;
-    for (std::size_t s = 0; s < sides.size(); ++s) add_side(s, interface_of(sides[s]), out.points);
+    for (std::size_t s = 0; s < sides.size(); ++s) add_side(s, interface_of(sides[s]), out);
     const auto middle =
-        std::ranges::stable_partition(out.points, [](const auto& p) { return p.law->can_crack(); });
-    out.num_crackable = static_cast<std::size_t>(middle.begin() - out.points.begin());
+        std::ranges::stable_partition(out.points, [](const auto& p) { return p.is_active(); });
+    out.num_active = static_cast<std::size_t>(middle.begin() - out.points.begin());
     for (Interface& interface : interfaces_) {
       out.names.push_back(interface.name);
       out.laws.push_back(interface.law);
@@ -136,14 +136,18 @@ class PointMaker {
     return {c, trace_constant(body_.block(id), c), body_.material(id).modulus()};
   }
 
-  void add_side(std::size_t index, Interface& interface, std::vector<InterfacePoint>& out) {
+  void add_side(std::size_t index, Interface& interface, InterfaceSet& out) {
     const Side& side = body_.assembly.sides[index];
     const Vec2 edge = side.end - side.start;
     const Vec2 centre = body_.block(side.first).moments.centroid,
                other = body_.block(side.second).moments.centroid;
     const SideFaces faces{faces_[side.first.value()], faces_[side.second.value()], (other - centre).norm(),
-                          Vec2(edge.y(), -edge.x()) / edge.norm()};
+                          edge.norm(), Vec2(edge.y(), -edge.x()) / edge.norm()};
     const double k = stiffness(interface, faces, side);
+    const Treatment& treatment = *interface.treatment;
+    const BlockId node{body_.assembly.num_blocks() + out.num_nodes};
+    if (treatment.multiplier() == Multiplier::unknown) ++out.num_nodes;
+    int column = 0;
     for (const auto& [xi, share] : quadrature(interface.points)) {
       InterfacePoint point{.first = side.first,
                            .second = side.second,
@@ -154,10 +158,17 @@ class PointMaker {
                            .law = interface.law.get(),
                            .interface = interface.index,
                            .side = index,
-                           .rows = {}};
-      point.rows = interface.treatment->rows(faces, displacement_rows(point.x - centre),
-                                             displacement_rows(point.x - other), point.trial_stiffness());
-      out.push_back(std::move(point));
+                           .rows = {},
+                           .multiplier = treatment.multiplier(),
+                           .node = node,
+                           .column = column,
+                           .perturbation = treatment.perturbation(),
+                           .physical_stiffness = std::max(k, treatment.physical_stiffness(faces)),
+                           .spring_unit = spring_unit(faces)};
+      column += 2;
+      point.rows = treatment.rows(faces, displacement_rows(point.x - centre),
+                                  displacement_rows(point.x - other), point.trial_stiffness());
+      out.points.push_back(std::move(point));
     }
   }
 

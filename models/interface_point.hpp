@@ -14,8 +14,11 @@ namespace dda {
 
 /// A point of an interface: where the law is asked, and the rows that give its trial opening.
 ///
-///     q = first·d_first + second·d_second     (2 components, normal and tangential)   [L]
-///     its traction does work W t·δq,          W = share of the side's length × thickness   [L²]
+///     q = first·d_first + second·d_second + m     (2 components, normal and tangential)   [L]
+///     its traction does work W t·δq,              W = share of the side's length × thickness   [L²]
+///
+/// m is there when the treatment has multipliers: two unknowns of the node `node`, or a number that the
+/// continuation iterates.
 struct InterfacePoint {
   BlockId first, second;
   Vec2 x, normal;        ///< place; normal outward of `first`
@@ -25,20 +28,45 @@ struct InterfacePoint {
   int interface = -1;    ///< index into InterfaceSet::names; −1 for a bond nobody named
   std::size_t side = 0;  ///< index into Assembly::sides
   PointRows rows;
+  Multiplier multiplier = Multiplier::none;
+  BlockId node{0};                ///< of unknown multipliers; behind the blocks
+  int column = 0;                 ///< of m in the node's six unknowns
+  double perturbation = 0;        ///< δ of unknown multipliers
+  double physical_stiffness = 0;  ///< p̄ [F/L³]
+  double spring_unit = 0;         ///< E/(centroid distance) [F/L³]
 
   /// diag P = k (1, β²) [F/L³].
   Vec2 trial_stiffness() const {
     const double beta = law->shear_weight();
     return {stiffness, stiffness * beta * beta};
   }
+  /// diag D0: of the joint as long as nothing has cracked [F/L³].
+  Vec2 intact_stiffness() const { return law->intact_stiffness(stiffness); }
+  /// Whether the point is asked at run time: it can crack, or its multiplier is iterated.
+  bool is_active() const { return law->can_crack() || multiplier == Multiplier::iterated; }
+
+  /// Calls visit(block or node, rows 2 × 6) for each part of q.
+  template <class Visit>
+  void for_each_part(Visit visit) const {
+    visit(first, rows.first);
+    visit(second, rows.second);
+    if (multiplier == Multiplier::unknown) visit(node, multiplier_rows());
+  }
+  /// Rows that pick m out of its node.
+  Mat26 multiplier_rows() const {
+    Mat26 out = Mat26::Zero();
+    out.block<2, 2>(0, column).setIdentity();
+    return out;
+  }
 };
 
-/// All interface points with the laws they use. Points that can crack come first.
+/// All interface points with the laws they use. Points that are asked at run time come first.
 struct InterfaceSet {
   std::vector<std::string> names;
   std::vector<std::shared_ptr<const InterfaceLaw>> laws;
   std::vector<InterfacePoint> points;
-  std::size_t num_crackable = 0;
+  std::size_t num_active = 0;
+  std::size_t num_nodes = 0;         ///< of unknown multipliers, one per side
   std::vector<std::string> notices;  ///< what was adapted, for the log
 };
 

@@ -13,15 +13,14 @@ void add_scaled(double scale, const Vector& from, Vector& to) {
   for (std::size_t i = 0; i < from.size(); ++i) to[i] += scale * from[i];
 }
 
-/// Offsets P⁻¹{σ0}n of the crackable points, and the force Sᵀ W P⁻¹ {σ0}n they exert through the subtracted
+/// Offsets P⁻¹{σ0}n of the active points, and the force Sᵀ W P⁻¹ {σ0}n they exert through the subtracted
 /// energy.
 struct StressOffset {
   Vector openings, force;
 };
 
 StressOffset stress_offset(const Body& body, const InterfaceSet& set, const std::vector<Vec3>& stress) {
-  StressOffset out{Vector(2 * set.num_crackable, 0.0),
-                   Vector(block_unknowns * body.assembly.num_blocks(), 0.0)};
+  StressOffset out{Vector(2 * set.num_active, 0.0), Vector(block_unknowns * body.assembly.num_blocks(), 0.0)};
   for (std::size_t p = 0; p < set.points.size(); ++p) {
     const InterfacePoint& point = set.points[p];
     if (point.rows.first_stress.isZero() && point.rows.second_stress.isZero()) continue;
@@ -32,16 +31,17 @@ StressOffset stress_offset(const Body& body, const InterfaceSet& set, const std:
     const Vec2 mean =
         traction(point.rows.first_stress, point.first) + traction(point.rows.second_stress, point.second);
     const Vec2 offset = mean.cwiseQuotient(point.trial_stiffness());
-    // ψ(B d + q0) − ½ {σ}n P⁻¹ {σ}n: a bond contributes −Bᵀ W P q0, every point +Sᵀ W P⁻¹ {σ0}n.
+    // ψ(B d + q0) − ½ {σ}n P⁻¹ {σ}n: a bond contributes −Bᵀ W D0 q0, every point +Sᵀ W P⁻¹ {σ0}n.
     Eigen::Map<Vec6> f_first(out.force.data() + 6 * point.first.value());
     Eigen::Map<Vec6> f_second(out.force.data() + 6 * point.second.value());
     f_first += point.weight * point.rows.first_stress.transpose() * offset;
     f_second += point.weight * point.rows.second_stress.transpose() * offset;
-    if (p < set.num_crackable) {
+    if (p < set.num_active) {
       Eigen::Map<Vec2>(out.openings.data() + 2 * p) = offset;
     } else {
-      f_first -= point.weight * point.rows.first.transpose() * mean;
-      f_second -= point.weight * point.rows.second.transpose() * mean;
+      const Vec2 traction_of_offset = point.intact_stiffness().cwiseProduct(offset);
+      f_first -= point.weight * point.rows.first.transpose() * traction_of_offset;
+      f_second -= point.weight * point.rows.second.transpose() * traction_of_offset;
     }
   }
   return out;
@@ -66,6 +66,7 @@ class StageMaker {
         interfaces_(interfaces),
         supports_(supports),
         programme_(programme),
+        stages_(model.loaded_stages()),
         findings_(findings) {
     const std::size_t n = block_unknowns * body.assembly.num_blocks();
     so_far_.dead.assign(n, 0.0);
@@ -88,7 +89,7 @@ class StageMaker {
   Loading stage(std::size_t index, std::size_t first_driven) {
     const StageLoads& loads = programme_.stages[index];
     Loading out = so_far_;
-    out.name = model_.stages[index].name;
+    out.name = stages_[index].name;
     out.reference = out.reference_work = loads.force;
     if (!loads.initial_stress.empty()) {
       const StressOffset offset = stress_offset(body_, interfaces_, loads.initial_stress);
@@ -152,6 +153,7 @@ class StageMaker {
   const InterfaceSet& interfaces_;
   const std::vector<Spring>& supports_;
   const LoadProgramme& programme_;
+  const std::vector<StageParameters> stages_;
   Findings& findings_;
   Loading so_far_;
   Vector driven_so_far_;
@@ -162,7 +164,7 @@ class StageMaker {
 LoadProgramme make_loads(const Body& body, const ModelParameters& model, Findings& findings) {
   LoadProgramme out;
   const double stiffness = model.support_stiffness * body.largest_modulus() * body.thickness;
-  for (const StageParameters& stage : model.stages) {
+  for (const StageParameters& stage : model.loaded_stages()) {
     StageLoads loads;
     loads.force.assign(block_unknowns * body.assembly.num_blocks(), 0.0);
     for (const LoadChoice& load : stage.loads) {

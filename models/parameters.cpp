@@ -1,5 +1,8 @@
 #include "models/parameters.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 namespace dda {
 
 Kind<InterfaceParameters> interface_kind() {
@@ -57,8 +60,45 @@ Kind<StageParameters> stage_kind() {
   using P = StageParameters;
   return Schema<P>("Loads that act together.")
       .text("name", &P::name, {.fallback = "loading", .text = "Name of the stage."})
-      .list("loads", &P::loads, loads().kind(), {.at_least = 1, .text = "The loads at full value."})
+      .list("loads", &P::loads, loads().kind(),
+            {.at_least = 0,
+             .text = "The loads at full value; without any the stage goes on with those before it."})
+      .map("until", &P::until, number_kind({}, {}),
+           {.fallback = {{}},
+            .text = "Gauge values (`load` is the load gauge) that end this stage; the next one goes on from "
+                    "there."})
+      .boolean("unload", &P::unload,
+               {.fallback = false, .text = "Unload straight to the value of the one gauge in `until`."})
       .kind();
+}
+
+std::vector<StageParameters> ModelParameters::loaded_stages() const {
+  std::vector<StageParameters> out;
+  std::ranges::copy_if(stages, std::back_inserter(out),
+                       [](const auto& stage) { return !stage.loads.empty(); });
+  return out;
+}
+
+std::vector<StageParameters> ModelParameters::legs() const {
+  const auto first = static_cast<std::ptrdiff_t>(loaded_stages().size()) - 1;
+  return {stages.begin() + first, stages.end()};
+}
+
+void check_stages(const std::vector<StageParameters>& stages, Findings& findings) {
+  for (std::size_t i = 0; i < stages.size(); ++i) {
+    const StageParameters& stage = stages[i];
+    const bool is_last = i + 1 == stages.size(), before_loads = !is_last && !stages[i + 1].loads.empty();
+    if (i == 0 && stage.loads.empty()) findings.add(stage.where, "the first stage needs `loads`");
+    if (i > 0 && !stage.loads.empty() && stages[i - 1].loads.empty())
+      findings.add(stage.where, "stages with `loads` must come before those that go on with them");
+    if (before_loads && !stage.until.empty())
+      findings.add(stage.where,
+                   "`until` needs a stage whose loads are the last ones; this one is applied in full");
+    if (!is_last && !before_loads && stage.until.empty())
+      findings.add(stage.where, "a stage that is followed by one without loads needs `until`");
+    if (stage.unload && (stage.until.size() != 1 || !stage.loads.empty()))
+      findings.add(stage.where, "`unload` needs one gauge in `until` and no `loads` of its own");
+  }
 }
 
 }  // namespace dda

@@ -41,10 +41,13 @@ struct SupportParameters {
   Position where;
 };
 
-/// An entry of `stages`; every stage but the last is brought to its full value and stays.
+/// An entry of `stages`; of those with loads every one but the last is brought to its full value and stays.
+/// Stages without loads come after it and go on with its loads: they are legs of one path.
 struct StageParameters {
   std::string name;
   std::vector<LoadChoice> loads;
+  std::map<std::string, double> until;  ///< gauge values that end the leg
+  bool unload = false;                  ///< straight to `until`, off the damage surfaces
   Position where;
 };
 
@@ -57,6 +60,10 @@ struct ModelParameters {
   std::vector<std::pair<std::string, SupportParameters>> supports;
   std::vector<StageParameters> stages;
   std::vector<std::pair<std::string, GaugeChoice>> gauge_names;
+  /// The stages with loads.
+  std::vector<StageParameters> loaded_stages() const;
+  /// The last of them and the stages after it.
+  std::vector<StageParameters> legs() const;
   double support_stiffness = 1e5;
   double weak_springs = 1e-13;
   Position where;
@@ -70,6 +77,9 @@ void add_model(Schema<P>& schema);
 Kind<InterfaceParameters> interface_kind();
 Kind<SupportParameters> support_kind();
 Kind<StageParameters> stage_kind();
+
+/// The order of the stages: loads first, then legs; an unloading leg has one goal.
+void check_stages(const std::vector<StageParameters>& stages, Findings& findings);
 
 template <class P>
 void add_model(Schema<P>& schema) {
@@ -86,7 +96,8 @@ void add_model(Schema<P>& schema) {
            {.at_least = 1, .text = "Stiff springs that hold the structure."})
       .list("stages", &P::stages, stage_kind(),
             {.at_least = 1,
-             .text = "Loads in their order; the last stage is the one multiplied by the load factor."})
+             .text = "Loads in their order; the last loads are those multiplied by the load factor. Stages "
+                     "without loads go on with them: unloading, loading again."})
       .map("gauges", &P::gauge_names, gauges().kind(),
            {.fallback = {{}}, .text = "Scalars recorded at every step, by name."})
       .number(
@@ -95,7 +106,8 @@ void add_model(Schema<P>& schema) {
       .number("weak_springs", &P::weak_springs,
               {.fallback = 1e-13,
                .bounds = at_least(0),
-               .text = "Springs that hold every block's centroid, in units of E · thickness."});
+               .text = "Springs that hold every block's centroid, in units of E · thickness."})
+      .check([](const P& p, const Position&, Findings& findings) { check_stages(p.stages, findings); });
 }
 
 }  // namespace dda

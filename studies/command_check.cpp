@@ -52,7 +52,7 @@ void print_interfaces(const Simulation& simulation) {
   for (std::size_t p = 0; p < set.points.size(); ++p) {
     if (set.points[p].interface < 0) continue;
     ++points[static_cast<std::size_t>(set.points[p].interface)];
-    if (p < set.num_crackable) ++cracking[static_cast<std::size_t>(set.points[p].interface)];
+    if (p < set.num_active) ++cracking[static_cast<std::size_t>(set.points[p].interface)];
   }
   for (std::size_t i = 0; i < points.size(); ++i)
     line("interface", fmt::format("{}: {} points{}", set.names[i], points[i],
@@ -60,7 +60,7 @@ void print_interfaces(const Simulation& simulation) {
                                   : points[i] ? ", bonded"
                                               : ": nothing lies on it"));
   line("interface points",
-       fmt::format("{}, of which {} can crack", equilibrium.num_points(), set.num_crackable));
+       fmt::format("{}, of which {} can crack", equilibrium.num_points(), set.num_active));
   for (const std::string& notice : set.notices) line("notice", notice);
 }
 

@@ -24,7 +24,11 @@ Schema<RecordParameters> record_schema() {
                "Fields are stored every so many steps (0 = never), and always at landings, peak and end."})
       .map("at", &P::at, list_of(number_kind({}, {})),
            {.fallback = {{}}, .text = "Gauge values on which steps land exactly and fields are stored."})
-      .text("folder", &P::folder, {.fallback = "", .text = "Run folder; runs/<name of the deck> if empty."});
+      .text("folder", &P::folder, {.fallback = "", .text = "Run folder; runs/<name of the deck> if empty."})
+      .boolean("condition", &P::condition,
+               {.fallback = false,
+                .text = "Estimate the condition of the stiffness at the start (intact) and at the end; "
+                        "costs six factorisations."});
 }
 
 Schema<Deck> make_schema() {

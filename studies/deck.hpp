@@ -18,6 +18,7 @@ struct RecordParameters {
   int fields_every = 10;
   std::map<std::string, std::vector<double>> at;
   std::string folder;
+  bool condition = false;
 };
 
 /// A whole deck.

@@ -8,12 +8,11 @@
 namespace dda {
 namespace {
 
-/// Each crackable point's equal share of its side, in the order in which they stand along it.
+/// Each active point's equal share of its side, in the order in which they stand along it.
 std::vector<std::array<Vec2, 2>> pieces_of_sides(const Assembly& assembly, const Equilibrium& equilibrium) {
   std::map<std::size_t, std::vector<std::size_t>> on_side;
-  for (std::size_t p = 0; p < equilibrium.num_crackable(); ++p)
-    on_side[equilibrium.point(p).side].push_back(p);
-  std::vector<std::array<Vec2, 2>> out(equilibrium.num_crackable());
+  for (std::size_t p = 0; p < equilibrium.num_active(); ++p) on_side[equilibrium.point(p).side].push_back(p);
+  std::vector<std::array<Vec2, 2>> out(equilibrium.num_active());
   for (auto& [number, points] : on_side) {
     const Side& side = assembly.sides[number];
     const Vec2 along = side.end - side.start;
@@ -71,19 +70,20 @@ Vec2 Fields::displacement(BlockId block, const Vec2& x, std::span<const double> 
 }
 
 Fields::Interface Fields::interface_at(const StoredState& at) const {
-  const std::size_t n = equilibrium_.num_crackable();
+  const std::size_t n = equilibrium_.num_active();
   std::vector<Vec2> q(n);
   equilibrium_.gather(equilibrium_.stages().back(), at.state.d, at.state.load_factor,
                       {q.data()->data(), 2 * n});
   Interface out{std::vector<Vec2>(n), std::vector<Vec2>(n), std::vector<Vec2>(n), std::vector<double>(n)};
   for (std::size_t p = 0; p < n; ++p) {
     const InterfacePoint& point = equilibrium_.point(p);
+    if (!at.state.multipliers.empty()) q[p] += at.state.multipliers[p];
     out.traction[p] = point.law->respond(q[p], at.history[p], point.stiffness).traction;
     out.opening[p] = q[p] - out.traction[p].cwiseQuotient(point.trial_stiffness());
     const Vec2 jump =
         displacement(point.second, point.x, at.state.d) - displacement(point.first, point.x, at.state.d);
     out.jump[p] = {point.normal.dot(jump), cross(point.normal, jump)};
-    out.damage[p] = point.law->damage(at.history[p].kappa, point.stiffness);
+    out.damage[p] = point.law->damage(at.history[p], point.stiffness);
   }
   return out;
 }

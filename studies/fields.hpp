@@ -22,7 +22,8 @@ struct StoredState {
 ///     blocks     displacement (vertices), strain ε, stress C ε + σ0(λ)
 ///     points     jump g = [u] (n, s),  opening w = q − P⁻¹ t,  traction t,  damage
 ///
-/// Interface points are those that can crack; each owns an equal piece of its side, a segment of the mesh.
+/// Interface points are the active ones (they can crack, or iterate a multiplier); each owns an equal piece
+/// of its side, a segment of the mesh.
 class Fields {
  public:
   Fields(const Body& body, const ModelParameters& model, const Equilibrium& equilibrium, const Units& units);
@@ -30,7 +31,7 @@ class Fields {
   ResultsMesh mesh() const;
   Snapshot snapshot(const StoredState& at) const;
 
-  /// The interface at a state, all of size num_crackable().
+  /// The interface at a state, all of size num_active().
   struct Interface {
     std::vector<Vec2> opening, jump, traction;
     std::vector<double> damage;

@@ -22,25 +22,59 @@ std::vector<Mat2> matrices(const Numbers& flat) {
   return out;
 }
 
+Numbers flat(const std::vector<Vec2>& vectors) {
+  Numbers out;
+  for (const Vec2& v : vectors) out.insert(out.end(), v.data(), v.data() + v.size());
+  return out;
+}
+
+std::vector<Vec2> vectors(const Numbers& flat) {
+  std::vector<Vec2> out;
+  for (std::size_t i = 0; i + 1 < flat.size(); i += 2) out.emplace_back(flat[i], flat[i + 1]);
+  return out;
+}
+
+/// Numbers that a point's history is written as.
+constexpr std::size_t history_numbers = 15;
+
+void append(const History& h, Numbers& to) {
+  to.insert(to.end(), {h.kappa, double(h.loading), double(h.sliding), double(h.phase), h.share, h.slip,
+                       h.friction, h.mixity, h.dissipated, h.opening.x(), h.opening.y(), h.traction.x(),
+                       h.traction.y(), h.held.x(), h.held.y()});
+}
+
+History history_from(const double* n) {
+  return {.kappa = n[0],
+          .loading = n[1] != 0,
+          .sliding = n[2] != 0,
+          .phase = static_cast<int>(n[3]),
+          .share = n[4],
+          .slip = n[5],
+          .friction = n[6],
+          .mixity = n[7],
+          .dissipated = n[8],
+          .opening = {n[9], n[10]},
+          .traction = {n[11], n[12]},
+          .held = {n[13], n[14]}};
+}
+
 void put(RestartData& data, const std::string& name, const StoredState& at) {
   data.numbers[name + ".d"] = at.state.d;
   data.numbers[name + ".load_factor"] = {at.state.load_factor};
-  Numbers& kappa = data.numbers[name + ".kappa"];
-  Integers& loading = data.integers[name + ".loading"];
-  for (const History& h : at.history) {
-    kappa.push_back(h.kappa);
-    loading.push_back(h.loading);
-  }
+  data.numbers[name + ".multipliers"] = flat(at.state.multipliers);
+  Numbers& history = data.numbers[name + ".history"];
+  for (const History& h : at.history) append(h, history);
   data.integers[name + ".step"] = {at.step};
 }
 
 StoredState take_state(const RestartData& data, const std::string& name) {
   StoredState out{.step = static_cast<int>(data.integers.at(name + ".step").at(0)),
-                  .state = {data.numbers.at(name + ".d"), data.numbers.at(name + ".load_factor").at(0)},
+                  .state = {data.numbers.at(name + ".d"), data.numbers.at(name + ".load_factor").at(0),
+                            vectors(data.numbers.at(name + ".multipliers"))},
                   .history = {}};
-  const Numbers& kappa = data.numbers.at(name + ".kappa");
-  const Integers& loading = data.integers.at(name + ".loading");
-  for (std::size_t p = 0; p < kappa.size(); ++p) out.history.push_back({kappa[p], loading.at(p) != 0});
+  const Numbers& history = data.numbers.at(name + ".history");
+  for (std::size_t i = 0; i + history_numbers <= history.size(); i += history_numbers)
+    out.history.push_back(history_from(history.data() + i));
   return out;
 }
 
@@ -67,29 +101,32 @@ Measurement take_measurement(const RestartData& data, const std::string& name) {
 }
 
 void put(RestartData& data, const PathMemory& m) {
-  data.numbers["path"] = {m.peak_load,   m.step,         m.largest_displacement,
-                          m.jump_energy, m.last_quantum, m.unaccounted, m.driver};
-  data.integers["path.direction"] = {m.direction};
+  data.numbers["path"] = {m.peak_load,   m.step,  m.largest_displacement, m.jump_energy, m.last_quantum,
+                          m.unaccounted, m.driver};
+  data.integers["path.counts"] = {m.direction, m.leg, m.leg_start};
   data.texts["path.step_control"] = {m.step_control};
 }
 
 PathMemory take_path(const RestartData& data) {
   const Numbers& n = data.numbers.at("path");
   return {.peak_load = n.at(0),
-          .direction = static_cast<int>(data.integers.at("path.direction").at(0)),
+          .direction = static_cast<int>(data.integers.at("path.counts").at(0)),
           .step = n.at(1),
           .step_control = data.texts.at("path.step_control").at(0),
           .largest_displacement = n.at(2),
           .jump_energy = n.at(3),
           .last_quantum = n.at(4),
           .unaccounted = n.at(5),
-          .driver = n.at(6)};
+          .driver = n.at(6),
+          .leg = static_cast<int>(data.integers.at("path.counts").at(1)),
+          .leg_start = static_cast<int>(data.integers.at("path.counts").at(2))};
 }
 
 void put(RestartData& data, const Tangent& leaving) {
   data.numbers["leaving.d"] = leaving.d;
   data.numbers["leaving.load_factor"] = {leaving.load_factor};
-  data.numbers["leaving.opening_rate"] = leaving.opening_rate;
+  data.numbers["leaving.opening"] = flat(leaving.opening);
+  data.numbers["leaving.multipliers"] = flat(leaving.multipliers);
   data.integers["leaving.dissipates"] = {leaving.dissipates};
 }
 
@@ -97,9 +134,15 @@ Tangent take_leaving(const RestartData& data) {
   Tangent out;
   out.d = data.numbers.at("leaving.d");
   out.load_factor = data.numbers.at("leaving.load_factor").at(0);
-  out.opening_rate = data.numbers.at("leaving.opening_rate");
+  out.opening = vectors(data.numbers.at("leaving.opening"));
+  out.multipliers = vectors(data.numbers.at("leaving.multipliers"));
   out.dissipates = data.integers.at("leaving.dissipates").at(0) != 0;
   return out;
+}
+
+void put(RestartData& data, const std::string& name, const LinearSystem& linear) {
+  data.numbers[name + ".base"] = flat(linear.base());
+  data.integers[name + ".updated"] = {linear.updated_points().begin(), linear.updated_points().end()};
 }
 
 void put(RestartData& data, const Walker& walker) {
@@ -109,10 +152,10 @@ void put(RestartData& data, const Walker& walker) {
                             here.load,       here.residual, walker.system().highest_force_level()};
   put(data, walker.leaving());
   const Effort& effort = walker.effort();
-  data.integers["effort"] = {effort.accepted, effort.rejected, effort.rescues, effort.newton_iterations};
-  const LinearSystem& linear = walker.system().linear();
-  data.numbers["linear.base"] = flat(linear.base());
-  data.integers["linear.updated"] = {linear.updated_points().begin(), linear.updated_points().end()};
+  data.integers["effort"] = {effort.accepted, effort.rejected, effort.rescues, effort.newton_iterations,
+                             effort.multiplier_iterations};
+  put(data, "linear", walker.system().linear());
+  if (walker.system().iterates_multipliers()) put(data, "path_linear", walker.system().path_linear());
 }
 
 Effort take_effort(const RestartData& data) {
@@ -120,12 +163,13 @@ Effort take_effort(const RestartData& data) {
   return {.accepted = static_cast<int>(e.at(0)),
           .rejected = static_cast<int>(e.at(1)),
           .rescues = static_cast<int>(e.at(2)),
-          .newton_iterations = static_cast<int>(e.at(3))};
+          .newton_iterations = static_cast<int>(e.at(3)),
+          .multiplier_iterations = static_cast<int>(e.at(4))};
 }
 
 void check_sizes(const RestartData& data, const fs::path& folder, const Equilibrium& equilibrium) {
   if (data.numbers.at("here.d").size() == equilibrium.num_unknowns() &&
-      data.numbers.at("here.kappa").size() == equilibrium.num_crackable())
+      data.numbers.at("here.history").size() == history_numbers * equilibrium.num_active())
     return;
   throw InputError(
       Position{folder.string()},
@@ -133,12 +177,17 @@ void check_sizes(const RestartData& data, const fs::path& folder, const Equilibr
       "stopping rules and records may change");
 }
 
-void restore_walker(const RestartData& data, Walker& walker) {
-  LinearSystem& linear = walker.system().linear();
-  const Integers& updated = data.integers.at("linear.updated");
+void restore_linear(const RestartData& data, const std::string& name, LinearSystem& linear) {
+  const Integers& updated = data.integers.at(name + ".updated");
   const std::vector<std::size_t> points(updated.begin(), updated.end());
-  if (!linear.restore(matrices(data.numbers.at("linear.base")), points))
+  if (!linear.restore(matrices(data.numbers.at(name + ".base")), points))
     throw std::runtime_error("the stiffness of the restart file is singular");
+}
+
+void restore_walker(const RestartData& data, Walker& walker) {
+  restore_linear(data, "linear", walker.system().linear());
+  if (walker.system().iterates_multipliers())
+    restore_linear(data, "path_linear", walker.system().path_linear());
   StoredState here = take_state(data, "here");
   const Numbers& n = data.numbers.at("walker");
   const Candidate at{.state = here.state,
@@ -163,6 +212,7 @@ RestartData restart_data(const Simulation& simulation, const RunMemory& memory, 
   put(out, "peak", memory.peak);
   if (memory.peak_state) put(out, "peak_state", *memory.peak_state);
   const auto spent = static_cast<std::int64_t>(simulation.system().linear().num_factorisations());
+  out.numbers["run"] = {memory.largest_gap};
   out.integers["run"] = {memory.last_step, memory.is_peak_stored, memory.num_factorisations + spent};
   out.texts["control"] = {to_yaml(simulation.deck().path.control.echo())};
   out.texts["deck.text"] = {deck.text};
@@ -196,7 +246,8 @@ RunMemory restore(const RestartData& data, const fs::path& folder, Simulation& s
                 .start = take_measurement(data, "start"),
                 .peak = take_measurement(data, "peak"),
                 .peak_state = {},
-                .is_peak_stored = run.at(1) != 0};
+                .is_peak_stored = run.at(1) != 0,
+                .largest_gap = data.numbers.at("run").at(0)};
   if (data.numbers.contains("peak_state.d")) out.peak_state = take_state(data, "peak_state");
   out.num_factorisations =
       run.at(2) - static_cast<std::int64_t>(simulation.system().linear().num_factorisations());

@@ -74,8 +74,7 @@ void RunRecorder::start() {
   log_.info(
       "started",
       {{"version", provenance().version}, {"deck", deck_.path.string()}, {"overrides", deck_.overrides}});
-  for (const std::string& notice : simulation_.equilibrium().interfaces().notices)
-    log_.warning("notice", {{"text", notice}});
+  for (const std::string& notice : simulation_.notices()) log_.warning("notice", {{"text", notice}});
   memory_.start = memory_.peak = last_ = measures_.measure(simulation_.walker(), 0, "start", 0);
   curve_.append(Measures::cells(last_));
 }
@@ -135,7 +134,14 @@ void RunRecorder::log_step(const Point& point, const Measurement& now) {
                      {"control", point.control},
                      {"load_factor", now.load_factor},
                      {"load", now.load},
-                     {"newton_iterations", point.newton_iterations}};
+                     {"newton_iterations", point.newton_iterations},
+                     {"residual", point.residual},
+                     {"tolerance", point.tolerance}};
+  if (simulation_.system().iterates_multipliers()) {
+    fields["multiplier_iterations"] = point.multiplier_iterations;
+    fields["gap"] = point.gap;
+    memory_.largest_gap = std::max(memory_.largest_gap, point.gap);
+  }
   if (!point.landed.empty()) fields["landed"] = point.landed;
   if (point.jump_energy != 0) fields["jump_energy"] = point.jump_energy;
   log_.info("step", fields);
@@ -153,7 +159,11 @@ nlohmann::ordered_json RunRecorder::finish(const Ending& ending) {
   }
   log_.info("ended", {{"status", status_of(ending)}, {"reason", ending.reason}});
   out = summarise(simulation_, memory_, measures_, ending);
-  out["notices"] = simulation_.equilibrium().interfaces().notices;
+  out["notices"] = simulation_.notices();
+  if (deck_.deck.record.condition) {
+    const auto scope = timings_.measure("stiffness quality");
+    out["stiffness"] = stiffness_quality(simulation_);
+  }
   out["timings"] = to_json(timings_);
   write_whole(folder_.file("summary.json"), out.dump(2) + "\n");
   return out;

@@ -1,6 +1,9 @@
 #include "studies/simulation.hpp"
 
+#include <fmt/format.h>
+
 #include "continuation/dead_load.hpp"
+#include "continuation/linear/matrix_quality.hpp"
 #include "framework/suggestion.hpp"
 
 namespace dda {
@@ -46,12 +49,20 @@ Simulation::Simulation(const Deck& deck, Timings& timings) : deck_(deck), timing
   }
   deck.path.control.make(gauges_);  // a control that names no known gauge is found before anything is solved
   landings();
+  legs();
 }
 
 void Simulation::prepare() {
   const auto scope = timings_.measure("factorisation");
   system_ = std::make_unique<System>(*equilibrium_, deck_.path.linear, deck_.path.update);
   walker_ = std::make_unique<Walker>(*system_, deck_.path);
+  notices_ = equilibrium_->interfaces().notices;
+  if (const std::size_t multipliers = equilibrium_->num_unknown_multipliers(); multipliers > 0)
+    if (const int redundant = assess(equilibrium_->unperturbed()).null_pivots; redundant > 0)
+      notices_.push_back(fmt::format(
+          "{} of {} Lagrange multipliers are redundant: their joints are tied more often than their "
+          "blocks can move; the perturbation keeps them determined",
+          redundant, multipliers));
 }
 
 std::string Simulation::apply_dead_loads() {
@@ -66,7 +77,9 @@ std::string Simulation::apply_dead_loads() {
   return {};
 }
 
-void Simulation::begin_path() { path_ = std::make_unique<Path>(*walker_, deck_.path, gauges_, landings()); }
+void Simulation::begin_path() {
+  path_ = std::make_unique<Path>(*walker_, deck_.path, gauges_, landings(), legs());
+}
 
 const Functional& Simulation::gauge(const std::string& name, const Position& where) const {
   std::vector<std::string> names{"load"};
@@ -84,6 +97,17 @@ std::vector<Landing> Simulation::landings() const {
     for (const double value : values) out.push_back({name, gauge(name, deck_.where), value, false});
   for (const auto& [name, value] : deck_.path.stop.gauges)
     out.push_back({name, gauge(name, deck_.path.where), value, true});
+  return out;
+}
+
+std::vector<Leg> Simulation::legs() const {
+  std::vector<Leg> out;
+  for (const StageParameters& stage : deck_.legs()) {
+    Leg leg{stage.name, stage.unload, {}};
+    for (const auto& [name, value] : stage.until)
+      leg.until.push_back({name, gauge(name, stage.where), value, true});
+    out.push_back(std::move(leg));
+  }
   return out;
 }
 

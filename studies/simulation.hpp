@@ -32,11 +32,14 @@ class Simulation {
   const Path& path() const { return *path_; }
   System& system() { return *system_; }
   const System& system() const { return *system_; }
+  /// What was adapted to the scene or is worth knowing about it; complete after `prepare`.
+  const std::vector<std::string>& notices() const { return notices_; }
   const GaugeBook& gauges() const { return gauges_; }
   const Loading& loading() const { return equilibrium_->stages().back(); }
 
  private:
   std::vector<Landing> landings() const;
+  std::vector<Leg> legs() const;
   const Functional& gauge(const std::string& name, const Position& where) const;
 
   const Deck& deck_;
@@ -48,6 +51,7 @@ class Simulation {
   std::unique_ptr<Walker> walker_;
   std::unique_ptr<Path> path_;
   GaugeBook gauges_;
+  std::vector<std::string> notices_;
 };
 
 }  // namespace dda

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "continuation/linear/matrix_quality.hpp"
 #include "framework/output/provenance.hpp"
 
 namespace dda {
@@ -20,6 +21,15 @@ Json peak_of(const RunMemory& memory, const Measures& measures) {
   Json out{{"step", peak.step}, {"load_factor", peak.load_factor}, {"load", peak.load}};
   out["gauges"] = gauges_at(peak, measures);
   return out;
+}
+
+/// JSON knows no infinity: nlohmann-json writes it as null.
+Json to_json(const MatrixQuality& quality) {
+  return {{"condition", quality.condition},
+          {"smallest_pivot", quality.smallest_pivot},
+          {"largest_pivot", quality.largest_pivot},
+          {"negative_pivots", quality.negative_pivots},
+          {"null_pivots", quality.null_pivots}};
 }
 
 Json units_of(const Units& units) { return {{"length", units.length}, {"force", units.force}}; }
@@ -51,6 +61,11 @@ double energy_balance_error(const Measurement& start, const Measurement& end, do
   return std::abs(work - stored - dissipated - jump_energy) / std::abs(work);
 }
 
+Json stiffness_quality(const Simulation& simulation) {
+  return {{"start", to_json(assess(simulation.equilibrium().intact()))},
+          {"end", to_json(assess(simulation.system().stiffness(simulation.walker().state())))}};
+}
+
 Json to_json(const Timings& timings) {
   Json out = Json::object();
   for (const Timings::Phase& phase : timings.phases()) out[phase.name] = phase.seconds;
@@ -69,7 +84,7 @@ Json summarise(const Simulation& simulation, const RunMemory& memory, const Meas
   Json out{{"title", simulation.deck().title}, {"status", status_of(ending)}, {"reason", ending.reason}};
   out["blocks"] = equilibrium.num_blocks();
   out["interface_points"] = equilibrium.num_points();
-  out["crackable_points"] = equilibrium.num_crackable();
+  out["crackable_points"] = equilibrium.num_active();
   out["unknowns"] = equilibrium.num_unknowns();
   out["steps"] = effort.accepted;
   out["rejected_steps"] = effort.rejected;
@@ -77,6 +92,10 @@ Json summarise(const Simulation& simulation, const RunMemory& memory, const Meas
   out["factorisations"] =
       memory.num_factorisations + static_cast<long long>(simulation.system().linear().num_factorisations());
   out["rescues"] = effort.rescues;
+  if (simulation.system().iterates_multipliers()) {
+    out["multiplier_iterations"] = effort.multiplier_iterations;
+    out["largest_gap"] = memory.largest_gap;
+  }
   out["peak"] = peak_of(memory, measures);
   out["energy_balance_error"] = energy_balance_error(memory.start, end, jump_energy);
   out["energy_balance_scatter"] =

@@ -21,6 +21,10 @@ double energy_balance_error(const Measurement& start, const Measurement& end, do
 nlohmann::ordered_json summarise(const Simulation& simulation, const RunMemory& memory,
                                  const Measures& measures, const Ending& ending);
 
+/// MatrixQuality of the intact stiffness, `start`, and of the tangent at the last accepted state, `end`.
+/// A condition beyond what can be estimated is null.
+nlohmann::ordered_json stiffness_quality(const Simulation& simulation);
+
 /// Seconds by phase, `total` and `start_up`.
 nlohmann::ordered_json to_json(const Timings& timings);
 

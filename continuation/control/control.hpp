@@ -36,13 +36,14 @@ class Control {
 /// A gauge prescribed, g(d, λ) − g_start = s. Load, displacement and opening control; s in the gauge's unit.
 std::unique_ptr<Control> make_gauge_control(Functional gauge);
 
-/// Dissipation prescribed, Σ W (G(max(κ, q_eq)) − G(κ)) = s, s an energy.
-///
-/// Source: models/README.md for G.
+/// Dissipation prescribed: Σ W (energy that accepting q would spend) = s, s an energy. Source:
+/// models/README.md.
 std::unique_ptr<Control> make_dissipation_control(const System& system);
 
 /// The next initiation at frozen damage: max over unbroken points of q_eq/κ − 1 = 0 at s = 1.
-///
 std::unique_ptr<Control> make_event_control(const System& system);
+
+/// The same for points that lose their strength at once, while the damage of the others follows.
+std::unique_ptr<Control> make_strength_control(const System& system);
 
 }  // namespace dda

@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "continuation/control/control.hpp"
 
 namespace dda {
@@ -13,31 +11,15 @@ class DissipationControl final : public Control {
 
   double residual(const ControlPoint& at, double s) const override {
     double sum = 0;
-    for (std::size_t p = 0; p < at.laws.opening.size(); ++p) {
-      const InterfacePoint& point = system_.equilibrium().point(p);
-      const double reached = system_.kappa(p, system_.history()[p]);
-      const double opening = point.law->equivalent_opening(at.laws.opening[p]);
-      if (opening > reached)
-        sum += point.weight * (point.law->dissipation(opening, point.stiffness) -
-                               point.law->dissipation(reached, point.stiffness));
-    }
+    for (std::size_t p = 0; p < at.laws.opening.size(); ++p)
+      sum += system_.equilibrium().point(p).weight * spending(at, p).value;
     return (sum - s) / scale_;
   }
 
   double gradient(const ControlPoint& at, std::span<double> per_d) const override {
     const Equilibrium& equilibrium = system_.equilibrium();
-    std::vector<Vec2> per_q(at.laws.opening.size(), Vec2::Zero());
-    for (std::size_t p = 0; p < per_q.size(); ++p) {
-      const InterfacePoint& point = equilibrium.point(p);
-      const History& h = system_.history()[p];
-      const double reached = system_.kappa(p, h);
-      const double opening = point.law->equivalent_opening(at.laws.opening[p]);
-      // A point that the path leaves by loading counts at once, with the slope of its surface.
-      constexpr double round_off = 1e-11;
-      if (opening > reached * (1 + (h.loading ? -round_off : round_off)))
-        per_q[p] = point.law->dissipation_slope(std::max(opening, reached), point.stiffness) / scale_ *
-                   point.law->opening_gradient(at.laws.opening[p]);
-    }
+    std::vector<Vec2> per_q(at.laws.opening.size());
+    for (std::size_t p = 0; p < per_q.size(); ++p) per_q[p] = spending(at, p).gradient / scale_;
     const std::span<const double> flat(per_q.data()->data(), 2 * per_q.size());
     equilibrium.scatter_add(flat, per_d);
     const auto& offset = system_.loading().reference_offset;
@@ -50,6 +32,12 @@ class DissipationControl final : public Control {
   double per_path() const override { return -1 / scale_; }
 
  private:
+  /// What a point spends; one that the path leaves by loading counts at once, with the slope of its surface.
+  Spending spending(const ControlPoint& at, std::size_t p) const {
+    const InterfacePoint& point = system_.equilibrium().point(p);
+    return point.law->spending(at.laws.opening[p], system_.history()[p], point.stiffness);
+  }
+
   const System& system_;
   double scale_ = 1;
 };

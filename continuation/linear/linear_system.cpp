@@ -10,10 +10,10 @@ LinearSystem::LinearSystem(const Equilibrium& equilibrium, const DirectSolverCho
     : equilibrium_(equilibrium),
       solver_(solver.make()),
       update_(update),
-      slot_(equilibrium.num_crackable(), -1) {
-  std::vector<Mat2> intact(equilibrium.num_crackable());
+      slot_(equilibrium.num_active(), -1) {
+  std::vector<Mat2> intact(equilibrium.num_active());
   for (std::size_t p = 0; p < intact.size(); ++p)
-    intact[p] = equilibrium.point(p).trial_stiffness().asDiagonal();
+    intact[p] = equilibrium.point(p).intact_stiffness().asDiagonal();
   if (!rebase(intact)) throw InputError({}, "the stiffness matrix is singular; check supports and materials");
 }
 
@@ -21,19 +21,19 @@ BlockMatrix LinearSystem::matrix_with(std::span<const Mat2> tangents) const {
   BlockMatrix a = equilibrium_.intact();
   for (std::size_t p = 0; p < tangents.size(); ++p) {
     const InterfacePoint& point = equilibrium_.point(p);
-    const Mat2 change = point.weight * (tangents[p] - Mat2(point.trial_stiffness().asDiagonal()));
+    const Mat2 change = point.weight * (tangents[p] - Mat2(point.intact_stiffness().asDiagonal()));
     if (change.isZero(0)) continue;
-    const Mat26 first = change * point.rows.first, second = change * point.rows.second;
-    a.add(point.first, point.first, point.rows.first.transpose() * first);
-    a.add(point.second, point.second, point.rows.second.transpose() * second);
-    a.add(point.first, point.second, point.rows.first.transpose() * second);
-    a.add(point.second, point.first, point.rows.second.transpose() * first);
+    point.for_each_part([&](BlockId i, const Mat26& left) {
+      const Mat62 forces = left.transpose() * change;
+      point.for_each_part([&](BlockId j, const Mat26& right) { a.add(i, j, forces * right); });
+    });
   }
   return a;
 }
 
 bool LinearSystem::rebase(std::span<const Mat2> tangents) {
-  base_.assign(tangents.begin(), tangents.end());
+  base_.clear();
+  for (const Mat2& tangent : tangents) base_.emplace_back(0.5 * (tangent + tangent.transpose()));
   tangent_ = base_;
   updated_.clear();
   active_.clear();
@@ -42,7 +42,7 @@ bool LinearSystem::rebase(std::span<const Mat2> tangents) {
   reference_.solution.clear();
   dead_.solution.clear();
   ++num_factorisations_;
-  return solver_->factor(matrix_with(tangents));
+  return solver_->factor(matrix_with(base_));
 }
 
 bool LinearSystem::restore(std::span<const Mat2> base, std::span<const std::size_t> updated) {
@@ -60,7 +60,8 @@ std::size_t LinearSystem::most_columns() const {
 }
 
 bool LinearSystem::set_tangent(std::span<const Mat2> tangents) {
-  if (update_ == Update::refactorise) return std::ranges::equal(tangents, base_) || rebase(tangents);
+  if (update_ == Update::refactorise && !std::ranges::equal(tangents, base_) && !rebase(tangents))
+    return false;
   std::vector<bool> new_batch(tangents.size() / batch + 1, false);
   std::size_t columns = 2 * updated_.size();
   for (std::size_t p = 0; p < tangents.size(); ++p) {
@@ -68,7 +69,7 @@ bool LinearSystem::set_tangent(std::span<const Mat2> tangents) {
     new_batch[p / batch] = true;
     columns += 2 * batch;
   }
-  if (columns > most_columns()) return rebase(tangents);
+  if (columns > most_columns() && update_ == Update::low_rank && !rebase(tangents)) return false;
   tangent_.assign(tangents.begin(), tangents.end());
   active_.clear();
   for (std::size_t p = 0; p < tangents.size(); ++p) {
@@ -82,7 +83,7 @@ bool LinearSystem::set_tangent(std::span<const Mat2> tangents) {
 /// Computes Z for the batch of a point, and its couplings in G with every point before it.
 void LinearSystem::add_columns(std::size_t point) {
   const std::size_t first = updated_.size(), begin = point / batch * batch;
-  const std::size_t end = std::min(begin + batch, equilibrium_.num_crackable());
+  const std::size_t end = std::min(begin + batch, equilibrium_.num_active());
   for (std::size_t p = begin; p < end; ++p) {
     slot_[p] = static_cast<int>(updated_.size());
     updated_.push_back(p);
@@ -92,10 +93,9 @@ void LinearSystem::add_columns(std::size_t point) {
     const InterfacePoint& at = equilibrium_.point(p);
     for (std::size_t c = 0; c < 2; ++c) {
       double* column = z_.data() + (2 * static_cast<std::size_t>(slot_[p]) + c) * n();
-      Eigen::Map<Vec6>(column + 6 * at.first.value()) +=
-          at.rows.first.row(static_cast<Eigen::Index>(c)).transpose();
-      Eigen::Map<Vec6>(column + 6 * at.second.value()) +=
-          at.rows.second.row(static_cast<Eigen::Index>(c)).transpose();
+      at.for_each_part([&](BlockId part, const Mat26& rows) {
+        Eigen::Map<Vec6>(column + 6 * part.value()) += rows.row(static_cast<Eigen::Index>(c)).transpose();
+      });
     }
   }
   const std::size_t columns = 2 * (end - begin);
@@ -205,9 +205,9 @@ void LinearSystem::correct(std::span<const std::span<double>> solutions) const {
 void LinearSystem::multiply(std::span<const double> x, std::span<double> y) const {
   std::ranges::fill(y, 0.0);
   equilibrium_.intact().multiply_add(x, y);
-  std::vector<double> t(2 * equilibrium_.num_crackable());
-  for (std::size_t p = 0; p < equilibrium_.num_crackable(); ++p) {
-    const Mat2 change = tangent_[p] - Mat2(equilibrium_.point(p).trial_stiffness().asDiagonal());
+  std::vector<double> t(2 * equilibrium_.num_active());
+  for (std::size_t p = 0; p < equilibrium_.num_active(); ++p) {
+    const Mat2 change = tangent_[p] - Mat2(equilibrium_.point(p).intact_stiffness().asDiagonal());
     Eigen::Map<Vec2>(t.data() + 2 * p) =
         change.isZero(0) ? Vec2(Vec2::Zero()) : Vec2(change * rows_times(p, x));
   }

@@ -17,12 +17,13 @@ namespace dda {
 ///
 /// Sherman-Morrison-Woodbury; columns of Z are computed when a point first changes and kept. When so many
 /// points have changed that the dense part costs more than a factorisation, the present tangent becomes the
-/// base; that is decided by counts, never by clocks, so that runs repeat.
+/// base; that is decided by counts, never by clocks, so that runs repeat. The base is symmetric: of a
+/// frictional tangent it takes the symmetric part, and the rest stays an update.
 class LinearSystem {
  public:
   enum class Update { low_rank, refactorise };
 
-  /// A Newton iterate: displacements, load factor and the tractions of the crackable points.
+  /// A Newton iterate: displacements, load factor and the tractions of the active points.
   struct Iterate {
     std::span<const double> d;
     double load_factor;
@@ -31,7 +32,7 @@ class LinearSystem {
 
   LinearSystem(const Equilibrium& equilibrium, const DirectSolverChoice& solver, Update update);
 
-  /// Makes K the tangent with these D, 2 × 2 per crackable point. False when K is numerically singular.
+  /// Makes K the tangent with these D, 2 × 2 per active point. False when K is numerically singular.
   bool set_tangent(std::span<const Mat2> tangents);
   /// x = K⁻¹ b, both of size n.
   void solve(std::span<const double> b, std::span<double> x);
@@ -45,6 +46,8 @@ class LinearSystem {
   ///
   /// False when a kept solution is missing or columns would have to be made for it.
   bool solve_base_residual(const Iterate& at, std::span<double> y);
+  /// The stiffness with these D, 2 × 2 per crackable point, whatever the present tangent is.
+  BlockMatrix matrix_with(std::span<const Mat2> tangents) const;
   /// y = K x.
   void multiply(std::span<const double> x, std::span<double> y) const;
 
@@ -83,7 +86,6 @@ class LinearSystem {
   Vec2 rows_times(std::size_t point, std::span<const double> x) const {
     return equilibrium_.opening(point, x);
   }
-  BlockMatrix matrix_with(std::span<const Mat2> tangents) const;
 
   const Equilibrium& equilibrium_;
   std::unique_ptr<DirectSolver> solver_;

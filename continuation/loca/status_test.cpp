@@ -46,8 +46,16 @@ NOX::StatusTest::StatusType NewtonTest::judge(const NOX::Solver::Generic& solver
     reason_ = "the residual is not a number";
     return NOX::StatusTest::Failed;
   }
-  constexpr double control_tolerance = 1e-8;
-  if (residual_ <= parameters_.tolerance && control <= control_tolerance) return NOX::StatusTest::Converged;
+  constexpr double control_tolerance = 1e-8, largest_round_off = 1e-5;
+  constexpr int iterations_before_doubt = 3;
+  tolerance_ = parameters_.tolerance;
+  const bool may_be_rounding =
+      residual_ < largest_round_off || solver.getNumIterations() >= iterations_before_doubt;
+  if (residual_ > tolerance_ && may_be_rounding) {
+    const double rounding = system_.round_off(group.displacement(), group.load_factor());
+    tolerance_ = std::max(tolerance_, level > 0 ? rounding / level : (norm <= rounding ? 1.0 : 0.0));
+  }
+  if (residual_ <= tolerance_ && control <= control_tolerance) return NOX::StatusTest::Converged;
   if (solver.getNumIterations() >= parameters_.max_iterations) {
     reason_ = fmt::format("no convergence in {} iterations (relative residual {:.1e})",
                           parameters_.max_iterations, residual_);

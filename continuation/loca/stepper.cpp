@@ -8,6 +8,7 @@
 #include <LOCA_Stepper.H>
 #include <NOX_Solver_Generic.H>
 #include <NOX_Utils.H>
+#include <fmt/format.h>
 
 #include <Teuchos_oblackholestream.hpp>
 #include <stdexcept>
@@ -43,38 +44,71 @@ class SingleStep final : public LOCA::Stepper {
   SingleStep(const Teuchos::RCP<LOCA::GlobalData>& global, const Teuchos::RCP<Group>& start,
              const Teuchos::RCP<NewtonTest>& test, const Teuchos::RCP<Teuchos::ParameterList>& list,
              double step)
-      : LOCA::Stepper(global, start, test, list), test_(test), wanted_(step) {
+      : LOCA::Stepper(global, start, test, list), system_(start->system()), test_(test), wanted_(step) {
     stepSizeStrategyPtr = Teuchos::rcp(new GivenStep(step));
   }
 
   static constexpr auto singular = "the bordered system is singular";
 
   /// The step with Newton starting at `guess`, or at LOCA's prediction when null.
-  Attempt take(const State* guess) {
+  Attempt take(const State* guess, const MultiplierParameters& multipliers) {
     Attempt out;
     try {
-      take_step(guess, out);
+      take_step(guess, multipliers, out);
     } catch (const char*) {  // LOCA throws a singular bordered system through its stepper
       out.reason = singular;
     } catch (const std::logic_error&) {
       out.reason = singular;
     }
+    out.converged = out.converged && out.reason.empty();
     return out;
   }
 
  private:
-  void take_step(const State* guess, Attempt& out) {
+  void take_step(const State* guess, const MultiplierParameters& multipliers, Attempt& out) {
     if (start() != LOCA::Abstract::Iterator::NotFinished) {
       out.reason = "the start of the step is no equilibrium: " + test_->reason();
       return;
     }
-    if (guess) predict(*guess);
+    if (guess) {
+      predict(*guess);
+      if (multipliers.predicted) system_.set_multipliers(guess->multipliers);
+    }
     preprocess(LOCA::Abstract::Iterator::Successful);
     out.converged = compute(LOCA::Abstract::Iterator::Successful) == LOCA::Abstract::Iterator::Successful;
     out.newton_iterations = solverPtr->getNumIterations();
+    if (out.converged && system_.iterates_multipliers()) close_gaps(multipliers, out);
     out.residual = test_->relative_residual();
-    if (!out.converged) out.reason = test_->reason();
-    out.state = dynamic_cast<const Group&>(*curGroupPtr->getBaseLevelUnderlyingGroup()).state();
+    out.tolerance = test_->tolerance();
+    if (!out.converged && out.reason.empty()) out.reason = test_->reason();
+    out.state = equilibrium_group().state();
+    out.state.multipliers = system_.multipliers();
+  }
+
+  const Group& equilibrium_group() const {
+    return dynamic_cast<const Group&>(*curGroupPtr->getBaseLevelUnderlyingGroup());
+  }
+
+  /// Carries the springs' forces over into the multipliers and solves again until no gap is left.
+  void close_gaps(const MultiplierParameters& parameters, Attempt& out) {
+    for (;;) {
+      const State at = equilibrium_group().state();
+      const auto laws = system_.laws_at(at.d, at.load_factor);
+      out.gap = system_.relative_gap(*laws);
+      if (out.gap <= parameters.tolerance) return;
+      if (out.multiplier_iterations++ >= parameters.max_iterations) {
+        out.reason = fmt::format("the multipliers did not settle in {} iterations (relative gap {:.1e})",
+                                 parameters.max_iterations, out.gap);
+        out.converged = false;
+        return;
+      }
+      system_.set_multipliers(system_.next_multipliers(*laws));
+      solverPtr->reset(curGroupPtr->getX());
+      out.converged = solverPtr->solve() == NOX::StatusTest::Converged;
+      out.newton_iterations += solverPtr->getNumIterations();
+      if (!out.converged) return;
+      curGroupPtr->copy(solverPtr->getSolutionGroup());
+    }
   }
 
   /// Makes LOCA's predictor direction point at the guess: x_start + step · direction = guess.
@@ -82,7 +116,7 @@ class SingleStep final : public LOCA::Stepper {
     using Extended = LOCA::MultiContinuation::ExtendedVector;
     auto& constrained = dynamic_cast<Extended&>(*curPredictorPtr->getXVec());
     auto& direction = as_state(*constrained.getXVec());
-    const auto& now = dynamic_cast<const Group&>(*curGroupPtr->getBaseLevelUnderlyingGroup());
+    const Group& now = equilibrium_group();
     const auto from = now.displacement();
     const auto to = direction.local();
     for (std::size_t i = 0; i < to.size(); ++i) to[i] = (guess.d[i] - from[i]) / wanted_;
@@ -90,6 +124,7 @@ class SingleStep final : public LOCA::Stepper {
     curPredictorPtr->setScalar(0, 1.0);
   }
 
+  System& system_;
   Teuchos::RCP<NewtonTest> test_;
   double wanted_;
 };
@@ -129,6 +164,7 @@ struct Loca {
 Attempt controlled_step(System& system, const State& start, Control& control, double step, const State& guess,
                         const StepperParameters& parameters) {
   system.set_frozen(control.freezes_damage());
+  system.set_multipliers(start.multipliers);
   control.start_at({start.d, start.load_factor, *system.laws_at(start.d, start.load_factor)}, std::abs(step));
   const auto active = std::make_shared<ActiveControl>(ActiveControl{&control});
   const Teuchos::RCP<LOCA::MultiContinuation::ConstraintInterface> constraint =
@@ -142,13 +178,14 @@ Attempt controlled_step(System& system, const State& start, Control& control, do
   const Loca loca(list);
   const auto group = Teuchos::rcp(new Group(loca.global, system, start, Metric::natural));
   const auto test = Teuchos::rcp(new NewtonTest(system, active, parameters.newton));
-  Attempt out = SingleStep(loca.global, group, test, list, step).take(&guess);
+  Attempt out = SingleStep(loca.global, group, test, list, step).take(&guess, parameters.multipliers);
   system.set_frozen(false);
   return out;
 }
 
 Attempt arc_length_step(System& system, const State& start, const ArcLength& arc,
                         const StepperParameters& parameters) {
+  system.set_multipliers(start.multipliers);
   const auto list = common_list("Arc Length", "lambda", start.load_factor, parameters);
   auto& stepper = list->sublist("LOCA").sublist("Stepper");
   stepper.set("Enable Arc Length Scaling", true);
@@ -162,7 +199,7 @@ Attempt arc_length_step(System& system, const State& start, const ArcLength& arc
   const auto group = Teuchos::rcp(new Group(loca.global, system, start, arc.metric));
   const auto test =
       Teuchos::rcp(new NewtonTest(system, std::make_shared<ActiveControl>(), parameters.newton));
-  return SingleStep(loca.global, group, test, list, arc.length).take(nullptr);
+  return SingleStep(loca.global, group, test, list, arc.length).take(nullptr, parameters.multipliers);
 }
 
 }  // namespace dda

@@ -13,13 +13,24 @@ struct Attempt {
   bool converged = false;
   State state;
   int newton_iterations = 0;
-  double residual = 0;  ///< relative to the force level
-  std::string reason;   ///< why it failed
+  double residual = 0;   ///< relative to the force level
+  double tolerance = 0;  ///< that it was compared with
+  int multiplier_iterations = 0;
+  double gap = 0;      ///< left by iterated multipliers, see System::relative_gap
+  std::string reason;  ///< why it failed
+};
+
+/// When the multipliers of augmented Lagrangian joints are good, and where a step starts with them.
+struct MultiplierParameters {
+  double tolerance = 1e-8;  ///< relative gap, see System::relative_gap
+  int max_iterations = 1000;
+  bool predicted = true;  ///< start from the path's tangent; otherwise from the last step
 };
 
 /// What every attempt needs beside the system: Newton's tolerances and the deck's `nox` and `loca` sublists.
 struct StepperParameters {
   NewtonParameters newton;
+  MultiplierParameters multipliers;
   Node nox, loca;
 };
 

@@ -29,6 +29,11 @@ class Driver {
   virtual Move next(Walker& walker) = 0;
   /// Why this driver cannot go along this direction although equilibria do; "" when it can.
   virtual std::string obstacle(const Tangent&) { return {}; }
+  /// What stays while points are released at once; nothing = their own opening.
+  virtual std::optional<Functional> held_in_release() const { return {}; }
+  /// Load increments with everything beyond its strength released, in units of the load at the first crack; 0
+  /// = no.
+  virtual double load_increment() const { return 0; }
   /// Whether sequentially linear steps may carry on where this control fails.
   virtual bool may_be_rescued() const { return false; }
   /// The one number a driver remembers from its first step; a restart brings it back.

@@ -8,20 +8,19 @@ namespace dda {
 
 double next_event(const Walker& walker) {
   const System& system = walker.system();
-  const Equilibrium& equilibrium = system.equilibrium();
-  const Tangent& leaving = walker.leaving();
-  std::vector<double> now(2 * equilibrium.num_crackable()), rate(now.size());
-  equilibrium.gather(system.loading(), walker.state().d, walker.state().load_factor, now);
-  equilibrium.gather(leaving.d, rate);
-  const auto& offset = system.loading().reference_offset;
-  for (std::size_t i = 0; i < offset.size(); ++i) rate[i] += leaving.load_factor * offset[i];
+  const State& at = walker.state();
+  const LawValues laws = system.laws(at.d, at.load_factor);
+  const std::vector<Vec2>& rates = walker.leaving().opening;
+  double fastest = 0;
+  for (const Vec2& rate : rates) fastest = std::max(fastest, rate.norm());
   double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t p = 0; p < equilibrium.num_crackable(); ++p) {
-    const InterfacePoint& point = equilibrium.point(p);
-    const double kappa = system.kappa(p, system.history()[p]);
-    if (kappa >= point.law->rupture_kappa(point.stiffness)) continue;
-    nearest = std::min(nearest, reach(*point.law, Eigen::Map<const Vec2>(now.data() + 2 * p),
-                                      Eigen::Map<const Vec2>(rate.data() + 2 * p), kappa));
+  for (std::size_t p = 0; p < laws.opening.size(); ++p) {
+    constexpr double round_off = 1e-12;  // a point moving more slowly does not move
+    const Vec2 rate = (rates[p].array().abs() > round_off * fastest).select(rates[p], 0.0);
+    if (system.is_broken(p)) continue;
+    const InterfacePoint& point = system.equilibrium().point(p);
+    nearest =
+        std::min(nearest, reach({*point.law, system.history()[p], point.stiffness}, laws.opening[p], rate));
   }
   return nearest;
 }

@@ -4,22 +4,120 @@
 #include <cmath>
 
 namespace dda {
+namespace {
 
-double DamageLaw::equivalent_opening(const Vec2& q) const {
-  return std::hypot(std::max(q.x(), 0.0), beta_ * q.y());
+/// dy/dω of the compliance y = ω/g; infinite where the traction has vanished.
+double compliance_slope(const SofteningShape& shape, double omega) {
+  const double g = shape.value(omega);
+  return (g - omega * shape.slope(omega)) / (g * g);
 }
 
-Vec2 DamageLaw::opening_gradient(const Vec2& q) const {
-  const double opening = equivalent_opening(q);
-  if (opening == 0) return Vec2::Zero();
-  return Vec2(std::max(q.x(), 0.0), beta_ * beta_ * q.y()) / opening;
+}  // namespace
+
+DamageLaw::DamageLaw(const SofteningNumbers& numbers, std::unique_ptr<SofteningShape> shape)
+    : n_(numbers),
+      shape_(std::move(shape)),
+      scale_(numbers.fracture_energy / numbers.strength),
+      m_(numbers.friction / (numbers.shear_weight * numbers.shear_weight)) {}
+
+double DamageLaw::steepest_slope() const {
+  return shape_->steepest() * n_.strength * n_.strength /
+         std::min(n_.fracture_energy, n_.shear_fracture_energy);
 }
 
-Response DamageLaw::secant(const Vec2& q, double kappa, double k) const {
-  const double r = kappa > initial_kappa(k) ? strength(kappa, k) / kappa : k;
+double DamageLaw::energy_ratio(double mixity) const {
+  return 1 + (n_.shear_fracture_energy / n_.fracture_energy - 1) * std::pow(mixity, n_.mixed_mode_exponent);
+}
+
+double DamageLaw::energy_ratio_slope(double mixity) const {
+  return (n_.shear_fracture_energy / n_.fracture_energy - 1) * n_.mixed_mode_exponent *
+         std::pow(mixity, n_.mixed_mode_exponent - 1);
+}
+
+DamageLaw::Trial DamageLaw::trial(const Vec2& q) const {
+  const double beta = n_.shear_weight, normal = std::max(q.x(), 0.0);
+  Trial out;
+  Vec2 sliding_gradient(0, 1);
+  double sliding = q.y();
+  if (q.x() < 0 && m_ > 0) {
+    const double excess = std::abs(q.y()) + m_ * q.x(), sign = q.y() < 0 ? -1 : 1;
+    sliding = sign * std::max(excess, 0.0);
+    sliding_gradient = excess > 0 ? Vec2(sign * m_, 1) : Vec2(Vec2::Zero());
+  }
+  out.opening = std::hypot(normal, beta * sliding);
+  if (out.opening == 0) return out;
+  out.opening_gradient =
+      Vec2(normal, 0) / out.opening + beta * beta * sliding / out.opening * sliding_gradient;
+  if (!has_modes()) return out;
+  const double square = out.opening * out.opening, shear = beta * sliding;
+  out.mixity = shear * shear / square;
+  if (normal > 0)
+    out.mixity_gradient = 2 * beta * beta * normal * sliding / (square * square) * Vec2(-sliding, normal);
+  return out;
+}
+
+DamageLaw::Equivalent DamageLaw::equivalent(const Vec2& q, double k) const {
+  const Trial at = trial(q);
+  Equivalent out{at.opening, at.mixity, at.opening_gradient, at.mixity_gradient};
+  const double kappa0 = initial_kappa(k);
+  if (at.opening <= kappa0 || !has_modes() || at.mixity == 0) return out;
+  const double ratio = energy_ratio(at.mixity), ratio_slope = energy_ratio_slope(at.mixity);
+  const double omega = shape_->at_trial_opening(at.opening, ratio * scale_, kappa0);
+  if (shape_->value(omega) <= 0) {
+    out.kappa = at.opening / ratio;
+    out.gradient = (at.opening_gradient - out.kappa * ratio_slope * at.mixity_gradient) / ratio;
+    return out;
+  }
+  const double mode_one = shape_->at_same_compliance(omega, ratio);
+  out.kappa = scale_ * mode_one + kappa0 * shape_->value(mode_one);
+  const double rise = ratio * scale_ + kappa0 * shape_->slope(omega);
+  const Vec2 omega_gradient =
+      (at.opening_gradient - scale_ * omega * ratio_slope * at.mixity_gradient) / rise;
+  const Vec2 compliance_gradient = ratio * compliance_slope(*shape_, omega) * omega_gradient +
+                                   omega / shape_->value(omega) * ratio_slope * at.mixity_gradient;
+  out.gradient =
+      (scale_ + kappa0 * shape_->slope(mode_one)) / compliance_slope(*shape_, mode_one) * compliance_gradient;
+  return out;
+}
+
+double DamageLaw::equivalent_opening(const Vec2& q, const History&, double k) const {
+  return equivalent(q, k).kappa;
+}
+
+Vec2 DamageLaw::opening_gradient(const Vec2& q, const History&, double k) const {
+  return equivalent(q, k).gradient;
+}
+
+double DamageLaw::secant_at(double kappa, double k) const {
+  return kappa > initial_kappa(k) ? n_.strength * shape_->value(omega_at(kappa, k)) / kappa : k;
+}
+
+double DamageLaw::secant_slope_at(double kappa, double k) const {
+  const double omega = omega_at(kappa, k), slope = shape_->slope(omega);
+  const double strength_slope = n_.strength * slope / (scale_ + initial_kappa(k) * slope);
+  return (strength_slope - n_.strength * shape_->value(omega) / kappa) / kappa;
+}
+
+Friction DamageLaw::friction(const Vec2& q, const History& h) const {
+  return coulomb_friction(q, h.slip, h.sliding, m_);
+}
+
+Vec2 DamageLaw::slip_gradient(const Vec2& q, const History& h, double k) const {
+  if (kappa(h, k) <= initial_kappa(k)) return Vec2::Zero();
+  const Friction held = friction(q, h);
+  return held.at_limit ? Vec2(m_, held.direction) : Vec2(Vec2::Zero());
+}
+
+Response DamageLaw::secant(const Vec2& q, const History& h, double kappa, double k) const {
+  const double beta2 = n_.shear_weight * n_.shear_weight;
+  const double r = secant_at(kappa, k);
   Response out;
-  out.tangent.diagonal() = Vec2(q.x() < 0 ? k : r, beta_ * beta_ * r);
+  out.tangent.diagonal() = Vec2(q.x() < 0 ? k : r, beta2 * r);
   out.traction = out.tangent.diagonal().cwiseProduct(q);
+  if (r == k || m_ == 0 || q.x() > 0) return out;
+  const Friction held = friction(q, h);
+  out.traction.y() += beta2 * (k - r) * held.elastic;
+  out.tangent.row(1) += beta2 * (k - r) * held.gradient.transpose();
   return out;
 }
 
@@ -30,23 +128,119 @@ bool DamageLaw::is_loading(double opening, double kappa, bool flag) const {
 }
 
 Response DamageLaw::respond(const Vec2& q, const History& h, double k) const {
-  const double reached = std::max(h.kappa, initial_kappa(k));
-  const double opening = equivalent_opening(q);
-  if (!is_loading(opening, reached, h.loading)) return secant(q, std::max(reached, opening), k);
-  const double kappa = std::max(opening, reached);
-  Response out = secant(q, kappa, k);
-  const double secant_slope = (strength_slope(kappa, k) - strength(kappa, k) / kappa) / kappa;
-  const Vec2 e = opening_gradient(q);
-  out.tangent += secant_slope * opening * e * e.transpose();
+  const double reached = kappa(h, k);
+  const Equivalent at = equivalent(q, k);
+  if (!is_loading(at.kappa, reached, h.loading)) return secant(q, h, std::max(reached, at.kappa), k);
+  const double kappa = std::max(at.kappa, reached);
+  Response out = secant(q, h, kappa, k);
+  const double beta2 = n_.shear_weight * n_.shear_weight;
+  const Vec2 lever(std::max(q.x(), 0.0), beta2 * (q.y() - friction(q, h).elastic));
+  out.tangent += secant_slope_at(kappa, k) * lever * at.gradient.transpose();
   return out;
 }
 
 Response DamageLaw::respond_frozen(const Vec2& q, const History& h, double k) const {
-  return secant(q, std::max(h.kappa, initial_kappa(k)), k);
+  return secant(q, h, kappa(h, k), k);
 }
 
-double DamageLaw::damage(double kappa, double k) const {
-  return kappa > initial_kappa(k) ? 1 - strength(kappa, k) / (kappa * k) : 0;
+DamageLaw::Spent DamageLaw::spent(double kappa, double mixity, double k) const {
+  const double kappa0 = initial_kappa(k);
+  if (kappa < kappa0) return {};
+  const double mode_one = omega_at(kappa, k), ratio = has_modes() ? energy_ratio(mixity) : 1;
+  const double omega = ratio == 1 ? mode_one : shape_->at_same_compliance(mode_one, 1 / ratio);
+  const double g = shape_->value(omega), slope = shape_->slope(omega), spent = shape_->spent(omega);
+  Spent out{.value = n_.fracture_energy * ratio * spent, .per_kappa = 0, .per_mixity = 0};
+  if (has_modes())
+    out.per_mixity = n_.fracture_energy * energy_ratio_slope(mixity) * (spent - 0.5 * omega * g);
+  if (g <= 0) return out;
+  const double stretch =
+      ratio == 1 ? 1 : compliance_slope(*shape_, mode_one) / (ratio * compliance_slope(*shape_, omega));
+  out.per_kappa = n_.fracture_energy * ratio * 0.5 * (g - omega * slope) * stretch /
+                  (scale_ + kappa0 * shape_->slope(mode_one));
+  if (has_modes())
+    out.per_mixity = n_.fracture_energy * energy_ratio_slope(mixity) * (spent - 0.5 * omega * g);
+  return out;
+}
+
+/// Energy of the damage growing from one κ to another: the mean of the modes in which it grew last and grows
+/// now.
+double DamageLaw::growth_energy(double from, double to, double mixity, const History& h, double k) const {
+  const auto at = [&](double mode) { return spent(to, mode, k).value - spent(from, mode, k).value; };
+  if (!has_modes() || from <= initial_kappa(k)) return at(mixity);
+  return 0.5 * (at(h.mixity) + at(mixity));
+}
+
+Spending DamageLaw::spending(const Vec2& q, const History& h, double k) const {
+  const Equivalent at = equivalent(q, k);
+  const double reached = kappa(h, k), now = std::max(reached, at.kappa), kappa0 = initial_kappa(k);
+  const bool loads = is_loading(at.kappa, reached, h.loading);
+  Spending out;
+  if (now > reached) out.value = growth_energy(reached, now, at.mixity, h, k);
+  if (loads) {
+    const Spent here = spent(now, at.mixity, k);
+    const bool averaged = has_modes() && reached > kappa0;
+    const double old_mode = averaged ? spent(now, h.mixity, k).per_kappa : here.per_kappa;
+    const double of_mixity = has_modes() ? here.per_mixity - spent(reached, at.mixity, k).per_mixity : 0;
+    out.gradient = 0.5 * (here.per_kappa + old_mode) * at.gradient +
+                   (averaged ? 0.5 : 1) * of_mixity * at.mixity_gradient;
+  }
+  if (m_ == 0 || (now <= kappa0 && !loads)) return out;
+  const double stiffness = n_.shear_weight * n_.shear_weight * k;
+  const Friction held = friction(q, h);
+  const double damaged = damage_at(now, k);
+  const double slipped = damaged * (q.y() - held.elastic) - damage_at(reached, k) * h.slip;
+  const auto [mean, per_now] = sliding_traction(h.friction, stiffness * held.elastic, slipped);
+  out.value += mean * slipped;
+  out.gradient +=
+      per_now * stiffness * slipped * held.gradient + mean * damaged * (Vec2(0, 1) - held.gradient);
+  if (loads) out.gradient -= mean * (q.y() - held.elastic) * secant_slope_at(now, k) / k * at.gradient;
+  return out;
+}
+
+History DamageLaw::accept(const Vec2& q, const History& h, double k) const {
+  constexpr double round_off = 1e-10;
+  const Equivalent at = equivalent(q, k);
+  const double reached = kappa(h, k);
+  History out = h;
+  out.dissipated += spending(q, h, k).value;
+  out.loading = at.kappa >= reached * (1 - round_off);
+  if (at.kappa > reached) {
+    out.kappa = at.kappa;
+  }
+  if (at.kappa > 0) out.mixity = at.mixity;
+  if (m_ == 0) return out;
+  const Friction held = friction(q, h);
+  const bool damaged = kappa(out, k) > initial_kappa(k);
+  out.friction = n_.shear_weight * n_.shear_weight * k * held.elastic;
+  out.slip = damaged ? q.y() - held.elastic : 0;
+  out.sliding = damaged && held.at_limit;
+  return out;
+}
+
+double DamageLaw::stored(const Vec2& q, const History& h, double k) const {
+  const double beta2 = n_.shear_weight * n_.shear_weight,
+               r = secant_at(std::max(kappa(h, k), equivalent(q, k).kappa), k);
+  const double normal = q.x() < 0 ? k : r;
+  double out = 0.5 * (normal * q.x() * q.x() + r * beta2 * q.y() * q.y());
+  if (m_ > 0 && r < k) out += 0.5 * (k - r) * beta2 * std::pow(friction(q, h).elastic, 2);
+  return out;
+}
+
+History DamageLaw::grown(const History& h, double k, double factor) const {
+  History out = h;
+  const double from = kappa(h, k);
+  out.kappa = std::min(factor * from, rupture_kappa(k));
+  out.dissipated += growth_energy(from, out.kappa, h.mixity, h, k);
+  return out;
+}
+
+unsigned DamageLaw::piece(const Vec2& q, const History& h, double k) const {
+  const double reached = kappa(h, k), opening = equivalent(q, k).kappa;
+  const bool damaged = reached > initial_kappa(k);
+  const Friction held = friction(q, h);
+  const unsigned sliding = damaged && held.slides ? (held.direction < 0 ? 16u : 8u) : 0u;
+  return (opening > reached ? 1u : 0u) + (damaged && q.x() < 0 ? 2u : 0u) +
+         (opening >= rupture_kappa(k) ? 4u : 0u) + sliding;
 }
 
 }  // namespace dda

@@ -1,41 +1,100 @@
 #pragma once
 
+#include <memory>
+
+#include "models/interface/coulomb.hpp"
 #include "models/interface/law.hpp"
+#include "models/interface/softening_shape.hpp"
 
 namespace dda {
 
-/// A law that softens by scalar damage and unloads to the origin, in trial form.
+/// Numbers of a softening joint, whatever its curve.
+struct SofteningNumbers {
+  double strength = 0;               ///< ft [F/L²]
+  double fracture_energy = 0;        ///< Gf of pure opening [F/L]
+  double shear_fracture_energy = 0;  ///< Gf_II of pure sliding [F/L]
+  double mixed_mode_exponent = 1;    ///< η
+  double shear_weight = 1;           ///< β = cohesion/ft
+  double friction = 0;               ///< tan φ
+};
+
+/// A law that softens by scalar damage and unloads to the origin, with Coulomb friction on what is damaged.
 ///
-///     q_eq = √(⟨q_n⟩² + (β q_s)²),   κ = max(h.κ, q_eq)
-///     t_n = r(κ) q_n,  t_s = β² r(κ) q_s,   r(κ) = t_eq(κ)/κ  (r = k intact)
-///     q_n < 0:  t_n = k q_n  (contact keeps the full stiffness)
-///     ψ = ½ k ⟨−q_n⟩² + ψ_soft(κ), so mixed mode, unloading and contact are variational and D is symmetric
+///     x    = sign(q_s) ⟨|q_s| − m ⟨−q_n⟩⟩,   m = tan φ/β²          sliding beyond what friction alone holds
+///     q_eq = √(⟨q_n⟩² + (β x)²),   κ = max(h.κ, q_eq),   κ0 = ft/k
+///     t_n  = r ⟨q_n⟩ − k ⟨−q_n⟩,   t_s = β² (r q_s + (k − r) e),   r = t_eq(κ)/κ (k intact), 1 − r/k =
+///     damage e    = clip(q_s − s, ± m ⟨−q_n⟩)                              friction, slip s ψ    = ½ r
+///     (⟨q_n⟩² + β² q_s²) + ½ k ⟨−q_n⟩² + ½ (k − r) β² e²
 ///
-/// A member writes the curve t_eq(κ), its slope and G(κ); everything else is here.
-/// Source: models/README.md.
-class DamageLaw : public InterfaceLaw {
+/// So a closed joint starts to slide at |t_s| = c − t_n tan φ, c = β ft (Mohr-Coulomb), and ends at pure
+/// friction; without friction, and with one fracture energy, the law has a potential and D is symmetric. The
+/// curve is t_eq = ft g(w ft/Gf), w the physical opening: κ = w + t_eq/k.
+///
+/// Mixed mode (Benzeggagh and Kenane): Gf(M) = Gf + (Gf_II − Gf) M^η, M = (β x/q_eq)² the share of sliding in
+/// the energy. κ is then the opening of pure mode I with the same damage, so that changing the mode never
+/// heals.
+///
+/// Energy spent: ∫ ½ k q_eq² d(damage) + ∫ β² k e d(damage s), the first in closed form at fixed mode,
+/// averaged over the modes of both ends, the second by the trapezoid.
+class DamageLaw final : public InterfaceLaw {
  public:
-  explicit DamageLaw(double shear_weight) : beta_(shear_weight) {}
+  DamageLaw(const SofteningNumbers& numbers, std::unique_ptr<SofteningShape> shape);
 
-  double shear_weight() const final { return beta_; }
-  bool can_crack() const final { return true; }
-  double equivalent_opening(const Vec2& q) const final;
-  Vec2 opening_gradient(const Vec2& q) const final;
-  Response respond(const Vec2& q, const History& h, double k) const final;
-  Response respond_frozen(const Vec2& q, const History& h, double k) const final;
-  double damage(double kappa, double k) const final;
-
- protected:
-  /// t_eq(κ) for κ ≥ κ0 [F/L²].
-  virtual double strength(double kappa, double k) const = 0;
-  /// dt_eq/dκ for κ ≥ κ0 [F/L³].
-  virtual double strength_slope(double kappa, double k) const = 0;
+  double shear_weight() const override { return n_.shear_weight; }
+  double steepest_slope() const override;
+  bool can_crack() const override { return true; }
+  double initial_kappa(double k) const override { return n_.strength / k; }
+  double rupture_kappa(double) const override { return scale_ * shape_->end(); }
+  double equivalent_opening(const Vec2& q, const History& h, double k) const override;
+  Vec2 opening_gradient(const Vec2& q, const History& h, double k) const override;
+  Vec2 slip_gradient(const Vec2& q, const History& h, double k) const override;
+  Response respond(const Vec2& q, const History& h, double k) const override;
+  Response respond_frozen(const Vec2& q, const History& h, double k) const override;
+  Spending spending(const Vec2& q, const History& h, double k) const override;
+  History accept(const Vec2& q, const History& h, double k) const override;
+  double stored(const Vec2& q, const History& h, double k) const override;
+  double damage(const History& h, double k) const override { return damage_at(kappa(h, k), k); }
+  History grown(const History& h, double k, double factor) const override;
+  unsigned piece(const Vec2& q, const History& h, double k) const override;
 
  private:
-  Response secant(const Vec2& q, double kappa, double k) const;
+  /// q as the damage sees it.
+  struct Trial {
+    double opening = 0;  ///< q_eq
+    double mixity = 0;   ///< M
+    Vec2 opening_gradient = Vec2::Zero(), mixity_gradient = Vec2::Zero();
+  };
+  /// The opening of pure mode I with the same damage.
+  struct Equivalent {
+    double kappa = 0, mixity = 0;
+    Vec2 gradient = Vec2::Zero(), mixity_gradient = Vec2::Zero();
+  };
+  Trial trial(const Vec2& q) const;
+  Equivalent equivalent(const Vec2& q, double k) const;
   bool is_loading(double opening, double kappa, bool flag) const;
+  Friction friction(const Vec2& q, const History& h) const;
+  Response secant(const Vec2& q, const History& h, double kappa, double k) const;
 
-  double beta_;
+  bool has_modes() const { return n_.shear_fracture_energy != n_.fracture_energy; }
+  double energy_ratio(double mixity) const;        ///< ρ = Gf(M)/Gf
+  double energy_ratio_slope(double mixity) const;  ///< dρ/dM
+  double omega_at(double kappa, double k) const {
+    return shape_->at_trial_opening(kappa, scale_, initial_kappa(k));
+  }
+  double secant_at(double kappa, double k) const;  ///< r
+  double secant_slope_at(double kappa, double k) const;
+  double damage_at(double kappa, double k) const { return 1 - secant_at(kappa, k) / k; }
+  /// Energy spent up to κ in a mode, its derivatives with respect to κ and M.
+  struct Spent {
+    double value = 0, per_kappa = 0, per_mixity = 0;
+  };
+  Spent spent(double kappa, double mixity, double k) const;
+  double growth_energy(double from, double to, double mixity, const History& h, double k) const;
+
+  SofteningNumbers n_;
+  std::unique_ptr<SofteningShape> shape_;
+  double scale_;  ///< Gf/ft [L]
+  double m_;      ///< tan φ/β²
 };
 
 }  // namespace dda

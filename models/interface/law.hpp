@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 
 #include "framework/family.hpp"
@@ -9,8 +10,18 @@ namespace dda {
 
 /// What an interface point remembers of the last accepted step.
 struct History {
-  double kappa = 0;      ///< κ, largest equivalent trial opening reached so far [L]
-  bool loading = false;  ///< the point sits on its damage surface and the path leaves it by loading
+  double kappa = 0;       ///< κ, largest equivalent trial opening reached so far [L]
+  bool loading = false;   ///< the point sits on its damage surface and the path leaves it by loading
+  bool sliding = false;   ///< its friction is exhausted and the path leaves it by sliding
+  int phase = 0;          ///< what a law that releases at once has released: 0 nothing, 1 cohesion, 2 all
+  double share = 0;       ///< of what is being released that is still carried, from 1 down to 0
+  double slip = 0;        ///< s, slip of the part that only friction holds [L]
+  double friction = 0;    ///< traction that friction carries on that part [F/L²]
+  double mixity = 0;      ///< share of mode II when the damage grew last
+  double dissipated = 0;  ///< energy spent so far per area [F/L]
+  Vec2 opening{0, 0};     ///< q at the last accepted step, kept by laws that need it [L]
+  Vec2 traction{0, 0};    ///< t at the last accepted step, likewise [F/L²]
+  Vec2 held{0, 0};        ///< traction at the beginning of a release [F/L²]
 };
 
 /// Traction and tangent of one interface point in its local frame (n, s).
@@ -19,13 +30,19 @@ struct Response {
   Mat2 tangent = Mat2::Zero();   ///< ∂t/∂q [F/L³]
 };
 
+/// Energy per area that a point spends beyond its history, and its derivative with respect to q.
+struct Spending {
+  double value = 0;              ///< [F/L]
+  Vec2 gradient = Vec2::Zero();  ///< [F/L²]
+};
+
 /// What an interface does with the trial opening q of its two sides, in the local frame (n, s).
 ///
-///     t = ∂ψ/∂q                 traction, size 2                    [F/L²]
+///     t = law(q; h)             traction, size 2                    [F/L²]
 ///     D = ∂t/∂q                 tangent, 2 × 2, symmetric unless frictional   [F/L³]
-///     intact: t = P q,          P = k diag(1, β²)
+///     intact: t = D0 q,         D0 = P = k diag(1, β²) unless the joint itself is soft
 ///
-/// q = (q_n, q_s) [L], q_n > 0 opens. A law is softening "rigid until strength" in series with the numerical
+/// q = (q_n, q_s) [L], q_n > 0 opens. A law is "rigid until strength, then ..." in series with the numerical
 /// compliance P⁻¹ of the treatment: its physical opening is w = q − P⁻¹ t. The stiffness k belongs to the
 /// point and is passed to every function; the history h is that of the last accepted step and never changes
 /// inside a solve. Source: models/README.md.
@@ -34,33 +51,54 @@ class InterfaceLaw {
   virtual ~InterfaceLaw() = default;
 
   /// β, ratio of the shear to the normal trial stiffness: P = k diag(1, β²).
-  virtual double shear_weight() const = 0;
+  virtual double shear_weight() const { return 1; }
+  /// Diagonal of D0 [F/L³].
+  virtual Vec2 intact_stiffness(double k) const { return {k, k * shear_weight() * shear_weight()}; }
   /// Largest slope −dt/dw of the softening branch [F/L³]; k must exceed it. Zero for laws that do not soften.
-  virtual double steepest_slope() const = 0;
-  /// Whether the point can ever leave its intact state.
+  virtual double steepest_slope() const { return 0; }
+  /// Whether the point can ever leave its intact state; otherwise t = D0 q always.
   virtual bool can_crack() const = 0;
 
-  /// κ at which an intact point of stiffness k starts to soften [L]; infinite when it cannot crack.
+  /// κ at which an intact point of stiffness k reaches its strength [L]; infinite when it never does.
   virtual double initial_kappa(double k) const = 0;
-  /// κ at which the traction has vanished [L]; infinite when it cannot crack.
+  /// κ at which the traction has vanished [L]; infinite when that is nowhere.
   virtual double rupture_kappa(double k) const = 0;
-  /// Equivalent trial opening q_eq [L], to be compared with κ.
-  virtual double equivalent_opening(const Vec2& q) const = 0;
-  /// ∂q_eq/∂q, size 2.
-  virtual Vec2 opening_gradient(const Vec2& q) const = 0;
+  /// κ of a history, at least that of initiation: what the equivalent opening must reach for more to crack
+  /// [L].
+  virtual double kappa(const History& h, double k) const { return std::max(h.kappa, initial_kappa(k)); }
+  /// Whether nothing is left that could crack.
+  virtual bool is_broken(const History& h, double k) const { return kappa(h, k) >= rupture_kappa(k); }
+  /// Equivalent trial opening [L], to be compared with κ.
+  virtual double equivalent_opening(const Vec2& q, const History& h, double k) const = 0;
+  /// Its derivative with respect to q, size 2.
+  virtual Vec2 opening_gradient(const Vec2& q, const History& h, double k) const = 0;
+  /// Rate of |friction traction| over its limit per rate of q where friction is exhausted, size 2; zero
+  /// elsewhere.
+  virtual Vec2 slip_gradient(const Vec2&, const History&, double) const { return Vec2::Zero(); }
 
-  /// Traction and consistent tangent at q. On the damage surface the history's `loading` flag chooses the
-  /// side.
+  /// Traction and consistent tangent at q. On a surface the history's flags choose the side.
   virtual Response respond(const Vec2& q, const History& h, double k) const = 0;
-  /// Traction and secant stiffness at q with the damage of h frozen (contact in compression still follows
-  /// q_n).
+  /// Traction and stiffness at q with the damage of h frozen; contact and friction still follow q.
   virtual Response respond_frozen(const Vec2& q, const History& h, double k) const = 0;
-  /// Energy dissipated per area by a point whose largest opening is κ, G(κ) [F/L].
-  virtual double dissipation(double kappa, double k) const = 0;
-  /// dG/dκ [F/L²].
-  virtual double dissipation_slope(double kappa, double k) const = 0;
+  /// Energy per area that accepting q would add to h.dissipated.
+  virtual Spending spending(const Vec2& q, const History& h, double k) const = 0;
+  /// The history after q has been accepted.
+  virtual History accept(const Vec2& q, const History& h, double k) const = 0;
+  /// Energy per area stored in the trial spring, ψ(q; h) [F/L].
+  virtual double stored(const Vec2& q, const History& h, double k) const = 0;
   /// Lost share of the secant stiffness, 0 intact to 1 released.
-  virtual double damage(double kappa, double k) const = 0;
+  virtual double damage(const History& h, double k) const = 0;
+  /// The history with the damage grown by a factor of κ, for sequentially linear steps.
+  virtual History grown(const History& h, double, double) const { return h; }
+  /// Which smooth piece of the law q lies on, as a small number; 0 for the intact piece.
+  virtual unsigned piece(const Vec2&, const History&, double) const { return 0; }
+
+  /// Whether a point at its strength loses it at once instead of softening (see continuation/release.hpp).
+  virtual bool releases_at_once() const { return false; }
+  /// The history in which a point at q has `share` of what it is losing left; accepting it books the energy.
+  virtual History release(const Vec2&, const History& h, double, double) const { return h; }
+  /// Direction c whose component c·q stays while the point is released, size 2.
+  virtual Vec2 held_direction(const Vec2&, const History&) const { return Vec2::Zero(); }
 };
 
 using LawFamily = Family<InterfaceLaw>;

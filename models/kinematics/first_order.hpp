@@ -12,6 +12,7 @@ using Mat2 = Eigen::Matrix2d;
 using Mat3 = Eigen::Matrix3d;
 using Mat6 = Eigen::Matrix<double, 6, 6>;
 using Mat26 = Eigen::Matrix<double, 2, 6>;
+using Mat62 = Eigen::Matrix<double, 6, 2>;
 using Mat36 = Eigen::Matrix<double, 3, 6>;
 
 /// Number of unknowns of a first-order block.

@@ -21,10 +21,10 @@ class Penalty final : public Treatment {
   explicit Penalty(const PenaltyParameters& p) : p_(p) {}
 
   double stiffness(const SideFaces& side) const override {
-    return p_.stiffness.value_or(p_.factor * scale(side));
+    return p_.stiffness.value_or(p_.factor * spring_unit(side));
   }
   double largest_stiffness(const SideFaces& side) const override {
-    return p_.stiffness.value_or(std::max(p_.factor, largest_factor) * scale(side));
+    return p_.stiffness.value_or(std::max(p_.factor, largest_factor) * spring_unit(side));
   }
   PointRows rows(const SideFaces& side, const Mat26& first, const Mat26& second, const Vec2&) const override {
     return jump_rows(side.normal, first, second);
@@ -33,10 +33,6 @@ class Penalty final : public Treatment {
 
  private:
   static constexpr double largest_factor = 1e4;
-  static double scale(const SideFaces& side) {
-    const double e = 2 / (1 / side.first.modulus + 1 / side.second.modulus);
-    return e / side.centroid_distance;
-  }
   PenaltyParameters p_;
 };
 

@@ -18,6 +18,7 @@ struct BlockFace {
 struct SideFaces {
   BlockFace first, second;
   double centroid_distance;  ///< [L]
+  double length;             ///< of the side [L]
   Vec2 normal;               ///< outward of first
 };
 
@@ -28,10 +29,16 @@ struct PointRows {
   Mat26 first_stress = Mat26::Zero(), second_stress = Mat26::Zero();
 };
 
+/// Whether a point carries a multiplier m [L], its traction P m: none; as two unknowns of its own; or
+/// iterated from solve to solve.
+enum class Multiplier { none, unknown, iterated };
+
 /// How the two sides of an interface are joined: what the trial traction P q of a point is.
 ///
-///     penalty      q = g                     g the jump of displacement in (n, s) [L]
-///     consistent   q = g + P⁻¹ {σ}n          {σ}n = w_i σ_i n + w_j σ_j n
+///     penalty               q = g                g the jump of displacement in (n, s) [L]
+///     consistent            q = g + P⁻¹ {σ}n     {σ}n = w_i σ_i n + w_j σ_j n
+///     lagrange              q = g + m            m unknown, −½ ∫ m·P m added to the energy
+///     augmented_lagrangian  q = g + m            m ← P⁻¹ t(q) until it stays
 ///     P = k diag(1, β²)
 ///
 /// A law never knows which treatment called it. Source: models/README.md.
@@ -45,9 +52,19 @@ class Treatment {
   /// Rows of a point from the displacement rows T of both blocks at it.
   virtual PointRows rows(const SideFaces& side, const Mat26& first, const Mat26& second,
                          const Vec2& p) const = 0;
+  virtual Multiplier multiplier() const { return Multiplier::none; }
+  /// δ of the block −δ P that keeps redundant multipliers determined; 0 without unknown multipliers.
+  virtual double perturbation() const { return 0; }
+  /// Stiffness p̄ of the joint in the physical tangent [F/L³]: that of the trial spring unless it is only a
+  /// device of the iteration.
+  virtual double physical_stiffness(const SideFaces& side) const { return stiffness(side); }
   /// Weights (w_i, w_j) of the two stresses in {σ}n; zero when stresses do not enter.
   virtual Vec2 stress_weights(const SideFaces& side) const = 0;
 };
+
+/// E/(distance of the centroids), E = 2 E_i E_j/(E_i + E_j): the unit in which springs across a joint are
+/// given [F/L³].
+double spring_unit(const SideFaces& side);
 
 /// Jump g = [n s]ᵀ(T_j d_j − T_i d_i): rows of the first and of the second block.
 PointRows jump_rows(const Vec2& normal, const Mat26& first, const Mat26& second);

@@ -124,6 +124,42 @@ class Builds(unittest.TestCase):
         self.assertIn("configuring", result.stderr)
 
 
+class Studies(unittest.TestCase):
+    STUDY = """import os, pathlib, sys
+print("arguments:", *sys.argv[1:])
+print("folder:", pathlib.Path.cwd())
+sys.exit(0 if os.access(sys.argv[2], os.X_OK) else 7)
+"""
+
+    def setUp(self):
+        self.toy = Toy(self)
+        for name in ("slow-beam", "fast-beam", "deck-only"):
+            (self.toy.root / "studies" / name).mkdir(parents=True)
+        for name in ("slow-beam", "fast-beam"):
+            self.toy.write(f"studies/{name}/study.py", self.STUDY)
+
+    def test_it_gets_the_built_program_arguments_and_folder(self):
+        result = self.toy.run("study", "slow-beam", "--quick", "a b", folder=self.toy.tools)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        program = self.toy.root / "build" / "release" / "bin" / "dda"
+        self.assertEqual(result.stdout, f"arguments: --program {program} --quick a b\nfolder: {self.toy.tools}\n")
+
+    def test_its_exit_code_is_kept(self):
+        self.toy.write("studies/slow-beam/study.py", "raise SystemExit(5)")
+        self.assertEqual(self.toy.run("study", "slow-beam").returncode, 5)
+
+    def test_an_unknown_or_missing_name_lists_the_studies_and_builds_nothing(self):
+        for arguments, said in (("slow", "unknown study 'slow'"), ("deck-only", "unknown study 'deck-only'"),
+                                (".*", "unknown study '.*'"), ("", "unknown study ''")):
+            result = self.toy.run("study", arguments)
+            self.assertEqual(result.returncode, 2)
+            self.assertIn(said + "; there are: fast-beam slow-beam", result.stderr)
+        result = self.toy.run("study")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("study needs a name; there are: fast-beam slow-beam", result.stderr)
+        self.assertFalse((self.toy.root / "build").exists())
+
+
 class Tests(unittest.TestCase):
     def setUp(self):
         self.toy = Toy(self)

@@ -1,24 +1,16 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 
 #include "continuation/linear/linear_system.hpp"
 #include "support/cracked.hpp"
+#include "support/dense.hpp"
 
 namespace dda {
 namespace {
 
 using Pairs = std::vector<std::pair<BlockId, BlockId>>;
-
-Eigen::MatrixXd dense(const BlockMatrix& a) {
-  const auto n = static_cast<Eigen::Index>(6 * a.num_rows());
-  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(n, n);
-  for (std::size_t r = 0; r < a.num_rows(); ++r)
-    for (std::size_t s = a.row_start()[r]; s < a.row_start()[r + 1]; ++s)
-      out.block<6, 6>(static_cast<Eigen::Index>(6 * r), static_cast<Eigen::Index>(6 * a.columns()[s])) =
-          a.value(s);
-  return out;
-}
 
 /// A symmetric matrix of blocks; the diagonal is shifted by `shift`, so that 20 makes it definite.
 BlockMatrix random_matrix(std::size_t blocks, const Pairs& pairs, double shift, Random& random) {
@@ -89,6 +81,59 @@ TEST_P(SolverContract, SaysThatAMatrixIsSingular) {
   expect_solves(*solver, random_matrix(3, chain(3), 20, random_));
 }
 
+/// K0 + Bᵀ W (D − D0) B written out.
+Eigen::MatrixXd dense_tangent(const Equilibrium& equilibrium, const std::vector<Mat2>& tangents) {
+  Eigen::MatrixXd k = dense(equilibrium.intact());
+  for (std::size_t p = 0; p < tangents.size(); ++p) {
+    const InterfacePoint& point = equilibrium.point(p);
+    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(2, k.cols());
+    point.for_each_part([&](BlockId part, const Mat26& of_part) {
+      rows.middleCols<6>(static_cast<Eigen::Index>(6 * part.value())) += of_part;
+    });
+    const Mat2 change = tangents[p] - Mat2(point.intact_stiffness().asDiagonal());
+    k += point.weight * rows.transpose() * change * rows;
+  }
+  return k;
+}
+
+/// The square under each treatment of its cracks.
+std::string treated_square(const std::string& treatment) {
+  return square_deck(
+      "", "  joint: {between: [mortar, stone], treatment: " + treatment +
+              ", law: {type: linear_softening, tensile_strength: 0.01, fracture_energy: 0.0002}}\n");
+}
+
+/// Tangents of sliding points: the shear follows the pressure, D is not symmetric.
+TEST_P(SolverContract, UnsymmetricTangentsAreSolvedAsWrittenOut) {
+  for (const std::string treatment : {"consistent", "penalty", "lagrange", "augmented_lagrangian"}) {
+    const Structure structure(treated_square(treatment));
+    const Equilibrium equilibrium = structure.equilibrium();
+    const auto choice = direct_solvers().choose(GetParam());
+    LinearSystem updated(equilibrium, choice, LinearSystem::Update::low_rank);
+    LinearSystem factorised(equilibrium, choice, LinearSystem::Update::refactorise);
+    for (int round = 1; round < 8; ++round) {
+      std::vector<Mat2> tangents;
+      for (std::size_t p = 0; p < equilibrium.num_active(); ++p) {
+        Mat2 d = equilibrium.point(p).intact_stiffness().asDiagonal();
+        if (random_.between(0, 6) < round) d.row(1) << random_.between(-0.6, 0.6) * d(0, 0), 0.1 * d(1, 1);
+        tangents.push_back(d);
+      }
+      const std::vector<double> b = random_.vector(equilibrium.num_unknowns(), 1);
+      const Eigen::MatrixXd k = dense_tangent(equilibrium, tangents);
+      const Eigen::VectorXd expected = k.fullPivLu().solve(vec(b));
+      std::vector<double> x(b.size());
+      for (LinearSystem* system : {&updated, &factorised}) {
+        ASSERT_TRUE(system->set_tangent(tangents));
+        system->solve(b, x);
+        EXPECT_LT((vec(x) - expected).norm(), 1e-8 * expected.norm()) << treatment << ", round " << round;
+        std::vector<double> back(b.size());
+        system->multiply(x, back);
+        EXPECT_LT((vec(back) - k * vec(x)).norm(), 1e-12 * k.norm() * vec(x).norm()) << treatment;
+      }
+    }
+  }
+}
+
 /// Random tangents: softening, released and intact points, then more and more of them.
 TEST_P(SolverContract, LowRankUpdatesEqualNewFactorisations) {
   const Structure structure(square_deck());
@@ -98,7 +143,7 @@ TEST_P(SolverContract, LowRankUpdatesEqualNewFactorisations) {
   LinearSystem factorised(equilibrium, choice, LinearSystem::Update::refactorise);
   for (int round = 0; round < 12; ++round) {
     std::vector<Mat2> tangents;
-    for (std::size_t p = 0; p < equilibrium.num_crackable(); ++p) {
+    for (std::size_t p = 0; p < equilibrium.num_active(); ++p) {
       const Vec2 stiffness = equilibrium.point(p).trial_stiffness();
       Mat2 d = stiffness.asDiagonal();
       if (random_.between(0, 12) < round) {

@@ -47,6 +47,7 @@ Pair random_pair(Random& random, bool alike, const UnitChange& units = {}) {
   out.faces = {{c, trace_constant(out.first, c), e},
                {c_other, trace_constant(out.second, c_other), other},
                (out.first.moments.centroid - out.second.moments.centroid).norm(),
+               edge.norm(),
                Vec2(edge.y(), -edge.x()) / edge.norm()};
   out.x = start + random.between(0, 1) * edge;
   return out;
@@ -140,6 +141,42 @@ TEST_P(TreatmentContract, ParametersInOtherUnitsGiveTheSameJoint) {
     EXPECT_NEAR(other->stiffness(same.faces) / factor / treatment->stiffness(pair.faces), 1, 1e-12);
     EXPECT_NEAR(other->largest_stiffness(same.faces) / factor / treatment->largest_stiffness(pair.faces), 1,
                 1e-12);
+  }
+}
+
+TEST_P(TreatmentContract, OnlyUnknownMultipliersArePerturbed) {
+  for (int i = 0; i < cases; ++i) {
+    const auto treatment = next();
+    if (treatment->multiplier() == Multiplier::unknown) {
+      EXPECT_GT(treatment->perturbation(), 0);
+      EXPECT_LE(treatment->perturbation(), 1e-3);
+    } else {
+      EXPECT_EQ(treatment->perturbation(), 0);
+    }
+  }
+}
+
+/// What carries the stress in a multiplier does not take it from the blocks as well.
+TEST_P(TreatmentContract, MultipliersExcludeStresses) {
+  const auto treatment = next();
+  const Pair pair = random_pair(random_, false);
+  EXPECT_TRUE(treatment->multiplier() == Multiplier::none || treatment->stress_weights(pair.faces).isZero());
+}
+
+TEST_P(TreatmentContract, PathTakesAtLeastTheStiffnessOfTheIteration) {
+  const UnitChange units{1e-3, 0.025};
+  for (int i = 0; i < cases; ++i) {
+    const Node parameters = sample(schema(), random_);
+    Random repeated = random_;
+    const Pair pair = random_pair(random_, false), same = random_pair(repeated, false, units);
+    const auto treatment = make(parameters), other = make(rescaled(parameters, schema(), units));
+    const double physical = treatment->physical_stiffness(pair.faces);
+    EXPECT_GE(physical, treatment->stiffness(pair.faces));
+    EXPECT_TRUE(treatment->multiplier() == Multiplier::iterated ||
+                physical == treatment->stiffness(pair.faces));
+    EXPECT_NEAR(
+        other->physical_stiffness(same.faces) / units.factor(dimension::interface_stiffness) / physical, 1,
+        1e-12);
   }
 }
 

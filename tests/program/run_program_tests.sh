@@ -44,6 +44,16 @@ whole_run() {
   same whole/curve.csv again/curve.csv
 }
 
+condition() {
+  grep -q '"stiffness"' whole/summary.json && complain "a condition that nobody asked for"
+  expect 0 "run with condition" "$program" run "$bar" --folder assessed --quiet --set record.condition=true
+  same whole/curve.csv assessed/curve.csv
+  for key in stiffness start end
+  do grep -q "\"$key\": {" assessed/summary.json || complain "no '$key' in assessed/summary.json"; done
+  for key in condition smallest_pivot largest_pivot negative_pivots null_pivots
+  do [ "$(grep -c "\"$key\": " assessed/summary.json)" -eq 2 ] || complain "not two '$key' in assessed/summary.json"; done
+}
+
 folders() {
   cp whole/curve.csv before.csv
   expect 2 "a folder that is taken" "$program" run "$bar" --folder whole --quiet
@@ -142,6 +152,6 @@ comparing() {
   exists overlay.svg
 }
 
-for part in ${PARTS:-whole_run folders resume_after_steps resume_under_another_control interrupted no_place_to_write command_line comparing}
+for part in ${PARTS:-whole_run condition folders resume_after_steps resume_under_another_control interrupted no_place_to_write command_line comparing}
 do $part; done
 exit $failed

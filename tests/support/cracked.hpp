@@ -48,21 +48,23 @@ class CrackedSystem {
     Eigen::Vector3i count = Eigen::Vector3i::Zero();
     const LawValues laws = system_.laws(state_.d, state_.load_factor);
     for (std::size_t p = 0; p < laws.opening.size(); ++p) {
-      const bool loads = equilibrium_.point(p).law->equivalent_opening(laws.opening[p]) >
-                         system_.kappa(p, system_.history()[p]);
+      const bool loads = equivalent_opening(p, laws) > system_.kappa(p);
       count += Eigen::Vector3i(loads, !loads, laws.opening[p].x() < 0);
     }
     return count;
   }
 
  private:
+  double equivalent_opening(std::size_t p, const LawValues& laws) const {
+    const InterfacePoint& point = equilibrium_.point(p);
+    return point.law->equivalent_opening(laws.opening[p], system_.history()[p], point.stiffness);
+  }
   std::vector<double> random_state() { return random_.vector(equilibrium_.num_unknowns(), 0.004); }
   bool near_kink() const {
     const LawValues laws = system_.laws(state_.d, state_.load_factor);
     for (std::size_t p = 0; p < laws.opening.size(); ++p) {
       const InterfacePoint& point = equilibrium_.point(p);
-      const double kappa = system_.kappa(p, system_.history()[p]);
-      const double opening = point.law->equivalent_opening(laws.opening[p]);
+      const double kappa = system_.kappa(p), opening = equivalent_opening(p, laws);
       constexpr double near = 1e-3;
       if (std::abs(laws.opening[p].x()) < near * kappa || std::abs(opening - kappa) < near * kappa ||
           std::abs(opening - point.law->rupture_kappa(point.stiffness)) < near * kappa)
@@ -94,6 +96,14 @@ inline std::string all_loads() {
       - {type: initial_stress, xx: 0.001, yy: 0.002, xy: -0.001}
       - {type: prescribed_displacement, at: [1, 0.9], direction: [1, 1], displacement: 0.002}
 )";
+}
+
+/// The square under all loads; its cracks joined by a treatment, their law with `more` keys (YAML).
+inline std::string cracked_square(const std::string& treatment, const std::string& more = "") {
+  return square_deck(all_loads(), "  joint: {between: [mortar, stone], treatment: " + treatment +
+                                      ", law: {type: linear_softening, tensile_strength: 0.01, "
+                                      "fracture_energy: 0.0002, shear_weight: 0.8" +
+                                      more + "}}\n");
 }
 
 }  // namespace dda

@@ -68,6 +68,15 @@ inline Node sample(const SchemaBase& schema, Random& random, const NameHints& na
   return out;
 }
 
+/// Hints that give every number which may be absent a random value.
+inline NameHints optional_numbers(const SchemaBase& schema, Random& random) {
+  NameHints out;
+  for (const Parameter& parameter : schema.parameters())
+    if (parameter.may_be_absent && parameter.kind.form == KindInfo::Form::number)
+      out[parameter.name] = Node::number(sample_number(parameter.kind.bounds, random)).text;
+  return out;
+}
+
 /// The same quantities in other units: a force of 1 is now `force`, a length of 1 is `length`.
 struct UnitChange {
   double force = 1, length = 1;

@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "verification/assemblies.hpp"
-#include "verification/support.hpp"
+#include "verification/stepped.hpp"
 
 namespace dda::verification {
 namespace {
@@ -97,15 +97,19 @@ void PrintTo(const Patch& patch, std::ostream* out) {
        << (patch.plane_strain ? ", plane strain" : "") << (patch.drive_corners ? ", driven corners" : "");
 }
 
-/// Largest error of a strain component, relative to the largest strain.
-double strain_error(const Patch& patch, const Vec3& stress) {
-  const Structure structure(patch.deck(stress));
-  const auto d = intact_response(structure.equilibrium);
+/// Largest error of a strain component of the first blocks of `d`, relative to the largest strain.
+double strain_error(const Patch& patch, const Vec3& stress, const std::vector<double>& d,
+                    std::size_t blocks) {
   const Vec3 expected = strain_of_stress(stress, patch.plane_strain);
   double worst = 0;
-  for (std::size_t i = 0; i < structure.assembly.num_blocks(); ++i)
+  for (std::size_t i = 0; i < blocks; ++i)
     worst = std::max(worst, (strain_of(d, i) - expected).cwiseAbs().maxCoeff());
   return worst / expected.cwiseAbs().maxCoeff();
+}
+
+double strain_error(const Patch& patch, const Vec3& stress) {
+  const Structure structure(patch.deck(stress));
+  return strain_error(patch, stress, intact_response(structure.equilibrium), structure.assembly.num_blocks());
 }
 
 /// Largest error of a centroid's displacement, relative to the largest displacement.
@@ -183,6 +187,43 @@ TEST_P(PatchOf, ConsistentJointsIsExact) {
     }
 }
 
+/// A joint's perturbation δ = 1e-9 adds the compliance δ/(10 E/h), 1e-10 of a block's; solving for redundant
+/// multipliers costs the digits that δ leaves, round-off/δ = 1e-7.
+TEST_P(PatchOf, LagrangeJointsIsExact) {
+  for (const std::string points : {"gauss", "midpoint"})
+    for (const Vec3& stress : states)
+      EXPECT_LT(strain_error({GetParam(), "{type: lagrange, perturbation: 1e-9}", points}, stress), 1e-7)
+          << points << ", " << stress.transpose();
+}
+
+/// Largest stiffness of a joint in units of the smallest E/(distance of the centroids).
+double largest_factor(const Equilibrium& equilibrium) {
+  double unit = equilibrium.point(0).spring_unit, stiffness = 0;
+  for (std::size_t p = 0; p < equilibrium.num_points(); ++p) {
+    unit = std::min(unit, equilibrium.point(p).spring_unit);
+    stiffness = std::max(stiffness, equilibrium.point(p).stiffness);
+  }
+  return stiffness / unit;
+}
+
+/// The gap left in a joint is at most 1e-10 of the largest block's deformation; the traction may be off by k
+/// times as much, and a slender block strains some ten times that. A gap shrinks by k_body/(k_body + k) in an
+/// iteration, and k_body is large where a short side lies between large blocks: k is larger than by default.
+TEST_P(PatchOf, AugmentedLagrangianJointsIsExact) {
+  constexpr double tolerance = 1e-10;
+  for (const Vec3& stress : states) {
+    const Patch patch{GetParam(), "{type: augmented_lagrangian, factor: 1000}"};
+    Stepped stepped(patch.deck(stress), {.tolerance = tolerance});
+    const Attempt tried = stepped.to(1);
+    ASSERT_TRUE(tried.converged) << tried.reason;
+    EXPECT_GE(tried.multiplier_iterations, 1);
+    const double allowed = 10 * tolerance * largest_factor(stepped.system().equilibrium());
+    ASSERT_LT(allowed, 1e-3);
+    EXPECT_LT(strain_error(patch, stress, stepped.state().d, stepped.state().d.size() / 6), allowed)
+        << stress.transpose();
+  }
+}
+
 /// Work of the tractions beyond σ:C⁻¹:σ V, relative to it: what the joints' own compliance takes.
 double excess_work(const Patch& patch, const Vec3& stress) {
   const Structure structure(patch.deck(stress));
@@ -205,7 +246,8 @@ TEST_P(PatchOf, PenaltyJointsErrsByTheirCompliance) {
 
 INSTANTIATE_TEST_SUITE_P(All, PatchOf, testing::ValuesIn(drawings()));
 
-/// Supports along a boundary are springs: under a uniform traction they must not bend an edge of unequal sides.
+/// Supports along a boundary are springs: under a uniform traction they must not bend an edge of unequal
+/// sides.
 TEST(PatchUnderDefaults, VoronoiPlateOnSupportedEdgesKeepsUniformStrain) {
   const Trace trace = follow(R"(
 scene:

@@ -21,7 +21,7 @@ class ExternalWork : public testing::Test {
     return out;
   }
   Tangent tangent(double s) const {
-    Tangent out{along_, load_.slope(s), true, {}};
+    Tangent out{along_, load_.slope(s), true, {}, {}};
     for (double& value : out.d) value *= motion_.slope(s);
     return out;
   }

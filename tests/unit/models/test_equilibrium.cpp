@@ -83,7 +83,7 @@ TEST(Equilibrium, IntactStiffnessIsSymmetricPositiveDefinite) {
 TEST(Equilibrium, CrackablePointsComeFirst) {
   const Structure square(square_deck());
   const Equilibrium equilibrium = square.equilibrium();
-  EXPECT_EQ(equilibrium.num_crackable(), 4u) << "two sides between mortar and stone, two Gauss points each";
+  EXPECT_EQ(equilibrium.num_active(), 4u) << "two sides between mortar and stone, two Gauss points each";
   EXPECT_EQ(equilibrium.num_points(), 8u);
   double area = 0;
   for (std::size_t p = 0; p < equilibrium.num_points(); ++p) {

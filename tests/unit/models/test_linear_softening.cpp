@@ -33,37 +33,39 @@ TEST_F(LinearSoftening, PhysicalOpeningFollowsTheStraightLine) {
     const double w = kappa - t / k;
     EXPECT_NEAR(t, ft * (1 - w / wc), 1e-13);
     EXPECT_NEAR(w, share * wc, 1e-15);
-    EXPECT_NEAR(law_->dissipation(kappa, k), share * gf, 1e-15);
-    EXPECT_NEAR(law_->damage(kappa, k), 1 - t / (k * kappa), 1e-14);
+    EXPECT_NEAR(law_->spending({kappa, 0}, {}, k).value, share * gf, 1e-15);
+    EXPECT_NEAR(law_->damage({.kappa = kappa}, k), 1 - t / (k * kappa), 1e-14);
   }
 }
 
 TEST_F(LinearSoftening, UnloadsToTheOriginAndReloads) {
-  const History h{0.03, false};
+  const History h{.kappa = 0.03};
   const double envelope = law_->respond({0.03, 0}, {}, k).traction.x();
   for (const double share : {0.9, 0.3, 0.01})
     EXPECT_NEAR(law_->respond({share * 0.03, 0}, h, k).traction.x(), share * envelope, 1e-14);
 }
 
 TEST_F(LinearSoftening, ClosedCrackKeepsTheFullStiffnessAndNoShear) {
-  const Response closed = law_->respond({-0.01, 0.02}, {wc, false}, k);
+  const Response closed = law_->respond({-0.01, 0.02}, {.kappa = wc}, k);
   EXPECT_DOUBLE_EQ(closed.traction.x(), -0.01 * k);
   EXPECT_NEAR(closed.traction.y(), 0, 1e-15);
 }
 
 TEST_F(LinearSoftening, ShearWeightEntersOpeningAndStiffness) {
   const auto weighted = make(", shear_weight: 0.5");
-  EXPECT_DOUBLE_EQ(weighted->equivalent_opening({0.03, 0.08}), 0.05);
-  EXPECT_DOUBLE_EQ(weighted->equivalent_opening({-0.03, 0.08}), 0.04);
+  EXPECT_DOUBLE_EQ(weighted->equivalent_opening({0.03, 0.08}, {}, k), 0.05);
+  EXPECT_DOUBLE_EQ(weighted->equivalent_opening({-0.03, 0.08}, {}, k), 0.04);
   EXPECT_DOUBLE_EQ(weighted->respond({0, 0.01}, {}, k).traction.y(), 0.25 * k * 0.01);
 }
 
 /// On its surface a point has two tangents; the flag of the history chooses.
 TEST_F(LinearSoftening, FlagChoosesTheSideOfTheSurface) {
   const double kappa = 0.03, t = law_->respond({kappa, 0}, {}, k).traction.x();
-  EXPECT_NEAR(law_->respond({kappa, 0}, {kappa, false}, k).tangent(0, 0), t / kappa, 1e-12);
-  EXPECT_NEAR(law_->respond({kappa, 0}, {kappa, true}, k).tangent(0, 0), -ft / wc / (1 - k0 / wc), 1e-11);
-  EXPECT_NEAR(law_->respond({kappa, 0}, {kappa, true}, k).tangent(1, 1), t / kappa, 1e-12);
+  EXPECT_NEAR(law_->respond({kappa, 0}, {.kappa = kappa}, k).tangent(0, 0), t / kappa, 1e-12);
+  EXPECT_NEAR(law_->respond({kappa, 0}, {.kappa = kappa, .loading = true}, k).tangent(0, 0),
+              -ft / wc / (1 - k0 / wc), 1e-11);
+  EXPECT_NEAR(law_->respond({kappa, 0}, {.kappa = kappa, .loading = true}, k).tangent(1, 1), t / kappa,
+              1e-12);
 }
 
 TEST_F(LinearSoftening, ReleasedPointCarriesNothing) {

@@ -70,7 +70,7 @@ TEST(InterfacePoints, StiffnessFollowsTheSofteningSlope) {
   const Equilibrium steep = Structure(square_deck("", joint("2e-6"))).equilibrium();
   ASSERT_EQ(steep.interfaces().notices.size(), 1u);
   EXPECT_THAT(steep.interfaces().notices[0], HasSubstr("stiffness raised"));
-  for (std::size_t p = 0; p < steep.num_crackable(); ++p) {
+  for (std::size_t p = 0; p < steep.num_active(); ++p) {
     EXPECT_GE(steep.point(p).stiffness, mild.point(p).stiffness);
     EXPECT_GE(steep.point(p).stiffness, 1.02 * steep.point(p).law->steepest_slope());
   }
@@ -94,7 +94,7 @@ TEST(Loading, InitialStressIsInEquilibriumWithConsistentJoints) {
   Mat2 g;
   g << strain.x(), strain.z() / 2, strain.z() / 2, strain.y();
   const std::vector<double> d = square.field({0, 0}, g);
-  std::vector<double> q(2 * equilibrium.num_crackable()), residual(d.size(), 0.0);
+  std::vector<double> q(2 * equilibrium.num_active()), residual(d.size(), 0.0);
   equilibrium.gather(loading, d, 1, q);
   for (const double opening : q) EXPECT_NEAR(opening, 0, 1e-14);
   equilibrium.intact().multiply_add(d, residual);

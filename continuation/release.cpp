@@ -1,0 +1,223 @@
+#include "continuation/release.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "continuation/reach.hpp"
+
+namespace dda {
+namespace {
+
+bool stands_at_strength(const System& system, std::size_t p) {
+  return system.history()[p].loading && system.equilibrium().point(p).law->releases_at_once();
+}
+
+bool is_pending(const System& system, std::size_t p) {
+  return system.history()[p].share > 0 || stands_at_strength(system, p);
+}
+
+/// Newton's method for equilibrium with one linear gauge prescribed and the load factor free.
+class HeldEquilibrium {
+ public:
+  HeldEquilibrium(System& system, const NewtonParameters& parameters, const Functional& held, double value)
+      : system_(system),
+        parameters_(parameters),
+        held_(held),
+        value_(value),
+        per_d_(system.equilibrium().num_unknowns()) {
+    held.add_gradient(1, per_d_);
+  }
+
+  /// With the history in force in the system. Converged states are improved once more: what is searched for
+  /// are vertices of a straight path.
+  std::optional<State> solve(State at) {
+    for (int closing = 0; closing <= most_closings; ++closing) {
+      if (!converge(at)) return {};
+      if (!system_.iterates_multipliers()) return at;
+      const auto laws = system_.laws_at(at.d, at.load_factor);
+      constexpr double gap = 1e-8;
+      at.multipliers = system_.multipliers();
+      if (system_.relative_gap(*laws) <= gap) return at;
+      system_.set_multipliers(system_.next_multipliers(*laws));
+    }
+    return {};
+  }
+
+ private:
+  static constexpr int most_closings = 1000;
+
+  bool converge(State& at) {
+    bool polished = false;
+    for (int iteration = 0; iteration < 4 * parameters_.max_iterations; ++iteration) {
+      const auto laws = system_.laws_at(at.d, at.load_factor);
+      std::vector<double> residual(at.d.size()), slope(at.d.size());
+      system_.residual(at.d, at.load_factor, *laws, residual);
+      const double level = system_.force_level(at.d), norm = system_.residual_norm(residual);
+      if (!std::isfinite(norm)) return false;
+      const bool good =
+          norm <= std::max(parameters_.tolerance * level, system_.round_off(at.d, at.load_factor));
+      if (good && std::exchange(polished, true)) return true;
+      system_.load_derivative(*laws, slope);
+      if (!system_.use_tangent(system_.new_stamp(), laws->tangent)) return false;
+      correct(at, residual, slope);
+    }
+    return false;
+  }
+
+  /// d −= K⁻¹ R + δλ K⁻¹ ∂R/∂λ, with δλ from the gauge.
+  void correct(State& at, const std::vector<double>& residual, const std::vector<double>& slope) {
+    std::vector<double> y(at.d.size()), z(at.d.size());
+    system_.linear().solve(residual, y);
+    system_.linear().solve(slope, z);
+    const auto gauge = [&](const std::vector<double>& v) {
+      return std::inner_product(v.begin(), v.end(), per_d_.begin(), 0.0);
+    };
+    const double miss = held_.value(at.d, at.load_factor) - value_;
+    const double change = (miss - gauge(y)) / (gauge(z) - held_.per_load_factor);
+    for (std::size_t i = 0; i < at.d.size(); ++i) at.d[i] -= y[i] + change * z[i];
+    at.load_factor += change;
+  }
+
+  System& system_;
+  const NewtonParameters& parameters_;
+  const Functional& held_;
+  double value_;
+  std::vector<double> per_d_;
+};
+
+/// One release, from the start of a piece to its end.
+class Release {
+ public:
+  Release(System& system, const State& start, const NewtonParameters& newton)
+      : system_(system),
+        start_(start),
+        newton_(newton),
+        before_(system.history()),
+        openings_(system.laws_at(start.d, start.load_factor)->opening) {
+    for (std::size_t p = 0; p < before_.size(); ++p)
+      if (is_pending(system, p)) pending_.push_back(p);
+  }
+
+  std::optional<Settled> next(const Functional* held) {
+    const Functional own = held ? Functional{} : held_opening();
+    const Functional& gauge = held ? *held : own;
+    HeldEquilibrium equilibrium(system_, newton_, gauge, gauge.value(start_.d, start_.load_factor));
+    auto out = at_share(equilibrium, 1, start_);
+    // Straight as long as no contact changes on the way; where one does, the crossing is sought again.
+    constexpr int most_searches = 20;
+    double low = 0, high = 1;
+    for (int search = 0; out && search < most_searches; ++search) {
+      const double share = first_crossing(out->state) * high;
+      if (share >= high * (1 - 1e-12)) break;
+      high = std::max(share, low);
+      out = at_share(equilibrium, high, out->state);
+    }
+    system_.set_history(before_);
+    system_.set_multipliers(start_.multipliers);
+    return out;
+  }
+
+ private:
+  /// c·q of the point that reached its strength last.
+  Functional held_opening() const {
+    std::size_t newest = pending_.front();
+    for (const std::size_t p : pending_)
+      if (before_[p].share == 0) newest = p;
+    const InterfacePoint& point = system_.equilibrium().point(newest);
+    const History released = point.law->release(openings_[newest], before_[newest], point.stiffness, 1);
+    const Vec2 direction = point.law->held_direction(openings_[newest], released);
+    Functional out;
+    point.for_each_part(
+        [&](BlockId part, const Mat26& rows) { out.rows.emplace_back(part, rows.transpose() * direction); });
+    const auto& offset = system_.loading().reference_offset;
+    if (!offset.empty())
+      out.per_load_factor = direction.dot(Eigen::Map<const Vec2>(offset.data() + 2 * newest));
+    return out;
+  }
+
+  /// The equilibrium when `gone` of what is being lost at the start of the piece has gone.
+  std::optional<Settled> at_share(HeldEquilibrium& equilibrium, double gone, const State& guess) {
+    std::vector<History> releasing = before_;
+    for (const std::size_t p : pending_) {
+      const InterfacePoint& point = system_.equilibrium().point(p);
+      const double share = before_[p].share > 0 ? before_[p].share : 1;
+      releasing[p] = point.law->release(openings_[p], before_[p], point.stiffness, (1 - gone) * share);
+    }
+    system_.set_history(std::move(releasing));
+    system_.set_multipliers(guess.multipliers);
+    const auto found = equilibrium.solve(guess);
+    if (!found) return {};
+    return Settled{*found, system_.next_history(found->d, found->load_factor)};
+  }
+
+  /// Share of the way to `end` at which another point reaches its strength first; 1 when none does.
+  double first_crossing(const State& end) const {
+    const auto laws = system_.laws_at(end.d, end.load_factor);
+    double first = 1;
+    for (std::size_t p = 0; p < before_.size(); ++p) {
+      const InterfacePoint& point = system_.equilibrium().point(p);
+      if (is_pending_here(p) || point.law->is_broken(before_[p], point.stiffness)) continue;
+      const LawAt law{*point.law, before_[p], point.stiffness};
+      if (law.opening(laws->opening[p]) <= law.kappa() * (1 + 1e-12)) continue;
+      first = std::min(first, reach(law, openings_[p], laws->opening[p] - openings_[p]));
+    }
+    return first;
+  }
+  bool is_pending_here(std::size_t p) const { return std::ranges::find(pending_, p) != pending_.end(); }
+
+  System& system_;
+  const State& start_;
+  const NewtonParameters& newton_;
+  const std::vector<History> before_;
+  const std::vector<Vec2> openings_;
+  std::vector<std::size_t> pending_;
+};
+
+}  // namespace
+
+bool is_release_pending(const System& system) {
+  for (std::size_t p = 0; p < system.history().size(); ++p)
+    if (is_pending(system, p)) return true;
+  return false;
+}
+
+std::optional<Settled> release_piece(System& system, const State& start, const NewtonParameters& newton,
+                                     const Functional* held) {
+  return Release(system, start, newton).next(held);
+}
+
+std::optional<Settled> load_increment(System& system, const State& start, const NewtonParameters& newton,
+                                      double increment) {
+  const std::vector<History> before = system.history();
+  const Functional load{.rows = {}, .per_load_factor = 1};
+  HeldEquilibrium equilibrium(system, newton, load, start.load_factor + increment);
+  std::optional<Settled> out;
+  State at = start;
+  for (bool more = true; more;) {
+    const auto found = equilibrium.solve(at);
+    if (!found) {
+      out.reset();
+      break;
+    }
+    at = *found;
+    out = Settled{at, system.next_history(at.d, at.load_factor)};
+    more = false;
+    std::vector<History> history = system.history();
+    const auto laws = system.laws_at(at.d, at.load_factor);
+    for (std::size_t p = 0; p < history.size(); ++p) {
+      const InterfacePoint& point = system.equilibrium().point(p);
+      const LawAt law{*point.law, history[p], point.stiffness};
+      if (!point.law->releases_at_once() || point.law->is_broken(history[p], point.stiffness)) continue;
+      if (law.opening(laws->opening[p]) <= law.kappa()) continue;
+      history[p] = point.law->release(laws->opening[p], history[p], point.stiffness, 0);
+      more = true;
+    }
+    if (more) system.set_history(std::move(history));
+  }
+  system.set_history(before);
+  system.set_multipliers(start.multipliers);
+  return out;
+}
+
+}  // namespace dda

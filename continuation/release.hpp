@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+
+#include "continuation/loca/status_test.hpp"
+#include "continuation/system.hpp"
+
+namespace dda {
+
+/// Instantaneous release of points whose law loses its strength at once.
+///
+/// A point at its strength loses it along a straight path: its opening q is held (the component that its law
+/// names) while what it loses runs linearly to zero and the load factor is free. When another point reaches
+/// its strength on the way, the piece ends there; from then on all of them run to zero together and the
+/// newest one is held. So the path is piecewise linear, and every vertex of it is found as the solution of an
+/// equation, whatever the step size. The result depends on the size of the blocks; no objective peak is
+/// claimed for it.
+
+/// Whether a point stands at its strength or is partly released.
+bool is_release_pending(const System& system);
+
+/// Next vertex of a release from an equilibrium: all pending points released, or the next point at its
+/// strength. `held` replaces the held opening by a gauge (load control holds the load). Nothing when there is
+/// no equilibrium.
+std::optional<Settled> release_piece(System& system, const State& start, const NewtonParameters& newton,
+                                     const Functional* held);
+
+/// The load factor raised by an increment; every point beyond its strength is released in full, all at once,
+/// until none is beyond. Nothing when no equilibrium is left at that load. What the increment jumps over is
+/// lost: Pearce et al. (2000) shortened it near failure.
+std::optional<Settled> load_increment(System& system, const State& start, const NewtonParameters& newton,
+                                      double increment);
+
+}  // namespace dda

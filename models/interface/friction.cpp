@@ -1,0 +1,96 @@
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "models/interface/coulomb.hpp"
+#include "models/interface/law.hpp"
+
+namespace dda {
+namespace {
+
+struct FrictionParameters {
+  double friction_angle = 0;
+};
+
+/// Contact of separate bodies: no tension, Coulomb friction under pressure, closed again whenever it meets.
+///
+///     t_n = k min(q_n, 0),   t_s = k e,   e = clip(q_s − s, ± tan φ ⟨−q_n⟩)
+///
+/// Closed and sticking counts as intact: P = k diag(1, 1).
+class ContactFriction final : public InterfaceLaw {
+ public:
+  explicit ContactFriction(double m) : m_(m) {}
+
+  bool can_crack() const override { return true; }
+  double initial_kappa(double) const override { return std::numeric_limits<double>::infinity(); }
+  double rupture_kappa(double) const override { return std::numeric_limits<double>::infinity(); }
+  double equivalent_opening(const Vec2&, const History&, double) const override { return 0; }
+  Vec2 opening_gradient(const Vec2&, const History&, double) const override { return Vec2::Zero(); }
+  Vec2 slip_gradient(const Vec2& q, const History& h, double) const override {
+    const Friction held = friction(q, h);
+    return held.at_limit ? Vec2(m_, held.direction) : Vec2(Vec2::Zero());
+  }
+
+  Response respond(const Vec2& q, const History& h, double k) const override {
+    Response out;
+    if (q.x() > 0) return out;
+    const Friction held = friction(q, h);
+    out.traction = k * Vec2(q.x(), held.elastic);
+    out.tangent << k, 0, k * held.gradient.x(), k * held.gradient.y();
+    return out;
+  }
+  Response respond_frozen(const Vec2& q, const History& h, double k) const override {
+    return respond(q, h, k);
+  }
+
+  Spending spending(const Vec2& q, const History& h, double k) const override {
+    const Friction held = friction(q, h);
+    const double slipped = q.y() - held.elastic - h.slip;
+    const auto [mean, per_now] = sliding_traction(h.friction, k * held.elastic, slipped);
+    return {mean * slipped, per_now * k * slipped * held.gradient + mean * (Vec2(0, 1) - held.gradient)};
+  }
+  History accept(const Vec2& q, const History& h, double k) const override {
+    const Friction held = friction(q, h);
+    History out = h;
+    out.dissipated += spending(q, h, k).value;
+    out.slip = q.y() - held.elastic;
+    out.friction = k * held.elastic;
+    out.sliding = held.at_limit;
+    return out;
+  }
+  double stored(const Vec2& q, const History& h, double k) const override {
+    return q.x() >= 0 ? 0 : 0.5 * k * (q.x() * q.x() + std::pow(friction(q, h).elastic, 2));
+  }
+  double damage(const History&, double) const override { return 1; }
+  unsigned piece(const Vec2& q, const History& h, double) const override {
+    if (q.x() > 0) return 1;
+    const Friction held = friction(q, h);
+    if (m_ == 0) return 2;
+    return !held.slides ? 0 : held.direction < 0 ? 4 : 2;
+  }
+
+ private:
+  Friction friction(const Vec2& q, const History& h) const {
+    return coulomb_friction(q, h.slip, h.sliding, m_);
+  }
+  double m_;
+};
+
+Schema<FrictionParameters> schema() {
+  using P = FrictionParameters;
+  return Schema<P>("Contact of separate bodies: no tension, Coulomb friction when closed.")
+      .number("friction_angle", &P::friction_angle,
+              {.fallback = 0.0,
+               .bounds = at_least(0) & below(90),
+               .text = "Friction angle in degrees; 0 slides freely."});
+}
+
+std::unique_ptr<InterfaceLaw> make(const FrictionParameters& p) {
+  return std::make_unique<ContactFriction>(std::tan(p.friction_angle * std::numbers::pi / 180));
+}
+
+}  // namespace
+
+DDA_REGISTER(interface_laws(), "friction", schema(), make);
+
+}  // namespace dda

@@ -1,0 +1,207 @@
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "models/interface/coulomb.hpp"
+#include "models/interface/law.hpp"
+
+namespace dda {
+namespace {
+
+struct MohrCoulombParameters {
+  double tensile_strength = 0;
+  double cohesion = 0;
+  double friction_angle = 0;
+  std::optional<double> residual_friction_angle;
+};
+
+double tangent_of(double degrees) { return std::tan(degrees * std::numbers::pi / 180); }
+
+/// Mohr-Coulomb with tension cut-off and instantaneous release, in terms of the point's stress resultants.
+///
+///     t_n ≤ ft,   |t_s| ≤ c − t_n tan φ
+///     phase 0, sliding not allowed:  t = P q, P = k diag(1, 1)
+///     phase 1, sliding allowed:      no penetration, limited tension t_n = k q_n ≤ ft, t_s by friction
+///     phase 2, open:                 no tension, friction when closed again
+///
+/// While a point is released (share a from 1 to 0) its lost part runs linearly to zero, phase 1:
+/// t_s = ± (a (c − t_n tan φ) + (1 − a) tan φ_r ⟨−t_n⟩); phase 2: t = a t_held plus contact. The release
+/// itself, which holds q and frees the load, is continuation/release.hpp. Its energy is that of the trial
+/// spring, so it depends on the size of the blocks. Source: Pearce et al. (2000), sections 3 and 5.
+class MohrCoulomb final : public InterfaceLaw {
+ public:
+  explicit MohrCoulomb(const MohrCoulombParameters& p)
+      : ft_(p.tensile_strength),
+        c_(p.cohesion),
+        tan_(tangent_of(p.friction_angle)),
+        residual_(tangent_of(p.residual_friction_angle.value_or(p.friction_angle))) {}
+
+  bool can_crack() const override { return true; }
+  bool releases_at_once() const override { return true; }
+  double initial_kappa(double k) const override { return ft_ / k; }
+  double rupture_kappa(double) const override { return std::numeric_limits<double>::infinity(); }
+  double kappa(const History&, double k) const override { return initial_kappa(k); }
+  bool is_broken(const History& h, double) const override { return h.phase == 2; }
+  double equivalent_opening(const Vec2& q, const History& h, double) const override {
+    return std::max(0.0, nearest(q, h).opening);
+  }
+  Vec2 opening_gradient(const Vec2& q, const History& h, double) const override {
+    const Nearest at = nearest(q, h);
+    return at.opening > 0 ? at.gradient : Vec2(Vec2::Zero());
+  }
+  Vec2 slip_gradient(const Vec2& q, const History& h, double) const override {
+    if (h.phase == 0 || h.share > 0) return Vec2::Zero();
+    const Friction held = friction(q, h);
+    return held.at_limit ? Vec2(residual_, held.direction) : Vec2(Vec2::Zero());
+  }
+
+  Response respond(const Vec2& q, const History& h, double k) const override {
+    if (h.phase == 0) return {k * q, k * Mat2::Identity()};
+    return h.share > 0 ? releasing(q, h, k) : released(q, h, k);
+  }
+  Response respond_frozen(const Vec2& q, const History& h, double k) const override {
+    return respond(q, h, k);
+  }
+
+  /// Work of what is lost and of friction beyond what the spring gives back, exact along straight paths;
+  /// contact gives everything back.
+  Spending spending(const Vec2& q, const History& h, double k) const override {
+    if (h.phase == 0) return {};
+    const Response now = respond(q, h, k);
+    const Vec2 step = q - h.opening;
+    const double t = now.traction.y(), slipped = step.y() - (t - h.traction.y()) / k;
+    const auto [mean, per_now] = h.share > 0 ? SlidingTraction{0.5 * (h.traction.y() + t), 0.5}
+                                             : sliding_traction(h.traction.y(), t, slipped);
+    const Vec2 per_q = now.tangent.row(1);
+    Spending out{mean * slipped, per_now * slipped * per_q + mean * (Vec2(0, 1) - per_q / k)};
+    if (h.phase < 2) return out;
+    const double before = h.traction.x() - k * std::min(h.opening.x(), 0.0), held = h.share * h.held.x();
+    out.value += 0.5 * (before + held) * (step.x() - (held - before) / k);
+    out.gradient.x() += 0.5 * (before + held);
+    return out;
+  }
+  History accept(const Vec2& q, const History& h, double k) const override {
+    constexpr double round_off = 1e-10;
+    History out = h;
+    out.dissipated += spending(q, h, k).value;
+    out.opening = q;
+    out.traction = respond(q, h, k).traction;
+    out.loading = h.phase < 2 && equivalent_opening(q, h, k) >= initial_kappa(k) * (1 - round_off);
+    if (h.phase == 0 || h.share > 0) return out;
+    const Friction held = friction(q, h);
+    out.slip = q.y() - held.elastic;
+    out.sliding = held.at_limit;
+    return out;
+  }
+  double stored(const Vec2& q, const History& h, double k) const override {
+    const Vec2 t = respond(q, h, k).traction;
+    if (h.phase < 2 || h.share == 0) return t.squaredNorm() / (2 * k);
+    return (std::pow(h.share * h.held.x(), 2) + t.y() * t.y()) / (2 * k) +
+           0.5 * k * std::pow(std::min(q.x(), 0.0), 2);
+  }
+  double damage(const History& h, double) const override { return 0.5 * h.phase; }
+  unsigned piece(const Vec2& q, const History& h, double) const override {
+    if (h.phase == 0) return 0;
+    const Friction held = friction(q, h);
+    return (q.x() < 0 ? 1u : 2u) + (!held.slides ? 0u : held.direction < 0 ? 8u : 4u);
+  }
+
+  History release(const Vec2& q, const History& h, double k, double share) const override {
+    History out = h;
+    if (h.share == 0) {
+      out.held = respond(q, h, k).traction;
+      out.phase = fails_in_tension(q, h) ? 2 : 1;
+    }
+    out.share = share;
+    out.loading = false;
+    constexpr double far = 10;  // behind q, so that friction starts at its limit
+    if (share == 0) out.slip = q.y() - (out.held.y() < 0 ? -far : far) * std::abs(q.y());
+    return out;
+  }
+  Vec2 held_direction(const Vec2& q, const History& h) const override {
+    return h.phase == 1 && h.share > 0 ? Vec2(0, q.y() < 0 ? -1 : 1) : Vec2(1, 0);
+  }
+
+ private:
+  struct Nearest {
+    double opening;
+    Vec2 gradient;
+  };
+  /// ft/k times the larger of t_n/ft and (|t_s| + t_n tan φ)/c.
+  Nearest nearest(const Vec2& q, const History& h) const {
+    if (h.phase == 2) return {0, Vec2::Zero()};
+    const Nearest tension{q.x(), Vec2(1, 0)};
+    if (h.phase == 1) return tension;
+    const double scale = ft_ / c_, sign = q.y() < 0 ? -1 : 1;
+    const Nearest shear{scale * (std::abs(q.y()) + tan_ * q.x()), scale * Vec2(tan_, sign)};
+    return shear.opening > tension.opening ? shear : tension;
+  }
+  bool fails_in_tension(const Vec2& q, const History& h) const {
+    return h.phase == 1 || ft_ / c_ * (std::abs(q.y()) + tan_ * q.x()) <= q.x();
+  }
+  Friction friction(const Vec2& q, const History& h) const {
+    return coulomb_friction(q, h.slip, h.sliding, residual_);
+  }
+  Response releasing(const Vec2& q, const History& h, double k) const {
+    Response out;
+    const bool closed = q.x() < 0;
+    if (h.phase == 2) {
+      out.traction = h.share * h.held + Vec2(k * std::min(q.x(), 0.0), 0);
+      out.tangent(0, 0) = closed ? k : 0;
+      return out;
+    }
+    const double sign = h.held.y() < 0 ? -1 : 1;
+    const double per_normal = -h.share * tan_ - (closed ? (1 - h.share) * residual_ : 0);
+    out.traction = Vec2(k * q.x(), sign * (h.share * c_ + per_normal * k * q.x()));
+    out.tangent << k, 0, sign * per_normal * k, 0;
+    return out;
+  }
+  Response released(const Vec2& q, const History& h, double k) const {
+    Response out;
+    if (q.x() > 0) {
+      if (h.phase == 1) out = {Vec2(k * q.x(), 0), Vec2(k, 0).asDiagonal()};
+      return out;
+    }
+    const Friction held = friction(q, h);
+    out.traction = k * Vec2(q.x(), held.elastic);
+    out.tangent << k, 0, k * held.gradient.x(), k * held.gradient.y();
+    return out;
+  }
+
+  double ft_, c_, tan_, residual_;
+};
+
+Schema<MohrCoulombParameters> schema() {
+  using P = MohrCoulombParameters;
+  return Schema<P>("Mohr-Coulomb with tension cut-off; what fails is released at once and leaves friction.")
+      .number("tensile_strength", &P::tensile_strength,
+              {.dimension = dimension::stress, .bounds = above(0), .text = "Tension cut-off ft."})
+      .number("cohesion", &P::cohesion,
+              {.dimension = dimension::stress,
+               .bounds = above(0),
+               .text = "Shear strength c without normal traction."})
+      .number("friction_angle", &P::friction_angle,
+              {.fallback = 0.0,
+               .bounds = at_least(0) & below(90),
+               .text = "Friction angle of the bond in degrees."})
+      .number("residual_friction_angle", &P::residual_friction_angle,
+              {.bounds = at_least(0) & below(90),
+               .text = "Friction angle of what is released, in degrees; that of the bond if absent."})
+      .check([](const P& p, const Position& where, Findings& findings) {
+        if (p.residual_friction_angle.value_or(0) > p.friction_angle)
+          findings.add(
+              where,
+              "`residual_friction_angle` exceeds `friction_angle`: releasing the bond would strengthen it");
+      });
+}
+
+std::unique_ptr<InterfaceLaw> make(const MohrCoulombParameters& p) {
+  return std::make_unique<MohrCoulomb>(p);
+}
+
+}  // namespace
+
+DDA_REGISTER(interface_laws(), "mohr_coulomb", schema(), make);
+
+}  // namespace dda

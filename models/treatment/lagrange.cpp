@@ -1,0 +1,66 @@
+#include <algorithm>
+
+#include "models/treatment/treatment.hpp"
+
+namespace dda {
+namespace {
+
+struct LagrangeParameters {
+  double factor = 10;
+  double perturbation = 1e-7;
+};
+
+/// Lagrange multipliers: the joint is closed exactly, the multiplier m of a point being two more unknowns.
+///
+///     q = g + m,   Π = Π_blocks + ∫ ψ(q; h) − ½ (1 + δ) ∫ m·P m
+///     ∂Π/∂m = 0:   t(g + m; h) = (1 + δ) P m         a bond: g = δ m, a crack: its own opening
+///
+/// K is symmetric and indefinite, with a zero (−δ W P) on the diagonal for every bond. Two points on each
+/// side of a quadrilateral or Voronoi block are more equations than unknowns: some multipliers are redundant,
+/// and δ picks the smallest of them; the gap it leaves is δ P⁻¹ t, and rounding leaves about 1e-16/δ of them.
+/// The run reports their number. P only scales m and carries softening. Source: Pearce et al. (2000), eq. 6;
+/// models/README.md.
+class Lagrange final : public Treatment {
+ public:
+  explicit Lagrange(const LagrangeParameters& p) : p_(p) {}
+
+  double stiffness(const SideFaces& side) const override { return p_.factor * spring_unit(side); }
+  double largest_stiffness(const SideFaces& side) const override {
+    return std::max(p_.factor, largest_factor) * spring_unit(side);
+  }
+  PointRows rows(const SideFaces& side, const Mat26& first, const Mat26& second, const Vec2&) const override {
+    return jump_rows(side.normal, first, second);
+  }
+  Multiplier multiplier() const override { return Multiplier::unknown; }
+  double perturbation() const override { return p_.perturbation; }
+  Vec2 stress_weights(const SideFaces&) const override { return Vec2::Zero(); }
+
+ private:
+  static constexpr double largest_factor = 1e4;
+  LagrangeParameters p_;
+};
+
+Schema<LagrangeParameters> schema() {
+  using P = LagrangeParameters;
+  return Schema<P>(
+             "Lagrange multipliers: exact, with two more unknowns per point; locks polygons that are bonded.")
+      .number("factor", &P::factor,
+              {.fallback = 10.0,
+               .bounds = above(0),
+               .text = "Scale of the multipliers in units of E/(centroid distance); the solution does not "
+                       "depend on it."})
+      .number(
+          "perturbation", &P::perturbation,
+          {.fallback = 1e-7,
+           .bounds = above(0) & at_most(1e-3),
+           .text = "Gap left in a joint, relative to that of springs of this stiffness; determines redundant "
+                   "multipliers."});
+}
+
+std::unique_ptr<Treatment> make(const LagrangeParameters& p) { return std::make_unique<Lagrange>(p); }
+
+}  // namespace
+
+DDA_REGISTER(treatments(), "lagrange", schema(), make);
+
+}  // namespace dda

@@ -1,0 +1,93 @@
+"""F3: the nominal strength of a notched beam in three-point bending, S/D = 4, a0/D = 0.5, D = l_ch.
+
+    σ_N = 6 M/(b D²),  M = P S/4,      σ_N/ft = 0.34817
+
+ν = 0.2, initially rigid linear softening on the ligament, the bulk bonded. The reference is that of an independent
+cohesive-crack solver with an exact Schur complement on the ligament (its own error about 0.1 %).
+"""
+
+from pathlib import Path
+
+import blocks
+
+NAME = "notched-beam"
+TITLE = "F3, notched beam: peak load"
+REFERENCE = 0.34817
+DEPTH, SPAN, NOTCH, LENGTH, THICKNESS = 100, 400, 50, 440, 100
+STRENGTH, YOUNG, POISSON = 3, 30000, 0.2
+ENERGY = STRENGTH**2 * DEPTH / YOUNG  # Gf at D = l_ch
+END = 3 * 2 * ENERGY / STRENGTH  # CMOD at which a run ends: the peak is near 2 w_c
+GEOMETRY = Path(__file__).resolve().parents[1] / "notched-beam" / "beam.geo"
+
+# Half the beam in bands: (from, to, size of the blocks in units of those on the ligament).
+BANDS = ((0, 12.5, 1), (12.5, 37.5, 2), (37.5, LENGTH / 2, 4))
+COARSEST = DEPTH / 16  # side of the coarsest blocks on the ligament
+
+SIZES = {
+    "triangles": (8, 5.6, 4, 2.8, 2, 1.4),
+    "quads": (1, 2, 3, 4, 5, 7),
+    "voronoi": (6.25, 4, 2.8, 2, 1.4, 0.95),
+}
+
+
+def triangles(_, size):
+    return {"type": "geo", "file": str(GEOMETRY), "subdivision": {"type": "triangles"},
+            "parameters": {"depth": DEPTH, "span": SPAN, "notch": NOTCH, "overhang": (LENGTH - SPAN) / 2,
+                           "ligament_size": size, "far_size": 8 * size}}
+
+
+def ligament():
+    return {"curves": {"ligament": [[0, NOTCH], [0, DEPTH]]}, "slits": {"notch": [[0, 0], [0, NOTCH]]}}
+
+
+def quads(_, cuts):
+    """Coarse squares, graded with T-joints, each cut into cuts × cuts."""
+    half = []
+    for start, end, scale in BANDS:
+        rows = round(DEPTH / (scale * COARSEST))
+        columns = max(1, round((end - start) / (scale * COARSEST)))
+        width, height = (end - start) / columns, DEPTH / rows
+        half += [blocks.rectangle(start + i * width, j * height, start + (i + 1) * width, (j + 1) * height)
+                 for i in range(columns) for j in range(rows)]
+    return ligament() | {"regions": blocks.regions(blocks.mirrored(half, 0)),
+                         "subdivision": {"type": "grid", "columns": cuts, "rows": cuts}}
+
+
+def voronoi(program, size):
+    """Centroidal cells of the same bands, mirrored about the ligament."""
+    half = []
+    for start, end, scale in BANDS:
+        half += blocks.voronoi(program, blocks.rectangle(start, 0, end, DEPTH), scale * size)
+    half = blocks.with_vertex(half, [0, NOTCH])
+    return ligament() | {"regions": blocks.regions(blocks.mirrored(half, 0)), "subdivision": {"type": "given"}}
+
+
+SCENES = {"triangles": triangles, "quads": quads, "voronoi": voronoi}
+
+
+def deck(scene, treatment):
+    law = {"type": "linear_softening", "tensile_strength": STRENGTH, "fracture_energy": ENERGY}
+    side = {-1: [-0.01, DEPTH - 0.01], 1: [0.01, DEPTH - 0.01]}
+    return {
+        "title": TITLE,
+        "scene": scene,
+        "thickness": THICKNESS,
+        "materials": {"concrete": {"type": "linear_elastic", "young_modulus": YOUNG, "poisson_ratio": POISSON}},
+        "interfaces": {"ligament": {"law": law, "treatment": treatment},
+                       "bulk": {"between": ["concrete", "concrete"], "treatment": treatment}},
+        "supports": {"left": {"at": [-SPAN / 2, 0], "fix": "xy"}, "right": {"at": [SPAN / 2, 0], "fix": "y"}},
+        "stages": [{"loads": [{"type": "point_load", "at": [0, DEPTH], "inside": inside, "force": [0, -0.5]}
+                              for inside in side.values()]}],
+        "gauges": {"deflection": {"type": "displacement", "at": [0, DEPTH], "inside": side[-1], "direction": [0, -1]},
+                   "cmod": {"type": "relative_displacement", "from": [0, 0], "from_inside": [-0.01, 0.01], "to": [0, 0],
+                            "to_inside": [0.01, 0.01], "direction": [1, 0]}},
+        "path": {"stop": {"load_below": 0, "gauges": {"cmod": END}}},
+    }
+
+
+def error(summary, rows, _):
+    """σ_N/(ft · reference) − 1, signed."""
+    if rows[-1]["cmod"] < 0.99 * END:
+        raise ValueError("the path ended early")
+    strength = 6 * summary["peak"]["load"] * SPAN / 4 / (THICKNESS * DEPTH**2) / STRENGTH
+    return strength / REFERENCE - 1

@@ -1,0 +1,162 @@
+"""Work-precision diagrams: relative error over the time of whole processes, for each treatment, block type and size.
+
+    study.py --program DDA [--quick] [--repeats N] [--only PROBLEM ...] [--report] [--output FOLDER]
+
+Writes results/*.csv and from them results/*.svg and the marked region of README.md into FOLDER: this folder, or with
+--quick runs/run-time-against-error. Runs are sequential, with one thread; those of less than a second are repeated,
+and their medians are what is kept.
+"""
+
+import argparse
+import shutil
+import subprocess
+import sys
+import tempfile
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import double_cantilever
+import elastic_cantilever
+import figures
+import fronts
+import measure
+import notched_beam
+import report
+import softening_bar
+import tables
+
+HERE = Path(__file__).resolve().parent
+PROBLEMS = (elastic_cantilever, softening_bar, double_cantilever, notched_beam)
+TREATMENTS = ("consistent", "penalty", "augmented_lagrangian", "lagrange")
+FACTORS = (1, 5, 10, 20, 30, 50, 100, 1000, 1e4)  # of the penalty stiffness
+# Parameters tried beside a treatment's defaults; the softening bar shows that the consistent joint needs none.
+PARAMETERS = {("penalty", None): ("factor", FACTORS), ("consistent", softening_bar.NAME): ("alpha", (0.6, 2, 10))}
+# Relative errors at which treatments are compared.
+TARGETS = {elastic_cantilever.NAME: 0.01, softening_bar.NAME: 1e-4, double_cantilever.NAME: 0.01,
+           notched_beam.NAME: 0.01}
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What is run: of each problem the first `sizes` sizes."""
+
+    problems: tuple
+    sizes: int = 100
+    factors: tuple = FACTORS
+    repeats: int = 3
+    treatments: tuple = TREATMENTS
+
+
+QUICK = Plan((elastic_cantilever, softening_bar, notched_beam), sizes=2, factors=(10, 100), repeats=1,
+             treatments=("consistent", "penalty"))
+
+
+def known_treatments(program, wanted):
+    said = subprocess.run([program, "explain", "treatment"], check=True, capture_output=True, text=True).stdout
+    known = {line.split()[0] for line in said.splitlines()[1:] if line.strip()}
+    for name in wanted:
+        if name not in known:
+            print(f"skipped: this program does not know the treatment {name}", file=sys.stderr)
+    return [name for name in wanted if name in known]
+
+
+def variants(treatment, problem, plan):
+    """(label, deck value) of a treatment with each of its parameters."""
+    name, values = PARAMETERS.get((treatment, problem.NAME)) or PARAMETERS.get((treatment, None), ("", ()))
+    if treatment == "penalty":
+        values = plan.factors
+    if not values:
+        return [("", {"type": treatment})]
+    return [(f"{value:g}", {"type": treatment, name: value}) for value in values]
+
+
+class Runner:
+    """Runs decks in one folder and says how far it is."""
+
+    def __init__(self, program, folder, repeats):
+        self.program, self.folder, self.repeats = program, folder, repeats
+
+    def run(self, problem, scene, treatment):
+        return measure.measure(self.program, problem.deck(scene, treatment), problem.error, self.repeats, self.folder)
+
+    def sweep(self, problem, treatments, plan):
+        """(block type, treatment, parameter) → its runs from coarse to fine. All that have the same blocks run one
+        after another, so that what else the machine does disturbs them alike."""
+        runs = {}
+        for shape, sizes in problem.SIZES.items():
+            for size in sizes[:plan.sizes]:
+                print(f"{problem.NAME}: {shape} {size}", file=sys.stderr)
+                scene = problem.SCENES[shape](self.program, size)
+                for treatment in treatments:
+                    for label, value in variants(treatment, problem, plan):
+                        key = (shape, treatment, label)
+                        done = runs.setdefault(key, [])
+                        hopeless = len(done) > 1 and all(run.note for run in done[-2:])
+                        done.append(measure.not_tried() if hopeless else self.run(problem, scene, value))
+        return runs
+
+
+def best_keys(runs, target):
+    """Of each block type and treatment the parameter with the best line."""
+    groups = {}
+    for key, line in report.lines_of(runs).items():
+        groups.setdefault(key[:2], {})[key] = line
+    return [fronts.best(group, target) for group in groups.values()]
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--program", required=True, help="the program dda")
+    parser.add_argument("--quick", action="store_true", help="coarse blocks and few parameters: does it work?")
+    parser.add_argument("--repeats", type=int, default=3, help="runs of which the median is kept (default 3)")
+    parser.add_argument("--only", action="append", choices=[p.NAME for p in PROBLEMS],
+                        help="run this problem again and keep the runs of the others; repeatable")
+    parser.add_argument("--report", action="store_true", help="run nothing; figures and README from results/*.csv")
+    parser.add_argument("--output", type=Path, help="where README.md and results/ go")
+    return parser.parse_args()
+
+
+def plan_of(asked):
+    plan = QUICK if asked.quick else Plan(PROBLEMS, repeats=asked.repeats)
+    if asked.only:
+        plan = replace(plan, problems=tuple(p for p in PROBLEMS if p.NAME in asked.only))
+    return plan
+
+
+def run_all(program, plan, results):
+    treatments = known_treatments(program, plan.treatments)
+    with tempfile.TemporaryDirectory() as folder:
+        for problem in plan.problems:
+            runs = Runner(program, folder, plan.repeats).sweep(problem, treatments, plan)
+            tables.write_runs(results / f"{problem.NAME}.csv", problem.SIZES, runs)
+
+
+def write_report(output):
+    """Figures, comparison and the region of the README from the runs that are there."""
+    found = {}
+    for problem in PROBLEMS:
+        file = output / "results" / f"{problem.NAME}.csv"
+        if not file.exists():
+            continue
+        runs, target = tables.read_runs(file), TARGETS[problem.NAME]
+        chosen = best_keys(runs, target)
+        figures.draw(problem, report.lines_of(runs), chosen, target, file.with_suffix(".svg"))
+        found[problem] = (runs, chosen, target)
+    tables.write_comparison(output / "results" / "comparison.csv", report.comparisons(found))
+    report.rewrite(output / "README.md", report.text(found))
+
+
+def main():
+    asked = arguments()
+    output = asked.output or (Path("runs") / HERE.name if asked.quick else HERE)
+    results = output / "results"
+    results.mkdir(parents=True, exist_ok=True)
+    if not (output / "README.md").exists():
+        shutil.copy(HERE / "README.md", output)
+    if not asked.report:
+        run_all(str(Path(asked.program).resolve()), plan_of(asked), results)
+    write_report(output)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "framework/node.hpp"
+#include "models/interface/law.hpp"
+#include "support/sample.hpp"
+
+namespace dda {
+
+/// A law with the stiffness of a point that can bear it, and the openings at which something happens.
+struct LawCase {
+  std::unique_ptr<InterfaceLaw> law;
+  Node parameters;
+  double k = 0;
+  double first = 1;  ///< κ at initiation, 1 when there is none [L]
+  double last = 5;   ///< κ at rupture, five times the first when there is none [L]
+
+  /// The stiffest that the law can answer [F/L³].
+  double stiff() const { return k * std::max(1.0, std::pow(law->shear_weight(), 2)); }
+  double opening(const Vec2& q, const History& h) const { return law->equivalent_opening(q, h, k); }
+  Vec2 traction(const Vec2& q, const History& h) const { return law->respond(q, h, k).traction; }
+  /// Whether it resists sliding by its own pressure.
+  bool is_frictional() const { return angle("friction_angle") > 0 || angle("residual_friction_angle") > 0; }
+  /// Whether the traction while damage grows derives from a potential: no friction, no mode of its own
+  /// energy.
+  bool has_potential() const {
+    return !is_frictional() && !parameters.find("shear_fracture_energy") && !law->releases_at_once();
+  }
+
+  std::string text() const { return to_yaml(parameters); }
+
+  /// A law that releases at once is never met beyond its strength: q drawn back onto it.
+  Vec2 admissible(const Vec2& q, const History& h) const {
+    const double now = opening(q, h), strength = law->kappa(h, k);
+    return law->releases_at_once() && h.share == 0 && now > strength ? Vec2(q * (strength / now)) : q;
+  }
+  bool must_release(const Vec2& q, const History& h) const {
+    return law->releases_at_once() && !law->is_broken(h, k) && opening(q, h) >= law->kappa(h, k) * (1 - 1e-9);
+  }
+  /// Releases what failed at q, down to the share given; books the energy.
+  History released(const Vec2& q, History h, double share) const {
+    for (const double part : {0.7, 0.3, 0.0}) {
+      h = law->accept(q, law->release(q, h, k, std::max(part, share)), k);
+      if (part <= share) break;
+    }
+    return h;
+  }
+  /// A history made by accepting random openings, the last perhaps in the midst of a release.
+  History reachable(Random& random, int steps = 6) const {
+    History h;
+    for (int i = 0; i < steps; ++i) {
+      const Vec2 q = admissible(random.point(1.3 * (random.coin() ? last : first)), h);
+      h = law->accept(q, h, k);
+      if (must_release(q, h)) h = released(q, h, i + 1 == steps ? 0.5 : 0);
+    }
+    return h;
+  }
+
+ private:
+  double angle(const std::string& name) const {
+    const Node* found = parameters.find(name);
+    return found ? std::stod(found->text) : 0;
+  }
+};
+
+/// A random law of the family's member: with what may be absent, or without it.
+inline LawCase random_law(const std::string& name, Random& random, bool with_optional,
+                          const UnitChange& units = {}) {
+  const SchemaBase& schema = *interface_laws().find(name)->schema;
+  const NameHints hints = with_optional ? optional_numbers(schema, random) : NameHints{};
+  LawCase out;
+  out.parameters = rescaled(sample(schema, random, hints), schema, units);
+  // What is released holds no more than the bond did.
+  Node* const bond = out.parameters.find("friction_angle");
+  Node* const residual = out.parameters.find("residual_friction_angle");
+  if (bond && residual && std::stod(residual->text) > std::stod(bond->text)) std::swap(*bond, *residual);
+  out.law = interface_laws().choose(name, out.parameters).make();
+  const double slope = out.law->steepest_slope(), weight = out.law->shear_weight();
+  out.k = random.between(1.5, 5) * (slope > 0 ? slope : units.factor(dimension::interface_stiffness)) /
+          std::min(1.0, weight * weight);
+  out.first = units.length;
+  if (std::isfinite(out.law->initial_kappa(out.k))) out.first = out.law->initial_kappa(out.k);
+  out.last = std::isfinite(out.law->rupture_kappa(out.k)) ? out.law->rupture_kappa(out.k) : 5 * out.first;
+  return out;
+}
+
+/// The same law without friction.
+inline LawCase without_friction(const std::string& name, LawCase at) {
+  for (const std::string angle : {"friction_angle", "residual_friction_angle"})
+    if (at.parameters.find(angle)) at.parameters.set(angle, Node::number(0));
+  at.law = interface_laws().choose(name, at.parameters).make();
+  return at;
+}
+
+}  // namespace dda
