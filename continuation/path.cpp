@@ -83,14 +83,6 @@ bool Path::at_end() {
   return false;
 }
 
-void Path::begin_next_leg() {
-  ++memory_.leg;
-  memory_.leg_start = walker_.effort().accepted;
-  memory_.step = 0;
-  walker_.unload();
-  report("leg", leg().name);
-}
-
 Point Path::keep(Candidate candidate, const std::string& control) {
   Point out;
   out.control = control;

@@ -123,6 +123,8 @@ class Path {
   std::optional<Point> unload_step();
   std::optional<Point> jump_to(const Settled& found, const std::string& control);
   std::optional<Point> land_ahead(double amount);
+  std::optional<Point> approach(double amount);
+  std::optional<Point> land_on_turn(double failed, bool on_new_cracks, const Move& move);
   bool creates_energy(const Candidate& beyond) const;
   std::optional<Candidate> try_step(const Move& move, double amount, std::string& why);
   Attempt attempt(const Move& move, double amount);

@@ -111,7 +111,7 @@ double Path::share_to_strength(const Candidate& candidate) const {
 /// Lands where the first of those points stands exactly at its strength.
 std::optional<Point> Path::land_on_strength(const Candidate& beyond, const std::string& control) {
   const double share = share_to_strength(beyond);
-  const auto equation = make_strength_control(walker_.system());
+  const auto equation = make_event_control(walker_.system(), Initiation::at_once);
   const Attempt tried = walker_.attempt(*equation, 1, between(walker_.state(), beyond.state, share));
   if (!tried.converged) return {};
   Candidate candidate = walker_.evaluate(tried);

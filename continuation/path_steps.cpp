@@ -2,12 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "continuation/path.hpp"
 #include "continuation/release.hpp"
-#include "continuation/rescue.hpp"
 
 namespace dda {
 namespace {
@@ -32,7 +32,8 @@ std::optional<Point> Path::take_step() {
   if (const std::string why = driver_->obstacle(walker_.leaving()); !why.empty())
     return end(Ending::Kind::stopped_early, why);
   const Move move = driver_->next(walker_);
-  const bool between_releases = releases_at_once_ && !walker_.leaving().dissipates;
+  const bool between_releases =
+      releases_at_once_ && !walker_.leaving().dissipates && std::isfinite(next_event(walker_));
   if (!move.to_event && !between_releases) return controlled_step(move);
   if (!walker_.leaving().dissipates) return event_step();
   auto point = sequential_step("event", std::numeric_limits<double>::min());
@@ -48,6 +49,9 @@ std::optional<Point> Path::event_step() {
   std::string why;
   const auto candidate = try_step(move, amount, why);
   if (!candidate) {
+    if (driver_->may_be_rescued() && walker_.leaving().dissipates)
+      if (auto point = sequential_step("sequentially_linear", memory_.last_quantum)) return point;
+    if (auto point = approach(amount)) return point;
     if (driver_->may_be_rescued())
       if (auto point = sequential_step("sequentially_linear", memory_.last_quantum)) return point;
     return end(Ending::Kind::stopped_early, "the next initiation was not found: " + why);
@@ -56,6 +60,22 @@ std::optional<Point> Path::event_step() {
     if (auto point = land(*candidate, *crossing, "event")) return point;
   memory_.step = 0;
   return keep(*candidate, move.control);
+}
+
+/// A part of the way to an event that cannot be reached in one step, because contacts change on the way.
+std::optional<Point> Path::approach(double amount) {
+  const Move move{.control = "load",
+                  .equation = make_gauge_control({.rows = {}, .per_load_factor = 1}),
+                  .arc = {},
+                  .rate = walker_.leaving().load_factor};
+  std::string why;
+  constexpr double resolved = 0.02;  // of the way: a kink of friction or contact need not be cut finer
+  for (double share = 0.5; share > smallest_share; share *= 0.5) {
+    const auto candidate = try_step(move, share * amount, why);
+    if (!candidate || is_mechanism(candidate->state) || (share > resolved && is_coarse(*candidate))) continue;
+    return keep(*candidate, move.control);
+  }
+  return {};
 }
 
 /// Lands on a wanted value that lies before an event predicted `amount` ahead.
@@ -69,9 +89,10 @@ std::optional<Point> Path::land_ahead(double amount) {
 /// Nothing can crack any more: the response is linear up to the full reference load.
 std::optional<Point> Path::linear_step() {
   const double rest = 1 - walker_.state().load_factor;
-  if (rest <= 0 && walker_.here().dissipated > 0)
+  constexpr double round_off = 1e-12;
+  if (rest <= round_off && walker_.here().dissipated > 0)
     return end(Ending::Kind::stopped_early, "no interface can crack any further under this load");
-  if (rest <= 0)
+  if (rest <= round_off)
     return end(Ending::Kind::goal_reached, "nothing can crack; the full reference load is applied");
   const Move move{.control = "load",
                   .equation = make_gauge_control({.rows = {}, .per_load_factor = 1}),
@@ -79,7 +100,10 @@ std::optional<Point> Path::linear_step() {
                   .rate = walker_.leaving().load_factor};
   std::string why;
   const auto candidate = try_step(move, rest / walker_.leaving().load_factor, why);
-  if (!candidate) return end(Ending::Kind::stopped_early, why);
+  if (!candidate || is_coarse(*candidate)) {
+    auto point = approach(rest / walker_.leaving().load_factor);
+    if (point || !candidate) return point ? point : end(Ending::Kind::stopped_early, why);
+  }
   if (const auto crossing = first_crossing(*candidate))
     if (auto point = land(*candidate, *crossing, move.control)) return point;
   return keep(*candidate, move.control);
@@ -90,13 +114,15 @@ std::optional<Point> Path::controlled_step(const Move& move) {
   double amount = bounded(known ? memory_.step : first_amount());
   if (load_of(walker_.ahead(amount)) <= 0 && load_of(walker_.state()) > 0)
     if (auto point = rupture()) return point;
-  const double smallest = smallest_share * amount;
+  const double smallest = smallest_share * amount, natural = std::max(amount, bounded(first_amount()));
+  constexpr double few_cuts = 0.1;  // new cracks are many: only where cutting the step has not helped
   std::string why;
   for (int refinements = 0; amount > smallest;) {
     const auto candidate = try_step(move, amount, why);
     if (!candidate) {
       if (load_of(walker_.ahead(amount / cut)) <= 0)
         if (auto point = rupture()) return point;
+      if (auto point = land_on_turn(amount, amount <= few_cuts * natural, move)) return point;
       amount *= cut;
       continue;
     }
@@ -137,6 +163,31 @@ std::optional<Point> Path::controlled_step(const Move& move) {
                fmt::format("complete rupture: what is left is a mechanism ({:.1e} of the peak)", left));
   return end(Ending::Kind::stopped_early,
              fmt::format("{} control found no next equilibrium: {}", move.control, why));
+}
+
+/// Where a step fails because the path turns on the way: lands exactly where a crack starts or has lost its
+/// last traction, so that the tangent there tells which cracks go on and which unload.
+std::optional<Point> Path::land_on_turn(double failed, bool on_new_cracks, const Move& move) {
+  if (!walker_.leaving().dissipates || !driver_->may_be_rescued()) return {};
+  const std::array<std::pair<double, Initiation>, 2> turns{
+      {{next_corner(walker_), Initiation::corner},
+       {on_new_cracks ? next_new_crack(walker_) : std::numeric_limits<double>::infinity(),
+        Initiation::new_one}}};
+  const auto& [amount, kind] = std::ranges::min(turns, {}, [](const auto& turn) { return turn.first; });
+  if (!(amount < 2 * failed)) return {};
+  const Move landing{.control = kind == Initiation::corner ? "corner" : "initiation",
+                     .equation = make_event_control(walker_.system(), kind),
+                     .arc = {},
+                     .rate = 1,
+                     .to_event = true};
+  std::string why;
+  const auto candidate = try_step(landing, amount, why);
+  if (!candidate || candidate->dissipated <= walker_.here().dissipated || first_crossing(*candidate))
+    return {};
+  if (before_peak(*candidate) || is_coarse(*candidate)) return {};
+  memory_.step = std::max(memory_.step, amount);
+  memory_.step_control = move.control;
+  return keep(*candidate, landing.control);
 }
 
 std::optional<Candidate> Path::try_step(const Move& move, double amount, std::string& why) {
@@ -210,114 +261,8 @@ std::string Path::turning_point() {
 /// Whether only the weak springs hold the structure any more: it moves far beyond what it did under its peak.
 bool Path::is_mechanism(const State& state) const {
   constexpr double far = 100;
-  return std::abs(displacement_of(state)) > far * memory_.largest_displacement;
-}
-
-std::optional<Point> Path::sequential_step(const std::string& control, double quantum) {
-  const auto found = sequentially_linear(walker_.system(), walker_.state(), quantum);
-  if (!found || is_mechanism(found->state)) return {};
-  const double dissipated = walker_.here().dissipated;
-  auto point = jump_to(*found, control);
-  if (point && control != "event") {
-    ++walker_.effort().rescues;
-    report("rescued", fmt::format("sequentially linear steps dissipated {:.3e}",
-                                  walker_.here().dissipated - dissipated));
-  }
-  return point;
-}
-
-/// Whether less was put in than is stored and spent, by more than the chord of a curved path explains.
-bool Path::creates_energy(const Candidate& beyond) const {
-  const Candidate& here = walker_.here();
-  const double spent = beyond.dissipated - here.dissipated, work = beyond.work - here.work;
-  constexpr double of_spent = 0.5, round_off = 1e-8;
-  return work - (beyond.stored - here.stored) - spent < -of_spent * spent - round_off * std::abs(beyond.work);
-}
-
-/// Accepts an equilibrium that no control led to; a wanted value can be passed but not landed on.
-std::optional<Point> Path::jump_to(const Settled& found, const std::string& control) {
-  Candidate beyond = walker_.settled(found);
-  if (!(beyond.residual <= beyond.tolerance)) {
-    report("rejected", fmt::format("{}: relative residual {:.1e}", control, beyond.residual));
-    return {};
-  }
-  if (creates_energy(beyond)) {
-    report("rejected", control + ": the jump would create energy");
-    return {};
-  }
-  const auto crossing = first_crossing(beyond);
-  const double released = walker_.jump(std::move(beyond));
-  memory_.jump_energy += released;
-  memory_.step = 0;
-  Candidate here = walker_.here();
-  --walker_.effort().accepted;
-  Point point = keep(std::move(here), control);
-  point.jump_energy = released;
-  if (crossing) end_at(crossing->landing);
-  return point;
-}
-
-/// Next vertex of an instantaneous release.
-std::optional<Point> Path::release_step() {
-  const auto held = driver_->held_in_release();
-  const auto found =
-      release_piece(walker_.system(), walker_.state(), parameters_.newton, held ? &*held : nullptr);
-  if (found && !is_mechanism(found->state))
-    if (auto point = jump_to(*found, "release")) return point;
-  return end(Ending::Kind::stopped_early,
-             held ? "failure: what is released leaves no equilibrium under this control; use `staged`"
-                  : "what is released leaves no equilibrium");
-}
-
-/// The load raised by the largest of halved increments that still finds an equilibrium.
-std::optional<Point> Path::increment_step() {
-  if (memory_.step == 0) memory_.step = driver_->load_increment() * next_event(walker_);
-  if (!std::isfinite(memory_.step)) return linear_step();
-  const double first = memory_.step;
-  for (double increment = first; increment > smallest_share * first; increment *= 0.5) {
-    const auto found = load_increment(walker_.system(), walker_.state(), parameters_.newton, increment);
-    if (!found || is_mechanism(found->state)) {
-      ++walker_.effort().rejected;
-      continue;
-    }
-    auto point = jump_to(*found, "load_increments");
-    if (!point) continue;
-    memory_.step = increment;
-    return point;
-  }
-  return end(Ending::Kind::stopped_early, fmt::format("failure: no equilibrium beyond a load factor of {:g}",
-                                                      walker_.state().load_factor));
-}
-
-/// A tenth of the way to the leg's goal, off the damage surfaces.
-std::optional<Point> Path::unload_step() {
-  const Landing goal = leg().until.front();
-  const double rest = goal.value - walker_.value(goal.gauge);
-  if (walker_.leaving().d.empty())
-    return end(Ending::Kind::stopped_early, "the tangent stiffness is singular here");
-  if (walker_.leaving().rate(goal.gauge) * rest < 0 && !walker_.leaving().dissipates) walker_.turn_back();
-  const double rate = walker_.leaving().rate(goal.gauge);
-  if (!(rate * rest > 0))
-    return end(Ending::Kind::stopped_early,
-               fmt::format("unloading does not lead to {} = {:g}", goal.name, goal.value));
-  constexpr double parts = 10;
-  if (memory_.step == 0) memory_.step = std::abs(rest) / parts;
-  const Move move{
-      .control = "unloading", .equation = make_gauge_control(goal.gauge), .arc = {}, .rate = rate};
-  std::string why;
-  for (double length = memory_.step; length > smallest_share * memory_.step; length *= cut) {
-    const bool arrives = length > (1 - 1e-9) * std::abs(rest);
-    const double amount = arrives ? rest / rate : length / std::abs(rate);
-    const auto candidate = try_step(move, amount, why);
-    if (!candidate) continue;
-    Point point = keep(*candidate, move.control);
-    if (arrives) {
-      point.landed.push_back(fmt::format("{}={:g}", goal.name, goal.value));
-      end_at(goal);
-    }
-    return point;
-  }
-  return end(Ending::Kind::stopped_early, "unloading found no next equilibrium: " + why);
+  return memory_.largest_displacement > 0 &&
+         std::abs(displacement_of(state)) > far * memory_.largest_displacement;
 }
 
 }  // namespace dda

@@ -49,7 +49,9 @@ double System::relative_gap(const LawValues& laws) const {
   double gap = 0, unit = 0;
   for (std::size_t p = 0; p < next.size(); ++p) {
     gap = std::max(gap, (next[p] - multipliers_[p]).norm());
-    unit = std::max(unit, laws.traction[p].norm() / equilibrium_.point(p).spring_unit);
+    const InterfacePoint& point = equilibrium_.point(p);
+    const double carried = point.trial_stiffness().cwiseProduct(multipliers_[p]).norm();
+    unit = std::max(unit, std::max(laws.traction[p].norm(), carried) / point.spring_unit);
   }
   return unit > 0 ? gap / unit : 0;
 }

@@ -53,7 +53,8 @@ class SupportMaker {
         add_spring(name + suffix, {id, *p.at, direction}, stiffness);
   }
 
-  /// Springs along a boundary are as stiff as the length they stand for, so that a uniform traction moves it evenly.
+  /// Springs along a boundary are as stiff as the length they stand for, so that a uniform traction moves it
+  /// evenly.
   void add_along(const std::string& name, const SupportParameters& p, double stiffness) {
     const auto points = boundary_points(body_.assembly, *p.on, p.where);
     double length = 0;
@@ -96,7 +97,8 @@ Eigen::MatrixXd rigid_rows(const Body& body, const std::vector<Spring>& springs,
       const double turn = (row[2] - row[0] * x.y() + row[1] * x.x()) / size;
       rows.row(static_cast<Eigen::Index>(s)) += Eigen::RowVector3d(row[0], row[1], turn);
     }
-  rows.rowwise().normalize();
+  for (Eigen::Index r = 0; r < rows.rows(); ++r)  // zero for the springs of other groups
+    if (const double norm = rows.row(r).norm(); norm > 0) rows.row(r) /= norm;
   return rows;
 }
 

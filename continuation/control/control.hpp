@@ -40,10 +40,16 @@ std::unique_ptr<Control> make_gauge_control(Functional gauge);
 /// models/README.md.
 std::unique_ptr<Control> make_dissipation_control(const System& system);
 
-/// The next initiation at frozen damage: max over unbroken points of q_eq/κ − 1 = 0 at s = 1.
-std::unique_ptr<Control> make_event_control(const System& system);
+/// Which initiations an event control looks for.
+enum class Initiation {
+  frozen,   ///< of any unbroken point, the damage of all being frozen meanwhile
+  new_one,  ///< of a point that is not loading now, while the damage of the others follows
+  at_once,  ///< likewise, of points that lose their strength at once
+  corner  ///< not of a crack: a loading point passes a corner of its curve, such as that of its last traction
+};
 
-/// The same for points that lose their strength at once, while the damage of the others follows.
-std::unique_ptr<Control> make_strength_control(const System& system);
+/// The next initiation: max over those points of q_eq/κ − 1 = 0 at s = 1; for ruptures κ is that of the end,
+/// passed by 1e-9 so that nothing is left.
+std::unique_ptr<Control> make_event_control(const System& system, Initiation kind = Initiation::frozen);
 
 }  // namespace dda

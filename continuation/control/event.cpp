@@ -7,7 +7,7 @@ namespace {
 
 class EventControl final : public Control {
  public:
-  EventControl(const System& system, bool only_at_once) : system_(system), only_at_once_(only_at_once) {}
+  EventControl(const System& system, Initiation kind) : system_(system), kind_(kind) {}
 
   void start_at(const ControlPoint& start, double) override { start_ = nearest(start).distance; }
   double residual(const ControlPoint& at, double s) const override {
@@ -19,8 +19,8 @@ class EventControl final : public Control {
     if (found.point < 0) return 0;
     const auto p = static_cast<std::size_t>(found.point);
     const InterfacePoint& point = system_.equilibrium().point(p);
-    const Vec2 e = point.law->opening_gradient(at.laws.opening[p], system_.history()[p], point.stiffness) /
-                   system_.kappa(p);
+    const Vec2 e =
+        point.law->opening_gradient(at.laws.opening[p], system_.history()[p], point.stiffness) / goal(p);
     Functional row;
     point.for_each_part(
         [&](BlockId part, const Mat26& rows) { row.rows.emplace_back(part, rows.transpose() * e); });
@@ -30,7 +30,7 @@ class EventControl final : public Control {
   }
 
   double per_path() const override { return start_; }
-  bool freezes_damage() const override { return !only_at_once_; }
+  bool freezes_damage() const override { return kind_ == Initiation::frozen; }
 
  private:
   struct Nearest {
@@ -41,28 +41,36 @@ class EventControl final : public Control {
     Nearest best{-1, -std::numeric_limits<double>::infinity()};
     for (std::size_t p = 0; p < at.laws.opening.size(); ++p) {
       const InterfacePoint& point = system_.equilibrium().point(p);
-      if (system_.is_broken(p) || (only_at_once_ && !point.law->releases_at_once())) continue;
+      if (system_.is_broken(p) || !is_meant(p)) continue;
       const double opening =
           point.law->equivalent_opening(at.laws.opening[p], system_.history()[p], point.stiffness);
-      const double distance = opening / system_.kappa(p) - 1;
+      const double distance = opening / goal(p) - 1;
       if (distance > best.distance) best = {static_cast<int>(p), distance};
     }
     return best.point < 0 ? Nearest{} : best;
   }
 
+  bool is_meant(std::size_t p) const {
+    if (kind_ == Initiation::at_once) return system_.equilibrium().point(p).law->releases_at_once();
+    if (kind_ == Initiation::frozen) return true;
+    return system_.history()[p].loading == (kind_ == Initiation::corner);
+  }
+  double goal(std::size_t p) const {
+    if (kind_ != Initiation::corner) return system_.kappa(p);
+    constexpr double beyond = 1 + 1e-9;
+    const InterfacePoint& point = system_.equilibrium().point(p);
+    return beyond * point.law->next_corner(system_.history()[p], point.stiffness);
+  }
+
   const System& system_;
-  bool only_at_once_;
+  Initiation kind_;
   double start_ = -1;
 };
 
 }  // namespace
 
-std::unique_ptr<Control> make_event_control(const System& system) {
-  return std::make_unique<EventControl>(system, false);
-}
-
-std::unique_ptr<Control> make_strength_control(const System& system) {
-  return std::make_unique<EventControl>(system, true);
+std::unique_ptr<Control> make_event_control(const System& system, Initiation kind) {
+  return std::make_unique<EventControl>(system, kind);
 }
 
 }  // namespace dda

@@ -6,6 +6,16 @@
 
 namespace dda {
 
+namespace {
+
+/// Equal but for rounding: what is left of a symmetric tangent beside its symmetric part is no update.
+bool is_same(const Mat2& a, const Mat2& b) {
+  constexpr double round_off = 1e-14;
+  return (a - b).cwiseAbs().maxCoeff() <= round_off * b.cwiseAbs().maxCoeff();
+}
+
+}  // namespace
+
 LinearSystem::LinearSystem(const Equilibrium& equilibrium, const DirectSolverChoice& solver, Update update)
     : equilibrium_(equilibrium),
       solver_(solver.make()),
@@ -60,12 +70,12 @@ std::size_t LinearSystem::most_columns() const {
 }
 
 bool LinearSystem::set_tangent(std::span<const Mat2> tangents) {
-  if (update_ == Update::refactorise && !std::ranges::equal(tangents, base_) && !rebase(tangents))
+  if (update_ == Update::refactorise && !std::ranges::equal(tangents, base_, is_same) && !rebase(tangents))
     return false;
   std::vector<bool> new_batch(tangents.size() / batch + 1, false);
   std::size_t columns = 2 * updated_.size();
   for (std::size_t p = 0; p < tangents.size(); ++p) {
-    if (tangents[p] == base_[p] || slot_[p] >= 0 || new_batch[p / batch]) continue;
+    if (is_same(tangents[p], base_[p]) || slot_[p] >= 0 || new_batch[p / batch]) continue;
     new_batch[p / batch] = true;
     columns += 2 * batch;
   }
@@ -73,7 +83,7 @@ bool LinearSystem::set_tangent(std::span<const Mat2> tangents) {
   tangent_.assign(tangents.begin(), tangents.end());
   active_.clear();
   for (std::size_t p = 0; p < tangents.size(); ++p) {
-    if (tangents[p] == base_[p]) continue;
+    if (is_same(tangents[p], base_[p])) continue;
     if (slot_[p] < 0) add_columns(p);
     active_.push_back(p);
   }

@@ -61,5 +61,9 @@ Move dissipation_move(const Walker& walker);
 /// Load factor, beyond the present one along the leaving tangent, at which the next unbroken point reaches
 /// its κ; infinite when none does. Exact while no crack opens or closes on the way.
 double next_event(const Walker& walker);
+/// The same of points that are not loading now, in the unit of the leaving tangent.
+double next_new_crack(const Walker& walker);
+/// Where the first of the loading points passes the next corner of its softening curve.
+double next_corner(const Walker& walker);
 
 }  // namespace dda

@@ -17,8 +17,9 @@ Friction coulomb_friction(const Vec2& q, double slip, bool sliding, double m) {
   return out;
 }
 
-SlidingTraction sliding_traction(double before, double now, double slipped) {
-  if (before * slipped >= 0 && now * slipped >= 0) return {0.5 * (before + now), 0.5};
+SlidingTraction sliding_traction(double before, double now, double slipped, bool slid_before) {
+  const bool on = before * slipped >= 0 && now * slipped >= 0;
+  if (on && (slid_before || std::abs(now) < std::abs(before))) return {0.5 * (before + now), 0.5};
   if (now * slipped > 0) return {now, 1};
   return {};
 }

@@ -16,13 +16,14 @@ struct Friction {
   double direction = 0;          ///< sign of q_s − s
 };
 
-/// Traction under which a step slid, as far as both of its ends tell: their mean, that of its end where the
-/// sliding turned round on the way, none where that is unknown. So sliding never gains energy.
+/// Traction under which a step slid, as far as both of its ends tell: their mean when it slid from its start
+/// or ends with less than it began with, else that of its end (it stuck at first, or turned round), none
+/// where that is unknown. So sliding never gains energy.
 struct SlidingTraction {
   double mean = 0;     ///< [F/L²]
   double per_now = 0;  ///< its derivative with respect to the traction at the end
 };
-SlidingTraction sliding_traction(double before, double now, double slipped);
+SlidingTraction sliding_traction(double before, double now, double slipped, bool slid_before);
 
 /// At the limit `sliding` decides which side is meant. Touching, q_n = 0, counts as closed.
 Friction coulomb_friction(const Vec2& q, double slip, bool sliding, double m);

@@ -80,6 +80,11 @@ DamageLaw::Equivalent DamageLaw::equivalent(const Vec2& q, double k) const {
   return out;
 }
 
+double DamageLaw::next_corner(const History& h, double k) const {
+  const double omega = shape_->next_corner(omega_at(kappa(h, k), k));
+  return std::isfinite(omega) ? scale_ * omega + initial_kappa(k) * shape_->value(omega) : omega;
+}
+
 double DamageLaw::equivalent_opening(const Vec2& q, const History&, double k) const {
   return equivalent(q, k).kappa;
 }
@@ -189,7 +194,8 @@ Spending DamageLaw::spending(const Vec2& q, const History& h, double k) const {
   const Friction held = friction(q, h);
   const double damaged = damage_at(now, k);
   const double slipped = damaged * (q.y() - held.elastic) - damage_at(reached, k) * h.slip;
-  const auto [mean, per_now] = sliding_traction(h.friction, stiffness * held.elastic, slipped);
+  const auto [mean, per_now] =
+      sliding_traction(h.friction, stiffness * held.elastic, slipped, h.sliding || reached <= kappa0);
   out.value += mean * slipped;
   out.gradient +=
       per_now * stiffness * slipped * held.gradient + mean * damaged * (Vec2(0, 1) - held.gradient);

@@ -45,6 +45,7 @@ class DamageLaw final : public InterfaceLaw {
   bool can_crack() const override { return true; }
   double initial_kappa(double k) const override { return n_.strength / k; }
   double rupture_kappa(double) const override { return scale_ * shape_->end(); }
+  double next_corner(const History& h, double k) const override;
   double equivalent_opening(const Vec2& q, const History& h, double k) const override;
   Vec2 opening_gradient(const Vec2& q, const History& h, double k) const override;
   Vec2 slip_gradient(const Vec2& q, const History& h, double k) const override;

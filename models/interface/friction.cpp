@@ -46,7 +46,7 @@ class ContactFriction final : public InterfaceLaw {
   Spending spending(const Vec2& q, const History& h, double k) const override {
     const Friction held = friction(q, h);
     const double slipped = q.y() - held.elastic - h.slip;
-    const auto [mean, per_now] = sliding_traction(h.friction, k * held.elastic, slipped);
+    const auto [mean, per_now] = sliding_traction(h.friction, k * held.elastic, slipped, h.sliding);
     return {mean * slipped, per_now * k * slipped * held.gradient + mean * (Vec2(0, 1) - held.gradient)};
   }
   History accept(const Vec2& q, const History& h, double k) const override {

@@ -63,6 +63,8 @@ class InterfaceLaw {
   virtual double initial_kappa(double k) const = 0;
   /// κ at which the traction has vanished [L]; infinite when that is nowhere.
   virtual double rupture_kappa(double k) const = 0;
+  /// κ of the next corner of the softening curve beyond the history's, at the latest that of rupture [L].
+  virtual double next_corner(const History&, double k) const { return rupture_kappa(k); }
   /// κ of a history, at least that of initiation: what the equivalent opening must reach for more to crack
   /// [L].
   virtual double kappa(const History& h, double k) const { return std::max(h.kappa, initial_kappa(k)); }

@@ -72,7 +72,7 @@ class MohrCoulomb final : public InterfaceLaw {
     const Vec2 step = q - h.opening;
     const double t = now.traction.y(), slipped = step.y() - (t - h.traction.y()) / k;
     const auto [mean, per_now] = h.share > 0 ? SlidingTraction{0.5 * (h.traction.y() + t), 0.5}
-                                             : sliding_traction(h.traction.y(), t, slipped);
+                                             : sliding_traction(h.traction.y(), t, slipped, h.sliding);
     const Vec2 per_q = now.tangent.row(1);
     Spending out{mean * slipped, per_now * slipped * per_q + mean * (Vec2(0, 1) - per_q / k)};
     if (h.phase < 2) return out;

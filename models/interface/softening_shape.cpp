@@ -29,6 +29,10 @@ class PiecewiseLinear final : public SofteningShape {
     return out;
   }
   double end() const override { return v_.back().x(); }
+  double next_corner(double omega) const override {
+    const std::size_t i = piece(omega);
+    return i == pieces() ? std::numeric_limits<double>::infinity() : v_[i + 1].x();
+  }
   double spent(double omega) const override {
     const std::size_t i = piece(omega);
     if (i == pieces()) return areas_.back();
@@ -74,6 +78,7 @@ class Exponential final : public SofteningShape {
   double slope(double omega) const override { return -std::exp(-omega); }
   double steepest() const override { return 1; }
   double end() const override { return std::numeric_limits<double>::infinity(); }
+  double next_corner(double) const override { return std::numeric_limits<double>::infinity(); }
   double spent(double omega) const override { return -std::expm1(-omega) - 0.5 * omega * std::exp(-omega); }
   /// Convex and rising for scale > kappa0: Newton from the right never overshoots.
   double at_trial_opening(double opening, double scale, double kappa0) const override {

@@ -21,6 +21,8 @@ class SofteningShape {
   virtual double steepest() const = 0;
   /// ω at which the traction has vanished; infinite when it never does.
   virtual double end() const = 0;
+  /// Where beyond ω the slope jumps next; infinite when it never does.
+  virtual double next_corner(double omega) const = 0;
   /// Share of Gf that is spent for good at ω, unloading to the origin: ∫₀^ω g − ½ ω g.
   virtual double spent(double omega) const = 0;
   /// ω ≥ 0 with scale ω + kappa0 g(ω) = opening; the left side must rise with ω.

@@ -1,0 +1,90 @@
+// Steps that no control leads along: sequentially linear rescue, instantaneous release, load increments.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "continuation/path.hpp"
+#include "continuation/release.hpp"
+#include "continuation/rescue.hpp"
+
+namespace dda {
+
+std::optional<Point> Path::sequential_step(const std::string& control, double quantum) {
+  const auto found = sequentially_linear(walker_.system(), walker_.state(), quantum);
+  if (!found || is_mechanism(found->state)) return {};
+  const double dissipated = walker_.here().dissipated;
+  auto point = jump_to(*found, control);
+  if (point && control != "event") {
+    ++walker_.effort().rescues;
+    report("rescued", fmt::format("sequentially linear steps dissipated {:.3e}",
+                                  walker_.here().dissipated - dissipated));
+  }
+  return point;
+}
+
+/// Whether less was put in than is stored and spent, by more than the chord of a curved path explains.
+bool Path::creates_energy(const Candidate& beyond) const {
+  const Candidate& here = walker_.here();
+  const double spent = beyond.dissipated - here.dissipated, work = beyond.work - here.work;
+  constexpr double of_spent = 0.9, round_off = 1e-8;
+  return work - (beyond.stored - here.stored) - spent < -of_spent * spent - round_off * std::abs(beyond.work);
+}
+
+/// Accepts an equilibrium that no control led to; a wanted value can be passed but not landed on.
+std::optional<Point> Path::jump_to(const Settled& found, const std::string& control) {
+  Candidate beyond = walker_.settled(found);
+  if (!(beyond.residual <= beyond.tolerance)) {
+    report("rejected", fmt::format("{}: relative residual {:.1e}", control, beyond.residual));
+    return {};
+  }
+  if (creates_energy(beyond)) {
+    report("rejected", control + ": the jump would create energy");
+    return {};
+  }
+  const auto crossing = first_crossing(beyond);
+  const double released = walker_.jump(std::move(beyond));
+  memory_.jump_energy += released;
+  memory_.step = 0;
+  Candidate here = walker_.here();
+  --walker_.effort().accepted;
+  Point point = keep(std::move(here), control);
+  point.jump_energy = released;
+  if (crossing) end_at(crossing->landing);
+  return point;
+}
+
+/// Next vertex of an instantaneous release.
+std::optional<Point> Path::release_step() {
+  const auto held = driver_->held_in_release();
+  const auto found =
+      release_piece(walker_.system(), walker_.state(), parameters_.newton, held ? &*held : nullptr);
+  if (found && !is_mechanism(found->state))
+    if (auto point = jump_to(*found, "release")) return point;
+  return end(Ending::Kind::stopped_early,
+             held ? "failure: what is released leaves no equilibrium under this control; use `staged`"
+                  : "what is released leaves no equilibrium");
+}
+
+/// The load raised by the largest of halved increments that still finds an equilibrium.
+std::optional<Point> Path::increment_step() {
+  if (memory_.step == 0) memory_.step = driver_->load_increment() * next_event(walker_);
+  if (!std::isfinite(memory_.step)) return linear_step();
+  constexpr double smallest_share = 1e-4;
+  const double first = memory_.step;
+  const double smallest = smallest_share * std::max(first, std::abs(walker_.state().load_factor));
+  for (double increment = first; increment > smallest; increment *= 0.5) {
+    const auto found = load_increment(walker_.system(), walker_.state(), parameters_.newton, increment);
+    if (!found || is_mechanism(found->state)) {
+      ++walker_.effort().rejected;
+      continue;
+    }
+    auto point = jump_to(*found, "load_increments");
+    if (!point) continue;
+    memory_.step = increment;
+    return point;
+  }
+  return end(Ending::Kind::stopped_early, fmt::format("failure: no equilibrium beyond a load factor of {:g}",
+                                                      walker_.state().load_factor));
+}
+
+}  // namespace dda
