@@ -64,8 +64,7 @@ double external_work(const System& system, const State& from, const State& to, c
       const LawValues laws = system.laws(state.d, state.load_factor);
       double sum = 0;
       for (std::size_t p = 0; p < laws.traction.size(); ++p)
-        sum += system.equilibrium().point(p).weight *
-               laws.traction[p].dot(Eigen::Map<const Vec2>(loading.reference_offset.data() + 2 * p));
+        sum += system.equilibrium().point(p).weight * laws.traction[p].dot(loading.reference_opening(p));
       return sum;
     };
     work += 0.5 * (power(from) + power(to)) * (to.load_factor - from.load_factor);

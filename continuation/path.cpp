@@ -88,7 +88,6 @@ Point Path::keep(Candidate candidate, const std::string& control) {
   out.control = control;
   out.newton_iterations = candidate.newton_iterations;
   out.residual = candidate.residual;
-  out.tolerance = candidate.tolerance;
   out.multiplier_iterations = candidate.multiplier_iterations;
   out.gap = candidate.gap;
   const double load = load_.value(candidate.state.d, candidate.state.load_factor);

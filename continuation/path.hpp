@@ -32,7 +32,7 @@ struct Point {
   int step = 0;
   std::string control;
   int newton_iterations = 0;
-  double residual = 0, tolerance = 0;  ///< of equilibrium, relative to the force level
+  double residual = 0;  ///< of equilibrium, relative to the force level
   int multiplier_iterations = 0;
   double gap = 0;                   ///< relative, that iterated multipliers leave
   double jump_energy = 0;           ///< released on the way here where no equilibrium path led [FL]

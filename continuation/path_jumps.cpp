@@ -33,7 +33,7 @@ bool Path::creates_energy(const Candidate& beyond) const {
 /// Accepts an equilibrium that no control led to; a wanted value can be passed but not landed on.
 std::optional<Point> Path::jump_to(const Settled& found, const std::string& control) {
   Candidate beyond = walker_.settled(found);
-  if (!(beyond.residual <= beyond.tolerance)) {
+  if (!(beyond.residual <= parameters_.newton.tolerance)) {
     report("rejected", fmt::format("{}: relative residual {:.1e}", control, beyond.residual));
     return {};
   }
@@ -56,8 +56,7 @@ std::optional<Point> Path::jump_to(const Settled& found, const std::string& cont
 /// Next vertex of an instantaneous release.
 std::optional<Point> Path::release_step() {
   const auto held = driver_->held_in_release();
-  const auto found =
-      release_piece(walker_.system(), walker_.state(), parameters_.newton, held ? &*held : nullptr);
+  const auto found = release_piece(walker_.system(), walker_.state(), parameters_, held ? &*held : nullptr);
   if (found && !is_mechanism(found->state))
     if (auto point = jump_to(*found, "release")) return point;
   return end(Ending::Kind::stopped_early,
@@ -73,7 +72,7 @@ std::optional<Point> Path::increment_step() {
   const double first = memory_.step;
   const double smallest = smallest_share * std::max(first, std::abs(walker_.state().load_factor));
   for (double increment = first; increment > smallest; increment *= 0.5) {
-    const auto found = load_increment(walker_.system(), walker_.state(), parameters_.newton, increment);
+    const auto found = load_increment(walker_.system(), walker_.state(), parameters_, increment);
     if (!found || is_mechanism(found->state)) {
       ++walker_.effort().rejected;
       continue;

@@ -97,13 +97,13 @@ double Path::share_to_strength(const Candidate& candidate) const {
   const System& system = walker_.system();
   const State &from = walker_.state(), &to = candidate.state;
   const auto before = system.laws(from.d, from.load_factor), after = system.laws(to.d, to.load_factor);
+  constexpr double round_off = 1e-10;
   double share = 1;
   for (std::size_t p = 0; p < before.opening.size(); ++p) {
     const InterfacePoint& point = system.equilibrium().point(p);
-    if (!point.law->releases_at_once() || system.is_broken(p)) continue;
+    if (!point.law->releases_at_once()) continue;
     const LawAt law{*point.law, system.history()[p], point.stiffness};
-    if (law.opening(after.opening[p]) <= law.kappa() * (1 + 1e-10)) continue;
-    share = std::min(share, reach(law, before.opening[p], after.opening[p] - before.opening[p]));
+    share = std::min(share, share_to_kappa(law, before.opening[p], after.opening[p], round_off));
   }
   return share;
 }

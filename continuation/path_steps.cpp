@@ -23,7 +23,8 @@ constexpr int most_refinements = 20;
 
 std::optional<Point> Path::take_step() {
   if (leg().unloads) return unload_step();
-  if (is_release_pending(walker_.system()) && driver_->load_increment() == 0) return release_step();
+  if (releases_at_once_ && driver_->load_increment() == 0 && is_release_pending(walker_.system()))
+    return release_step();
   if (walker_.leaving().d.empty())
     return end(Ending::Kind::stopped_early, "the tangent stiffness is singular here");
   const bool cracked = walker_.here().dissipated > 0 || walker_.leaving().dissipates;

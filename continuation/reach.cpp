@@ -72,4 +72,10 @@ double reach(const LawAt& point, const Vec2& a, const Vec2& b) {
   return never;
 }
 
+double share_to_kappa(const LawAt& point, const Vec2& from, const Vec2& to, double round_off) {
+  if (point.law.is_broken(point.history, point.stiffness)) return 1;
+  if (point.opening(to) <= point.kappa() * (1 + round_off)) return 1;
+  return std::min(1.0, reach(point, from, to - from));
+}
+
 }  // namespace dda

@@ -22,4 +22,8 @@ struct LawAt {
 /// each such stretch converges monotonically, guarded by bisection.
 double reach(const LawAt& point, const Vec2& a, const Vec2& b);
 
+/// Share of the straight way from one opening to another at which the equivalent opening rises through κ; 1
+/// when it ends at most `round_off` beyond, and for a broken point.
+double share_to_kappa(const LawAt& point, const Vec2& from, const Vec2& to, double round_off);
+
 }  // namespace dda

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "continuation/reach.hpp"
 
@@ -20,7 +21,7 @@ bool is_pending(const System& system, std::size_t p) {
 /// Newton's method for equilibrium with one linear gauge prescribed and the load factor free.
 class HeldEquilibrium {
  public:
-  HeldEquilibrium(System& system, const NewtonParameters& parameters, const Functional& held, double value)
+  HeldEquilibrium(System& system, const StepperParameters& parameters, const Functional& held, double value)
       : system_(system),
         parameters_(parameters),
         held_(held),
@@ -32,32 +33,27 @@ class HeldEquilibrium {
   /// With the history in force in the system. Converged states are improved once more: what is searched for
   /// are vertices of a straight path.
   std::optional<State> solve(State at) {
-    for (int closing = 0; closing <= most_closings; ++closing) {
+    for (int closing = 0; closing <= parameters_.multipliers.max_iterations; ++closing) {
       if (!converge(at)) return {};
       if (!system_.iterates_multipliers()) return at;
       const auto laws = system_.laws_at(at.d, at.load_factor);
-      constexpr double gap = 1e-8;
       at.multipliers = system_.multipliers();
-      if (system_.relative_gap(*laws) <= gap) return at;
+      if (system_.relative_gap(*laws) <= parameters_.multipliers.tolerance) return at;
       system_.set_multipliers(system_.next_multipliers(*laws));
     }
     return {};
   }
 
  private:
-  static constexpr int most_closings = 1000;
-
   bool converge(State& at) {
     bool polished = false;
-    for (int iteration = 0; iteration < 4 * parameters_.max_iterations; ++iteration) {
+    for (int iteration = 0; iteration < 4 * parameters_.newton.max_iterations; ++iteration) {
       const auto laws = system_.laws_at(at.d, at.load_factor);
       std::vector<double> residual(at.d.size()), slope(at.d.size());
       system_.residual(at.d, at.load_factor, *laws, residual);
-      const double level = system_.force_level(at.d), norm = system_.residual_norm(residual);
-      if (!std::isfinite(norm)) return false;
-      const bool good =
-          norm <= std::max(parameters_.tolerance * level, system_.round_off(at.d, at.load_factor));
-      if (good && std::exchange(polished, true)) return true;
+      const double excess = system_.excess_residual(residual, at.d, at.load_factor);
+      if (!std::isfinite(excess)) return false;
+      if (excess <= parameters_.newton.tolerance && std::exchange(polished, true)) return true;
       system_.load_derivative(*laws, slope);
       if (!system_.use_tangent(system_.new_stamp(), laws->tangent)) return false;
       correct(at, residual, slope);
@@ -80,7 +76,7 @@ class HeldEquilibrium {
   }
 
   System& system_;
-  const NewtonParameters& parameters_;
+  const StepperParameters& parameters_;
   const Functional& held_;
   double value_;
   std::vector<double> per_d_;
@@ -89,10 +85,10 @@ class HeldEquilibrium {
 /// One release, from the start of a piece to its end.
 class Release {
  public:
-  Release(System& system, const State& start, const NewtonParameters& newton)
+  Release(System& system, const State& start, const StepperParameters& parameters)
       : system_(system),
         start_(start),
-        newton_(newton),
+        parameters_(parameters),
         before_(system.history()),
         openings_(system.laws_at(start.d, start.load_factor)->opening) {
     for (std::size_t p = 0; p < before_.size(); ++p)
@@ -102,16 +98,16 @@ class Release {
   std::optional<Settled> next(const Functional* held) {
     const Functional own = held ? Functional{} : held_opening();
     const Functional& gauge = held ? *held : own;
-    HeldEquilibrium equilibrium(system_, newton_, gauge, gauge.value(start_.d, start_.load_factor));
+    HeldEquilibrium equilibrium(system_, parameters_, gauge, gauge.value(start_.d, start_.load_factor));
     auto out = at_share(equilibrium, 1, start_);
     // Straight as long as no contact changes on the way; where one does, the crossing is sought again.
     constexpr int most_searches = 20;
-    double low = 0, high = 1;
+    double gone = 1;
     for (int search = 0; out && search < most_searches; ++search) {
-      const double share = first_crossing(out->state) * high;
-      if (share >= high * (1 - 1e-12)) break;
-      high = std::max(share, low);
-      out = at_share(equilibrium, high, out->state);
+      const double share = first_crossing(out->state);
+      if (share >= 1 - 1e-12) break;
+      gone *= share;
+      out = at_share(equilibrium, gone, out->state);
     }
     system_.set_history(before_);
     system_.set_multipliers(start_.multipliers);
@@ -127,13 +123,7 @@ class Release {
     const InterfacePoint& point = system_.equilibrium().point(newest);
     const History released = point.law->release(openings_[newest], before_[newest], point.stiffness, 1);
     const Vec2 direction = point.law->held_direction(openings_[newest], released);
-    Functional out;
-    point.for_each_part(
-        [&](BlockId part, const Mat26& rows) { out.rows.emplace_back(part, rows.transpose() * direction); });
-    const auto& offset = system_.loading().reference_offset;
-    if (!offset.empty())
-      out.per_load_factor = direction.dot(Eigen::Map<const Vec2>(offset.data() + 2 * newest));
-    return out;
+    return system_.equilibrium().opening_gauge(system_.loading(), newest, direction);
   }
 
   /// The equilibrium when `gone` of what is being lost at the start of the piece has gone.
@@ -154,21 +144,20 @@ class Release {
   /// Share of the way to `end` at which another point reaches its strength first; 1 when none does.
   double first_crossing(const State& end) const {
     const auto laws = system_.laws_at(end.d, end.load_factor);
+    constexpr double round_off = 1e-12;
     double first = 1;
     for (std::size_t p = 0; p < before_.size(); ++p) {
+      if (std::ranges::find(pending_, p) != pending_.end()) continue;
       const InterfacePoint& point = system_.equilibrium().point(p);
-      if (is_pending_here(p) || point.law->is_broken(before_[p], point.stiffness)) continue;
-      const LawAt law{*point.law, before_[p], point.stiffness};
-      if (law.opening(laws->opening[p]) <= law.kappa() * (1 + 1e-12)) continue;
-      first = std::min(first, reach(law, openings_[p], laws->opening[p] - openings_[p]));
+      first = std::min(first, share_to_kappa({*point.law, before_[p], point.stiffness}, openings_[p],
+                                             laws->opening[p], round_off));
     }
     return first;
   }
-  bool is_pending_here(std::size_t p) const { return std::ranges::find(pending_, p) != pending_.end(); }
 
   System& system_;
   const State& start_;
-  const NewtonParameters& newton_;
+  const StepperParameters& parameters_;
   const std::vector<History> before_;
   const std::vector<Vec2> openings_;
   std::vector<std::size_t> pending_;
@@ -182,16 +171,16 @@ bool is_release_pending(const System& system) {
   return false;
 }
 
-std::optional<Settled> release_piece(System& system, const State& start, const NewtonParameters& newton,
+std::optional<Settled> release_piece(System& system, const State& start, const StepperParameters& parameters,
                                      const Functional* held) {
-  return Release(system, start, newton).next(held);
+  return Release(system, start, parameters).next(held);
 }
 
-std::optional<Settled> load_increment(System& system, const State& start, const NewtonParameters& newton,
+std::optional<Settled> load_increment(System& system, const State& start, const StepperParameters& parameters,
                                       double increment) {
   const std::vector<History> before = system.history();
   const Functional load{.rows = {}, .per_load_factor = 1};
-  HeldEquilibrium equilibrium(system, newton, load, start.load_factor + increment);
+  HeldEquilibrium equilibrium(system, parameters, load, start.load_factor + increment);
   std::optional<Settled> out;
   State at = start;
   for (bool more = true; more;) {

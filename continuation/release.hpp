@@ -2,8 +2,7 @@
 
 #include <optional>
 
-#include "continuation/loca/status_test.hpp"
-#include "continuation/system.hpp"
+#include "continuation/loca/stepper.hpp"
 
 namespace dda {
 
@@ -22,13 +21,13 @@ bool is_release_pending(const System& system);
 /// Next vertex of a release from an equilibrium: all pending points released, or the next point at its
 /// strength. `held` replaces the held opening by a gauge (load control holds the load). Nothing when there is
 /// no equilibrium.
-std::optional<Settled> release_piece(System& system, const State& start, const NewtonParameters& newton,
+std::optional<Settled> release_piece(System& system, const State& start, const StepperParameters& parameters,
                                      const Functional* held);
 
 /// The load factor raised by an increment; every point beyond its strength is released in full, all at once,
 /// until none is beyond. Nothing when no equilibrium is left at that load. What the increment jumps over is
 /// lost: Pearce et al. (2000) shortened it near failure.
-std::optional<Settled> load_increment(System& system, const State& start, const NewtonParameters& newton,
+std::optional<Settled> load_increment(System& system, const State& start, const StepperParameters& parameters,
                                       double increment);
 
 }  // namespace dda

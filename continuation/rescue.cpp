@@ -64,12 +64,12 @@ class SecantWalk {
   bool move_to_limit(const LawValues& secant) {
     const std::size_t n = state_.d.size(), points = secant.opening.size();
     const auto dead = dead_solution(secant), live = live_solution(secant);
-    const std::vector<Vec2> q_dead = openings(dead, system_.loading().dead_offset);
-    const std::vector<Vec2> q_live = openings(live, system_.loading().reference_offset);
+    const Loading& loading = system_.loading();
     double limit = std::numeric_limits<double>::infinity();
     for (std::size_t p = 0; p < points; ++p) {
       if (system_.is_broken(p)) continue;
-      const double x = reach(point_at(p), q_dead[p], q_live[p]);
+      const double x = reach(point_at(p), system_.opening_rate(p, dead) + loading.dead_opening(p),
+                             system_.opening_rate(p, live) + loading.reference_opening(p));
       if (x >= limit) continue;
       limit = x;
       critical_ = static_cast<int>(p);
@@ -79,15 +79,6 @@ class SecantWalk {
     state_.load_factor = limit;
     if (system_.iterates_multipliers()) state_.multipliers = system_.multiplier_rates(state_.d);
     return true;
-  }
-
-  std::vector<Vec2> openings(const std::vector<double>& d, const std::vector<double>& offset) const {
-    std::vector<Vec2> out(system_.equilibrium().num_active());
-    for (std::size_t p = 0; p < out.size(); ++p) {
-      out[p] = system_.opening_rate(p, d);
-      if (!offset.empty()) out[p] += Eigen::Map<const Vec2>(offset.data() + 2 * p);
-    }
-    return out;
   }
 
   std::vector<double> solve(std::vector<double> force) {
@@ -106,11 +97,10 @@ class SecantWalk {
 
   std::vector<double> dead_solution(const LawValues& secant) {
     std::vector<double> force = system_.loading().dead;
-    const auto& offset = system_.loading().dead_offset;
-    if (!offset.empty()) {
+    const Loading& loading = system_.loading();
+    if (!loading.dead_offset.empty()) {
       std::vector<Vec2> t(secant.tangent.size());
-      for (std::size_t p = 0; p < t.size(); ++p)
-        t[p] = -secant.tangent[p] * Eigen::Map<const Vec2>(offset.data() + 2 * p);
+      for (std::size_t p = 0; p < t.size(); ++p) t[p] = -secant.tangent[p] * loading.dead_opening(p);
       system_.equilibrium().scatter_add({t.data()->data(), 2 * t.size()}, force);
     }
     for (const double value : force)

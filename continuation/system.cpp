@@ -138,11 +138,8 @@ void System::residual(std::span<const double> d, double load_factor, const LawVa
   std::vector<Vec2> correction(laws.traction.size());
   for (std::size_t p = 0; p < correction.size(); ++p) {
     const Vec2 stiffness = equilibrium_.point(p).intact_stiffness();
-    Vec2 jump = laws.opening[p];
+    Vec2 jump = laws.opening[p] - loading_->dead_opening(p) - load_factor * loading_->reference_opening(p);
     if (!multipliers_.empty()) jump -= multipliers_[p];
-    if (!loading_->dead_offset.empty()) jump -= Eigen::Map<const Vec2>(loading_->dead_offset.data() + 2 * p);
-    if (!loading_->reference_offset.empty())
-      jump -= load_factor * Eigen::Map<const Vec2>(loading_->reference_offset.data() + 2 * p);
     correction[p] = laws.traction[p] - stiffness.cwiseProduct(jump);
   }
   equilibrium_.scatter_add({correction.data()->data(), 2 * correction.size()}, out);
@@ -158,8 +155,7 @@ void System::load_derivative(const LawValues& laws, std::span<double> out) const
   for (std::size_t i = 0; i < out.size(); ++i) out[i] = -loading_->reference[i];
   if (loading_->reference_offset.empty()) return;
   std::vector<Vec2> t(laws.tangent.size());
-  for (std::size_t p = 0; p < t.size(); ++p)
-    t[p] = laws.tangent[p] * Eigen::Map<const Vec2>(loading_->reference_offset.data() + 2 * p);
+  for (std::size_t p = 0; p < t.size(); ++p) t[p] = laws.tangent[p] * loading_->reference_opening(p);
   equilibrium_.scatter_add({t.data()->data(), 2 * t.size()}, out);
 }
 
@@ -197,20 +193,27 @@ double System::residual_norm(std::span<const double> r) const {
   return std::sqrt(sum);
 }
 
-double System::round_off(std::span<const double> d, double load_factor) const {
-  constexpr double safety = 4;
-  std::vector<double> sum(d.size());
-  for (std::size_t i = 0; i < sum.size(); ++i)
-    sum[i] = std::abs(loading_->dead[i]) + std::abs(load_factor * loading_->reference[i]);
-  equilibrium_.intact().multiply_add_absolute(d, sum);
-  return safety * std::numeric_limits<double>::epsilon() * residual_norm(sum);
+double System::excess_residual(std::span<const double> r, std::span<const double> d,
+                               double load_factor) const {
+  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+  std::vector<double> terms(d.size());
+  for (std::size_t i = 0; i < terms.size(); ++i)
+    terms[i] = std::abs(loading_->dead[i]) + std::abs(load_factor * loading_->reference[i]);
+  equilibrium_.intact().multiply_add_absolute(d, terms);
+  for (std::size_t i = 0; i < terms.size(); ++i)
+    terms[i] = std::max(0.0, std::abs(r[i]) - rounding * terms[i]);
+  return relative(residual_norm(terms), d);
 }
 
-double System::relative_residual(const State& at) {
-  std::vector<double> residual(at.d.size());
-  this->residual(at.d, at.load_factor, *laws_at(at.d, at.load_factor), residual);
-  const double level = force_level(at.d), norm = residual_norm(residual);
-  return level > 0 ? norm / level : (norm > 0 ? 1.0 : 0.0);
+double System::excess_residual(const State& at) {
+  std::vector<double> r(at.d.size());
+  residual(at.d, at.load_factor, *laws_at(at.d, at.load_factor), r);
+  return excess_residual(r, at.d, at.load_factor);
+}
+
+double System::relative(double residual_norm, std::span<const double> d) const {
+  const double level = force_level(d);
+  return level > 0 ? residual_norm / level : (residual_norm > 0 ? 1.0 : 0.0);
 }
 
 double System::force_level(std::span<const double> d) const {

@@ -103,11 +103,13 @@ class System {
 
   /// ‖R‖ with moments and stress resultants divided by the blocks' size [F].
   double residual_norm(std::span<const double> r) const;
-  /// ‖R‖ over the force level.
-  double relative_residual(const State& at);
-  /// What rounding leaves of a residual at best: 4 ε ‖ |K0| |d| + |f| ‖, measured like ‖R‖. Stiff joints and
-  /// blocks that move far as a whole make it large [F].
-  double round_off(std::span<const double> d, double load_factor) const;
+  /// What is left of R beyond rounding, over the force level: each row may keep 4 ε (|K0| |d| + |f|), by
+  /// which its terms cannot cancel better. Stiff joints and supports of blocks that move far make that large.
+  double excess_residual(std::span<const double> r, std::span<const double> d, double load_factor) const;
+  /// The same at a state.
+  double excess_residual(const State& at);
+  /// ‖R‖ over the force level; 0 of nothing.
+  double relative(double residual_norm, std::span<const double> d) const;
   /// The force level that a residual is compared with: ‖V C ε / size‖ over the blocks, at least a tenth of
   /// the largest that was accepted so far, so that an unloaded end of the path can still be reached [F].
   double force_level(std::span<const double> d) const;

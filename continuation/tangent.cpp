@@ -15,12 +15,9 @@ Tangent direction(System& system, const State& state) {
   for (double& value : out.d) value = -value;
   out.load_factor = 1;
   out.multipliers = system.multiplier_rates(out.d);
-  const auto& offset = system.loading().reference_offset;
   out.opening.resize(laws->opening.size());
-  for (std::size_t p = 0; p < out.opening.size(); ++p) {
-    out.opening[p] = system.opening_rate(p, out.d);
-    if (!offset.empty()) out.opening[p] += Eigen::Map<const Vec2>(offset.data() + 2 * p);
-  }
+  for (std::size_t p = 0; p < out.opening.size(); ++p)
+    out.opening[p] = system.opening_rate(p, out.d) + system.loading().reference_opening(p);
   return out;
 }
 

@@ -58,7 +58,6 @@ Candidate Walker::evaluate(const Attempt& attempt) {
                 .arriving = {},
                 .newton_iterations = attempt.newton_iterations,
                 .residual = attempt.residual,
-                .tolerance = attempt.tolerance,
                 .multiplier_iterations = attempt.multiplier_iterations,
                 .gap = attempt.gap};
   const std::vector<History> before = system_.history();
@@ -90,10 +89,7 @@ Candidate Walker::settled(const Settled& found) {
   system_.set_history(next.history);
   system_.set_multipliers(next.state.multipliers);
   fill_energies(next);
-  next.residual = system_.relative_residual(next.state);
-  next.tolerance =
-      std::max(parameters_.newton.tolerance,
-               system_.round_off(next.state.d, next.state.load_factor) / system_.force_level(next.state.d));
+  next.residual = system_.excess_residual(next.state);
   next.work = here_.work + external_work(system_, here_.state, next.state, leaving_, {}, 0.0);
   system_.set_history(before);
   system_.set_multipliers(here_.state.multipliers);

@@ -29,7 +29,7 @@ struct Candidate {
   double work = 0;        ///< since the start of the run [FL]
   double load = 0;        ///< load gauge
   int newton_iterations = 0;
-  double residual = 0, tolerance = 0;  ///< relative to the force level
+  double residual = 0;  ///< relative to the force level
   int multiplier_iterations = 0;
   double gap = 0;  ///< relative, of iterated multipliers
 };

@@ -144,6 +144,14 @@ Vec2 Equilibrium::opening(std::size_t p, std::span<const double> d) const {
   return out;
 }
 
+Functional Equilibrium::opening_gauge(const Loading& loading, std::size_t p, const Vec2& e) const {
+  Functional out;
+  set_.points[p].for_each_part(
+      [&](BlockId part, const Mat26& rows) { out.rows.emplace_back(part, rows.transpose() * e); });
+  out.per_load_factor = e.dot(loading.reference_opening(p));
+  return out;
+}
+
 void Equilibrium::gather(std::span<const double> d, std::span<double> q) const {
   for (std::size_t p = 0; p < set_.num_active; ++p) Eigen::Map<Vec2>(q.data() + 2 * p) = opening(p, d);
 }

@@ -38,16 +38,26 @@ struct Loading {
   /// work.
   std::vector<double> dead_work, reference_work;
   std::vector<WorkPair> driven;
+
+  /// q0 of an active point at λ = 0, and its rate in λ [L].
+  Vec2 dead_opening(std::size_t p) const { return part_of(dead_offset, p); }
+  Vec2 reference_opening(std::size_t p) const { return part_of(reference_offset, p); }
   Functional load;  ///< the load gauge: λ Σ|force|, or the sum of the driven reactions
   std::map<std::string, Functional> reactions;  ///< by support and driven spring
   std::vector<NamedGauge> gauges;               ///< as the deck names them
+
+ private:
+  static Vec2 part_of(const std::vector<double>& offset, std::size_t p) {
+    return offset.empty() ? Vec2::Zero() : Vec2(offset[2 * p], offset[2 * p + 1]);
+  }
 };
 
 /// Equilibrium of the blocks: four operators, nothing about solvers.
 ///
-///     intact   K0 = K_b + Bᵀ W D0 B      constant, symmetric; positive definite without multipliers [F/L and
-///     lengths] q        = B d + q0(λ)             2 per active point                            [L] residual
-///     R = K0 d + Bᵀ W (t(q; h) − D0 B d) − f(λ)    size 6 · nodes tangent  K = K0 + Bᵀ W (D − D0) B
+///     intact   K0 = K_b + Bᵀ W D0 B         constant, symmetric; positive definite without multipliers
+///     opening  q = B d + q0(λ)              2 per active point [L]
+///     residual R = K0 d + Bᵀ W (t(q; h) − D0 B d) − f(λ)        size 6 · nodes
+///     tangent  K = K0 + Bᵀ W (D − D0) B
 ///
 /// K_b holds strain energy, springs and, for consistent joints, −Sᵀ W P⁻¹ S with S d = {σ}n. Nodes are the
 /// blocks and behind them, for Lagrange joints, one node of multipliers per side, m in columns 0-1 and 2-3.
@@ -84,6 +94,8 @@ class Equilibrium {
   void scatter_add(std::span<const double> t, std::span<double> f) const;
   /// One point's opening from its rows.
   Vec2 opening(std::size_t p, std::span<const double> d) const;
+  /// e·q of a point as a gauge, but for its constant part.
+  Functional opening_gauge(const Loading& loading, std::size_t p, const Vec2& e) const;
 
   /// Stiffness of the springs that loads drive; their own energy is not the structure's.
   const std::vector<Spring>& driven_springs() const { return driven_; }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -68,6 +69,11 @@ struct InterfaceSet {
   std::size_t num_active = 0;
   std::size_t num_nodes = 0;         ///< of unknown multipliers, one per side
   std::vector<std::string> notices;  ///< what was adapted, for the log
+
+  std::size_t num_crackable() const {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(points, [](const InterfacePoint& p) { return p.law->can_crack(); }));
+  }
 };
 
 /// Makes the points of every side: which interface, which treatment, which stiffness.

@@ -49,10 +49,11 @@ void print_interfaces(const Simulation& simulation) {
   const Equilibrium& equilibrium = simulation.equilibrium();
   const InterfaceSet& set = equilibrium.interfaces();
   std::vector<std::size_t> points(set.names.size()), cracking(set.names.size());
-  for (std::size_t p = 0; p < set.points.size(); ++p) {
-    if (set.points[p].interface < 0) continue;
-    ++points[static_cast<std::size_t>(set.points[p].interface)];
-    if (p < set.num_active) ++cracking[static_cast<std::size_t>(set.points[p].interface)];
+  for (const InterfacePoint& point : set.points) {
+    if (point.interface < 0) continue;
+    const auto i = static_cast<std::size_t>(point.interface);
+    ++points[i];
+    if (point.law->can_crack()) ++cracking[i];
   }
   for (std::size_t i = 0; i < points.size(); ++i)
     line("interface", fmt::format("{}: {} points{}", set.names[i], points[i],
@@ -60,7 +61,7 @@ void print_interfaces(const Simulation& simulation) {
                                   : points[i] ? ", bonded"
                                               : ": nothing lies on it"));
   line("interface points",
-       fmt::format("{}, of which {} can crack", equilibrium.num_points(), set.num_active));
+       fmt::format("{}, of which {} can crack", equilibrium.num_points(), set.num_crackable()));
   for (const std::string& notice : set.notices) line("notice", notice);
 }
 

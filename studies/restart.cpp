@@ -9,9 +9,10 @@ namespace fs = std::filesystem;
 using Numbers = std::vector<double>;
 using Integers = std::vector<std::int64_t>;
 
-Numbers flat(const std::vector<Mat2>& matrices) {
+template <class Small>
+Numbers flat(const std::vector<Small>& values) {
   Numbers out;
-  for (const Mat2& m : matrices) out.insert(out.end(), m.data(), m.data() + m.size());
+  for (const Small& v : values) out.insert(out.end(), v.data(), v.data() + v.size());
   return out;
 }
 
@@ -19,12 +20,6 @@ std::vector<Mat2> matrices(const Numbers& flat) {
   std::vector<Mat2> out;
   for (std::size_t i = 0; i + 3 < flat.size(); i += 4)
     out.emplace_back(Eigen::Map<const Mat2>(flat.data() + i));
-  return out;
-}
-
-Numbers flat(const std::vector<Vec2>& vectors) {
-  Numbers out;
-  for (const Vec2& v : vectors) out.insert(out.end(), v.data(), v.data() + v.size());
   return out;
 }
 

@@ -136,7 +136,7 @@ void RunRecorder::log_step(const Point& point, const Measurement& now) {
                      {"load", now.load},
                      {"newton_iterations", point.newton_iterations},
                      {"residual", point.residual},
-                     {"tolerance", point.tolerance}};
+                     {"tolerance", simulation_.deck().path.newton.tolerance}};
   if (simulation_.system().iterates_multipliers()) {
     fields["multiplier_iterations"] = point.multiplier_iterations;
     fields["gap"] = point.gap;

@@ -84,7 +84,7 @@ Json summarise(const Simulation& simulation, const RunMemory& memory, const Meas
   Json out{{"title", simulation.deck().title}, {"status", status_of(ending)}, {"reason", ending.reason}};
   out["blocks"] = equilibrium.num_blocks();
   out["interface_points"] = equilibrium.num_points();
-  out["crackable_points"] = equilibrium.num_active();
+  out["crackable_points"] = equilibrium.interfaces().num_crackable();
   out["unknowns"] = equilibrium.num_unknowns();
   out["steps"] = effort.accepted;
   out["rejected_steps"] = effort.rejected;

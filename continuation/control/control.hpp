@@ -45,11 +45,11 @@ enum class Initiation {
   frozen,   ///< of any unbroken point, the damage of all being frozen meanwhile
   new_one,  ///< of a point that is not loading now, while the damage of the others follows
   at_once,  ///< likewise, of points that lose their strength at once
-  corner  ///< not of a crack: a loading point passes a corner of its curve, such as that of its last traction
+  corner    ///< not of a crack: a loading point passes a corner of its curve, as where its traction ends
 };
 
-/// The next initiation: max over those points of q_eq/κ − 1 = 0 at s = 1; for ruptures κ is that of the end,
-/// passed by 1e-9 so that nothing is left.
+/// The next initiation: max over those points of q_eq/κ − 1 = 0 at s = 1; for corners κ is that of the
+/// point's next corner, passed by 1e-9 so that nothing is left of the piece before it.
 std::unique_ptr<Control> make_event_control(const System& system, Initiation kind = Initiation::frozen);
 
 }  // namespace dda

@@ -20,12 +20,10 @@ class DissipationControl final : public Control {
     const Equilibrium& equilibrium = system_.equilibrium();
     std::vector<Vec2> per_q(at.laws.opening.size());
     for (std::size_t p = 0; p < per_q.size(); ++p) per_q[p] = spending(at, p).gradient / scale_;
-    const std::span<const double> flat(per_q.data()->data(), 2 * per_q.size());
-    equilibrium.scatter_add(flat, per_d);
-    const auto& offset = system_.loading().reference_offset;
+    equilibrium.scatter_add({per_q.data()->data(), 2 * per_q.size()}, per_d);
     double per_load_factor = 0;
-    for (std::size_t i = 0; i < offset.size(); ++i)
-      per_load_factor += equilibrium.point(i / 2).weight * flat[i] * offset[i];
+    for (std::size_t p = 0; p < per_q.size(); ++p)
+      per_load_factor += equilibrium.point(p).weight * per_q[p].dot(system_.loading().reference_opening(p));
     return per_load_factor;
   }
 

@@ -21,12 +21,9 @@ class EventControl final : public Control {
     const InterfacePoint& point = system_.equilibrium().point(p);
     const Vec2 e =
         point.law->opening_gradient(at.laws.opening[p], system_.history()[p], point.stiffness) / goal(p);
-    Functional row;
-    point.for_each_part(
-        [&](BlockId part, const Mat26& rows) { row.rows.emplace_back(part, rows.transpose() * e); });
+    const Functional row = system_.equilibrium().opening_gauge(system_.loading(), p, e);
     row.add_gradient(1, per_d);
-    const auto& offset = system_.loading().reference_offset;
-    return offset.empty() ? 0 : e.dot(Eigen::Map<const Vec2>(offset.data() + 2 * p));
+    return row.per_load_factor;
   }
 
   double per_path() const override { return start_; }

@@ -46,7 +46,7 @@ class LinearSystem {
   ///
   /// False when a kept solution is missing or columns would have to be made for it.
   bool solve_base_residual(const Iterate& at, std::span<double> y);
-  /// The stiffness with these D, 2 × 2 per crackable point, whatever the present tangent is.
+  /// The stiffness with these D, 2 × 2 per active point, whatever the present tangent is.
   BlockMatrix matrix_with(std::span<const Mat2> tangents) const;
   /// y = K x.
   void multiply(std::span<const double> x, std::span<double> y) const;

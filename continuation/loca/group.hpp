@@ -28,6 +28,8 @@ class Group final : public LOCA::Abstract::Group {
   std::span<const double> displacement() const { return x_->local(); }
   double load_factor() const { return parameters_.getValue(load_factor_id); }
   const LawValues& laws() const;
+  /// R; valid after computeF.
+  std::span<const double> residual() const { return std::as_const(*f_).local(); }
   /// ‖R‖ in forces; valid after computeF.
   double residual_norm() const { return system_.residual_norm(f_->local()); }
 

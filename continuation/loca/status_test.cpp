@@ -39,23 +39,18 @@ NOX::StatusTest::StatusType NewtonTest::checkStatus(const NOX::Solver::Generic& 
 NOX::StatusTest::StatusType NewtonTest::judge(const NOX::Solver::Generic& solver) {
   const Group& group = equilibrium_group(solver);
   const double norm = group.residual_norm();
-  const double level = system_.force_level(group.displacement());
   const double control = active_->control ? std::abs(active_->residual) : continuation_residual(solver);
-  residual_ = level > 0 ? norm / level : (norm > 0 ? 1.0 : 0.0);
+  const double before = residual_;
+  residual_ = system_.relative(norm, group.displacement());
   if (!std::isfinite(norm + control)) {
     reason_ = "the residual is not a number";
     return NOX::StatusTest::Failed;
   }
-  constexpr double control_tolerance = 1e-8, largest_round_off = 1e-5;
-  constexpr int iterations_before_doubt = 3;
-  tolerance_ = parameters_.tolerance;
-  const bool may_be_rounding =
-      residual_ < largest_round_off || solver.getNumIterations() >= iterations_before_doubt;
-  if (residual_ > tolerance_ && may_be_rounding) {
-    const double rounding = system_.round_off(group.displacement(), group.load_factor());
-    tolerance_ = std::max(tolerance_, level > 0 ? rounding / level : (norm <= rounding ? 1.0 : 0.0));
-  }
-  if (residual_ <= tolerance_ && control <= control_tolerance) return NOX::StatusTest::Converged;
+  constexpr double control_tolerance = 1e-8, hardly_less = 0.1;
+  const bool stagnates = solver.getNumIterations() > 0 && residual_ > hardly_less * before;
+  if (residual_ > parameters_.tolerance && stagnates)
+    residual_ = system_.excess_residual(group.residual(), group.displacement(), group.load_factor());
+  if (residual_ <= parameters_.tolerance && control <= control_tolerance) return NOX::StatusTest::Converged;
   if (solver.getNumIterations() >= parameters_.max_iterations) {
     reason_ = fmt::format("no convergence in {} iterations (relative residual {:.1e})",
                           parameters_.max_iterations, residual_);

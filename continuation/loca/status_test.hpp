@@ -15,8 +15,8 @@ struct NewtonParameters {
   int max_iterations = 15;
 };
 
-/// Converged when equilibrium and control hold, to the tolerance or to what rounding leaves of the residual
-/// where that is more (System::round_off); failed on NaN, on too many iterations, and as soon as the set of
+/// Converged when equilibrium and control hold; a residual that stagnates counts without its rounding
+/// (System::excess_residual); failed on NaN, on too many iterations, and as soon as the set of
 /// loading points comes back to one it has left, which plain Newton would repeat for ever.
 class NewtonTest final : public NOX::StatusTest::Generic {
  public:
@@ -32,8 +32,6 @@ class NewtonTest final : public NOX::StatusTest::Generic {
   const std::string& reason() const { return reason_; }
   /// Smallest residual that was seen, relative to the force level.
   double relative_residual() const { return residual_; }
-  /// What it was compared with last.
-  double tolerance() const { return tolerance_; }
 
  private:
   NOX::StatusTest::StatusType judge(const NOX::Solver::Generic& solver);
@@ -44,7 +42,7 @@ class NewtonTest final : public NOX::StatusTest::Generic {
   NewtonParameters parameters_;
   NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
   std::string reason_;
-  double residual_ = 0, tolerance_ = 0;
+  double residual_ = 0;
   std::vector<std::size_t> seen_;  ///< fingerprints of the active sets of this solve
 };
 

@@ -79,7 +79,6 @@ class SingleStep final : public LOCA::Stepper {
     out.newton_iterations = solverPtr->getNumIterations();
     if (out.converged && system_.iterates_multipliers()) close_gaps(multipliers, out);
     out.residual = test_->relative_residual();
-    out.tolerance = test_->tolerance();
     if (!out.converged && out.reason.empty()) out.reason = test_->reason();
     out.state = equilibrium_group().state();
     out.state.multipliers = system_.multipliers();

@@ -1,6 +1,4 @@
-#include <algorithm>
-
-#include "models/treatment/treatment.hpp"
+#include "models/treatment/spring_joint.hpp"
 
 namespace dda {
 namespace {
@@ -18,31 +16,23 @@ struct AugmentedLagrangianParameters {
 /// traction. The system keeps its size and its low stiffness p_c; the path's own tangent takes the high one,
 /// D̄ = (D⁻¹ − P⁻¹ + P̄⁻¹)⁻¹. A gap shrinks by k_body/(k_body + p_c) in each iteration.
 /// Source: Pearce et al. (2000), eqs 7-9; models/README.md.
-class AugmentedLagrangian final : public Treatment {
+class AugmentedLagrangian final : public SpringJoint {
  public:
-  explicit AugmentedLagrangian(const AugmentedLagrangianParameters& p) : p_(p) {}
+  explicit AugmentedLagrangian(const AugmentedLagrangianParameters& p)
+      : SpringJoint(p.factor), physical_factor_(std::max(p.factor, p.physical_factor)) {}
 
-  double stiffness(const SideFaces& side) const override { return p_.factor * unit(side); }
-  double largest_stiffness(const SideFaces& side) const override {
-    return std::max(p_.factor, largest_factor) * unit(side);
-  }
-  double physical_stiffness(const SideFaces& side) const override {
-    return std::max(p_.factor, p_.physical_factor) * unit(side);
-  }
-  PointRows rows(const SideFaces& side, const Mat26& first, const Mat26& second, const Vec2&) const override {
-    return jump_rows(side.normal, first, second);
-  }
+  double physical_stiffness(const SideFaces& side) const override { return physical_factor_ * unit(side); }
   Multiplier multiplier() const override { return Multiplier::iterated; }
-  Vec2 stress_weights(const SideFaces&) const override { return Vec2::Zero(); }
 
- private:
-  static constexpr double largest_factor = 1e4;
+ protected:
   /// A side shorter than its blocks has little weight against them: without its own scale its gap would close
   /// slowly.
-  static double unit(const SideFaces& side) {
+  double unit(const SideFaces& side) const override {
     return spring_unit(side) * std::max(1.0, side.centroid_distance / side.length);
   }
-  AugmentedLagrangianParameters p_;
+
+ private:
+  double physical_factor_;
 };
 
 Schema<AugmentedLagrangianParameters> schema() {

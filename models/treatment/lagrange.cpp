@@ -1,6 +1,4 @@
-#include <algorithm>
-
-#include "models/treatment/treatment.hpp"
+#include "models/treatment/spring_joint.hpp"
 
 namespace dda {
 namespace {
@@ -20,24 +18,15 @@ struct LagrangeParameters {
 /// and δ picks the smallest of them; the gap it leaves is δ P⁻¹ t, and rounding leaves about 1e-16/δ of them.
 /// The run reports their number. P only scales m and carries softening. Source: Pearce et al. (2000), eq. 6;
 /// models/README.md.
-class Lagrange final : public Treatment {
+class Lagrange final : public SpringJoint {
  public:
-  explicit Lagrange(const LagrangeParameters& p) : p_(p) {}
+  explicit Lagrange(const LagrangeParameters& p) : SpringJoint(p.factor), perturbation_(p.perturbation) {}
 
-  double stiffness(const SideFaces& side) const override { return p_.factor * spring_unit(side); }
-  double largest_stiffness(const SideFaces& side) const override {
-    return std::max(p_.factor, largest_factor) * spring_unit(side);
-  }
-  PointRows rows(const SideFaces& side, const Mat26& first, const Mat26& second, const Vec2&) const override {
-    return jump_rows(side.normal, first, second);
-  }
   Multiplier multiplier() const override { return Multiplier::unknown; }
-  double perturbation() const override { return p_.perturbation; }
-  Vec2 stress_weights(const SideFaces&) const override { return Vec2::Zero(); }
+  double perturbation() const override { return perturbation_; }
 
  private:
-  static constexpr double largest_factor = 1e4;
-  LagrangeParameters p_;
+  double perturbation_;
 };
 
 Schema<LagrangeParameters> schema() {

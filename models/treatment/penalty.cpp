@@ -1,6 +1,6 @@
 #include <optional>
 
-#include "models/treatment/treatment.hpp"
+#include "models/treatment/spring_joint.hpp"
 
 namespace dda {
 namespace {
@@ -16,24 +16,19 @@ struct PenaltyParameters {
 ///
 /// Adds the compliance 1/k to every joint and locks quadrilateral and Voronoi blocks as k → ∞.
 /// Source: Pearce et al. (2000), eq. 5.
-class Penalty final : public Treatment {
+class Penalty final : public SpringJoint {
  public:
-  explicit Penalty(const PenaltyParameters& p) : p_(p) {}
+  explicit Penalty(const PenaltyParameters& p) : SpringJoint(p.factor), given_(p.stiffness) {}
 
   double stiffness(const SideFaces& side) const override {
-    return p_.stiffness.value_or(p_.factor * spring_unit(side));
+    return given_.value_or(SpringJoint::stiffness(side));
   }
   double largest_stiffness(const SideFaces& side) const override {
-    return p_.stiffness.value_or(std::max(p_.factor, largest_factor) * spring_unit(side));
+    return given_.value_or(SpringJoint::largest_stiffness(side));
   }
-  PointRows rows(const SideFaces& side, const Mat26& first, const Mat26& second, const Vec2&) const override {
-    return jump_rows(side.normal, first, second);
-  }
-  Vec2 stress_weights(const SideFaces&) const override { return Vec2::Zero(); }
 
  private:
-  static constexpr double largest_factor = 1e4;
-  PenaltyParameters p_;
+  std::optional<double> given_;
 };
 
 Schema<PenaltyParameters> schema() {
