@@ -5,18 +5,20 @@
 
 namespace dda {
 
-BlockMatrix::BlockMatrix(std::size_t num_blocks, std::vector<std::pair<BlockId, BlockId>> pairs) {
+BlockMatrix::BlockMatrix(std::size_t num_rows, std::vector<std::pair<BlockId, BlockId>> pairs,
+                         std::size_t num_leading)
+    : num_leading_(num_leading) {
   const std::size_t given = pairs.size();
   for (std::size_t p = 0; p < given; ++p) pairs.emplace_back(pairs[p].second, pairs[p].first);
-  for (std::size_t i = 0; i < num_blocks; ++i) pairs.emplace_back(BlockId{i}, BlockId{i});
+  for (std::size_t i = 0; i < num_rows; ++i) pairs.emplace_back(BlockId{i}, BlockId{i});
   std::ranges::sort(pairs);
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-  row_start_.assign(num_blocks + 1, 0);
+  row_start_.assign(num_rows + 1, 0);
   for (const auto& [row, column] : pairs) {
     ++row_start_[row.value() + 1];
     columns_.push_back(column.value());
   }
-  for (std::size_t r = 0; r < num_blocks; ++r) row_start_[r + 1] += row_start_[r];
+  for (std::size_t r = 0; r < num_rows; ++r) row_start_[r + 1] += row_start_[r];
   values_.assign(columns_.size(), Mat6::Zero());
 }
 

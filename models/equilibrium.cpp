@@ -81,7 +81,7 @@ void Equilibrium::assemble(const Body& body, const ModelParameters& model,
       pairs.emplace_back(point.first, point.node);
       pairs.emplace_back(point.second, point.node);
     }
-  intact_ = BlockMatrix(num_nodes(), pairs);
+  intact_ = BlockMatrix(num_nodes(), pairs, num_blocks_);
   const double weak = model.weak_springs * body.largest_modulus() * body.thickness;
   for (std::size_t i = 0; i < num_blocks_; ++i) {
     const BlockId id{i};

@@ -199,7 +199,8 @@ void restore_walker(const RestartData& data, Walker& walker) {
 
 }  // namespace
 
-RestartData restart_data(const Simulation& simulation, const RunMemory& memory, const DeckFile& deck) {
+RestartData restart_data(const Simulation& simulation, const RunMemory& memory, const DeckFile& deck,
+                         const std::string& effective) {
   RestartData out;
   put(out, simulation.walker());
   put(out, simulation.path().memory());
@@ -213,7 +214,7 @@ RestartData restart_data(const Simulation& simulation, const RunMemory& memory, 
   out.texts["deck.text"] = {deck.text};
   out.texts["deck.path"] = {fs::absolute(deck.path).string()};
   out.texts["deck.overrides"] = deck.overrides;
-  out.texts["deck.effective"] = {to_yaml(deck_schema().echo(deck.deck))};
+  out.texts["deck.effective"] = {effective};
   return out;
 }
 

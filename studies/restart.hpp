@@ -9,7 +9,9 @@
 namespace dda {
 
 /// Everything that the next step depends on, and what the run's files need to go on.
-RestartData restart_data(const Simulation& simulation, const RunMemory& memory, const DeckFile& deck);
+/// `effective` is effective_deck(deck): it is the same all through a run, and long.
+RestartData restart_data(const Simulation& simulation, const RunMemory& memory, const DeckFile& deck,
+                         const std::string& effective);
 
 /// The deck of an interrupted run with further overrides; its text is that of the original.
 DeckFile deck_of(const RestartData& data, const std::filesystem::path& folder,

@@ -30,9 +30,9 @@ RunFolder new_folder(const DeckFile& deck, const RunOptions& options) {
   return RunFolder::create(wanted, IfExists::refuse);
 }
 
-void write_decks(const RunFolder& folder, const DeckFile& deck) {
+void write_decks(const RunFolder& folder, const DeckFile& deck, const std::string& effective) {
   write_whole(folder.file("deck.yaml"), deck.text, Flush::to_system);
-  write_whole(folder.file("effective_deck.yaml"), effective_deck(deck), Flush::to_system);
+  write_whole(folder.file("effective_deck.yaml"), effective, Flush::to_system);
 }
 
 void start_mpi(std::optional<MpiSession>& mpi, Timings& timings) {
@@ -90,11 +90,12 @@ RunResult run_deck(const DeckFile& deck, const RunOptions& options, std::optiona
   start_mpi(mpi, timings);
   simulation.prepare();
   const RunFolder folder = new_folder(deck, options);
-  write_decks(folder, deck);
+  const std::string effective = effective_deck(deck);
+  write_decks(folder, deck, effective);
   const std::string obstacle = simulation.apply_dead_loads();
   simulation.walker().effort().accepted = 0;  // steps are counted along the path
   simulation.begin_path();
-  RunRecorder recorder(folder, simulation, deck, timings);
+  RunRecorder recorder(folder, simulation, deck, effective, timings);
   return follow(simulation, folder, recorder, timings, obstacle, options.quiet);
 }
 
@@ -114,8 +115,9 @@ RunResult resume_run(const fs::path& existing, const std::vector<std::string>& o
   const RunFolder folder = in_place ? source : new_folder(deck, options);
   if (!in_place) copy_run(existing, folder);
   remove_conclusions(folder);
-  write_decks(folder, deck);
-  RunRecorder recorder(folder, simulation, deck, timings, memory);
+  const std::string effective = effective_deck(deck);
+  write_decks(folder, deck, effective);
+  RunRecorder recorder(folder, simulation, deck, effective, timings, memory);
   return follow(simulation, folder, recorder, timings, "", options.quiet);
 }
 

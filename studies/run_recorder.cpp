@@ -22,10 +22,10 @@ Measures measures_of(const Simulation& simulation) {
   return {loading, simulation.path().load_gauge(), unit_of(dimension, deck.units), deck.units};
 }
 
-ResultsFile::Texts texts_of(const DeckFile& deck) {
+ResultsFile::Texts texts_of(const DeckFile& deck, const std::string& effective) {
   auto out = to_texts(provenance());
   out["deck"] = deck.text;
-  out["effective_deck"] = effective_deck(deck);
+  out["effective_deck"] = effective;
   return out;
 }
 
@@ -36,26 +36,27 @@ CurveTable open_curve(const RunFolder& folder, const Measures& measures,
   return CurveTable::resume(file, measures.columns(), static_cast<std::size_t>(memory->last_step) + 1);
 }
 
-ResultsFile open_results(const RunFolder& folder, const Fields& fields, const DeckFile& deck,
+ResultsFile open_results(const RunFolder& folder, const Fields& fields, const ResultsFile::Texts& texts,
                          const std::optional<RunMemory>& memory) {
   if (memory) return ResultsFile::resume(folder.path(), memory->last_step);
-  return {folder.path(), fields.mesh(), texts_of(deck)};
+  return {folder.path(), fields.mesh(), texts};
 }
 
 }  // namespace
 
 RunRecorder::RunRecorder(const RunFolder& folder, Simulation& simulation, const DeckFile& deck,
-                         Timings& timings, std::optional<RunMemory> memory)
+                         std::string effective, Timings& timings, std::optional<RunMemory> memory)
     : folder_(folder),
       simulation_(simulation),
       deck_(deck),
+      effective_(std::move(effective)),
       timings_(timings),
       measures_(measures_of(simulation)),
       fields_(simulation.body(), simulation.deck(), simulation.equilibrium(), simulation.deck().units),
       memory_(memory.value_or(RunMemory{})),
       log_(folder.file("log.jsonl"), memory ? FileWriter::Mode::append : FileWriter::Mode::create),
       curve_(open_curve(folder, measures_, memory)),
-      results_(open_results(folder, fields_, deck, memory)) {
+      results_(open_results(folder, fields_, texts_of(deck, effective_), memory)) {
   simulation.path().report_to([this](const std::string& event, const std::string& text) {
     log_.info(event, {{"step", memory_.last_step + 1}, {"text", text}});
   });
@@ -126,7 +127,7 @@ void RunRecorder::store_here() { store(here()); }
 
 void RunRecorder::write_restart_file() {
   const auto scope = timings_.measure("restart file");
-  write_restart(folder_.file("restart.h5"), restart_data(simulation_, memory_, deck_));
+  write_restart(folder_.file("restart.h5"), restart_data(simulation_, memory_, deck_, effective_));
 }
 
 void RunRecorder::log_step(const Point& point, const Measurement& now) {

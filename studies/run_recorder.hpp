@@ -18,9 +18,10 @@ namespace dda {
 /// without it does not hold a whole result. Throws OutputError.
 class RunRecorder {
  public:
-  /// `memory` is that of the run to be continued, or nothing for a new one.
-  RunRecorder(const RunFolder& folder, Simulation& simulation, const DeckFile& deck, Timings& timings,
-              std::optional<RunMemory> memory = {});
+  /// `effective` is effective_deck(deck); `memory` is that of the run to be continued, or nothing for a new
+  /// one.
+  RunRecorder(const RunFolder& folder, Simulation& simulation, const DeckFile& deck, std::string effective,
+              Timings& timings, std::optional<RunMemory> memory = {});
 
   void record(const Point& point);
   /// Fields of the end, restart file, figures, summary; gives the summary.
@@ -46,6 +47,7 @@ class RunRecorder {
   const RunFolder& folder_;
   Simulation& simulation_;
   const DeckFile& deck_;
+  const std::string effective_;
   Timings& timings_;
   Measures measures_;
   Fields fields_;

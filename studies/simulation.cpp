@@ -58,7 +58,7 @@ void Simulation::prepare() {
   walker_ = std::make_unique<Walker>(*system_, deck_.path);
   notices_ = equilibrium_->interfaces().notices;
   if (const std::size_t multipliers = equilibrium_->num_unknown_multipliers(); multipliers > 0)
-    if (const int redundant = assess(equilibrium_->unperturbed()).null_pivots; redundant > 0)
+    if (const int redundant = num_redundant(equilibrium_->unperturbed()); redundant > 0)
       notices_.push_back(fmt::format(
           "{} of {} Lagrange multipliers are redundant: their joints are tied more often than their "
           "blocks can move; the perturbation keeps them determined",

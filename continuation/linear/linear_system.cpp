@@ -151,7 +151,12 @@ const std::vector<double>& LinearSystem::solution_of(Kept& kept) {
   kept.solution = kept.right;
   if (std::ranges::all_of(kept.right, [](double value) { return value == 0; })) return kept.solution;
   solver_->solve(kept.solution, 1);
-  ++num_solves_;
+  std::vector<double> rest(n());  // refined once: iterates that are put together from it cannot be
+  multiply(base_, kept.solution, rest);
+  for (std::size_t i = 0; i < rest.size(); ++i) rest[i] = kept.right[i] - rest[i];
+  solver_->solve(rest, 1);
+  for (std::size_t i = 0; i < rest.size(); ++i) kept.solution[i] += rest[i];
+  num_solves_ += 2;
   return kept.solution;
 }
 
@@ -213,11 +218,16 @@ void LinearSystem::correct(std::span<const std::span<double>> solutions) const {
 }
 
 void LinearSystem::multiply(std::span<const double> x, std::span<double> y) const {
+  multiply(tangent_, x, y);
+}
+
+void LinearSystem::multiply(std::span<const Mat2> tangents, std::span<const double> x,
+                            std::span<double> y) const {
   std::ranges::fill(y, 0.0);
   equilibrium_.intact().multiply_add(x, y);
   std::vector<double> t(2 * equilibrium_.num_active());
   for (std::size_t p = 0; p < equilibrium_.num_active(); ++p) {
-    const Mat2 change = tangent_[p] - Mat2(equilibrium_.point(p).intact_stiffness().asDiagonal());
+    const Mat2 change = tangents[p] - Mat2(equilibrium_.point(p).intact_stiffness().asDiagonal());
     Eigen::Map<Vec2>(t.data() + 2 * p) =
         change.isZero(0) ? Vec2(Vec2::Zero()) : Vec2(change * rows_times(p, x));
   }

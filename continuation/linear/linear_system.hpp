@@ -78,6 +78,8 @@ class LinearSystem {
   std::size_t n() const { return equilibrium_.num_unknowns(); }
   void add_columns(std::size_t point);
   void extend_couplings(std::size_t first_new);
+  /// y = K x for the K with these D.
+  void multiply(std::span<const Mat2> tangents, std::span<const double> x, std::span<double> y) const;
   bool factor_small();
   const std::vector<double>& solution_of(Kept& kept);
   std::span<const double> column(std::size_t slot, std::size_t component) const {

@@ -24,17 +24,35 @@ void for_each_block(const BlockMatrix& a, F&& f) {
       f(BlockId{r}, BlockId{a.columns()[s]}, a.value(s));
 }
 
+/// S that gives Â = S A S a unit diagonal, or rows of unit size where the diagonal is nothing but rounding,
+/// as that of an exact multiplier.
+std::vector<Vec6> unit_scale(const BlockMatrix& a) {
+  std::vector<Vec6> diagonal(a.num_rows()), largest(a.num_rows(), Vec6::Zero());
+  for_each_block(a, [&](BlockId i, BlockId j, const Mat6& m) {
+    if (i == j) diagonal[i.value()] = m.diagonal().cwiseAbs();
+  });
+  std::vector<Vec6> scale(a.num_rows());
+  for (std::size_t r = 0; r < a.num_rows(); ++r)
+    scale[r] = (diagonal[r].array() > 0).select(diagonal[r].cwiseSqrt().cwiseInverse(), 1.0);
+  if (a.num_leading() == a.num_rows()) return scale;
+  for_each_block(a, [&](BlockId i, BlockId j, const Mat6& m) {
+    if (j.value() < a.num_leading())
+      largest[i.value()] =
+          largest[i.value()].cwiseMax((m * scale[j.value()].asDiagonal()).cwiseAbs().rowwise().maxCoeff());
+  });
+  constexpr double rounding = 1e-12;
+  for (std::size_t r = a.num_leading(); r < a.num_rows(); ++r)
+    for (int k = 0; k < block_unknowns; ++k)
+      if (const double row = largest[r][k]; diagonal[r][k] <= rounding * row * row) scale[r][k] = 1 / row;
+  return scale;
+}
+
 /// Â = S A S.
 BlockMatrix scaled(const BlockMatrix& a) {
   std::vector<std::pair<BlockId, BlockId>> pairs;
-  std::vector<Vec6> scale(a.num_rows());
-  for_each_block(a, [&](BlockId i, BlockId j, const Mat6& m) {
-    pairs.emplace_back(i, j);
-    if (i != j) return;
-    for (int k = 0; k < block_unknowns; ++k)
-      scale[i.value()][k] = m(k, k) == 0 ? 1.0 : 1 / std::sqrt(std::abs(m(k, k)));
-  });
-  BlockMatrix out(a.num_rows(), std::move(pairs));
+  const std::vector<Vec6> scale = unit_scale(a);
+  for_each_block(a, [&](BlockId i, BlockId j, const Mat6&) { pairs.emplace_back(i, j); });
+  BlockMatrix out(a.num_rows(), std::move(pairs), a.num_leading());
   for_each_block(a, [&](BlockId i, BlockId j, const Mat6& m) {
     out.add(i, j, scale[i.value()].asDiagonal() * m * scale[j.value()].asDiagonal());
   });
@@ -95,6 +113,15 @@ double inverse_norm(MumpsMatrix& matrix, std::size_t size) {
 }
 
 }  // namespace
+
+int num_redundant(const BlockMatrix& a) {
+  const BlockMatrix unit = scaled(a);
+  const double null = 1e-13 * norm(unit);
+  MumpsMatrix matrix;
+  matrix.control(8) = 0;
+  const int negative = negative_eigenvalues(matrix, shifted(unit, null));
+  return negative_eigenvalues(matrix, shifted(unit, -null)) - negative;
+}
 
 MatrixQuality assess(const BlockMatrix& a) {
   const BlockMatrix unit = scaled(a);

@@ -8,7 +8,7 @@ namespace dda {
 ///
 /// All numbers are those of the matrix scaled to a diagonal of ones, which does not depend on units:
 ///
-///     Â = S A S,     S = diag(1/√|a_ii|),  1 where a_ii = 0
+///     Â = S A S,     S = diag(1/√|a_ii|), or what makes the row's largest entry 1 where a_ii = 0
 ///
 /// A single block that nothing but weak springs holds is therefore well conditioned; two such blocks that
 /// hang together are not.
@@ -32,5 +32,9 @@ struct MatrixQuality {
 /// motion z some ε, it makes the pivot at unknown i some ε |z|²/z_i².) Only the lower triangle is factorised.
 /// Needs an MPI session; throws std::runtime_error when MUMPS runs out of memory.
 MatrixQuality assess(const BlockMatrix& a);
+
+/// Eigenvalues of Â within ±τ: of a matrix with exact multipliers, those of the redundant ones.
+/// Factorises twice.
+int num_redundant(const BlockMatrix& a);
 
 }  // namespace dda

@@ -2,6 +2,8 @@
 
 #include <mpi.h>
 
+#include <algorithm>
+#include <functional>
 #include <stdexcept>
 #include <string>
 
@@ -23,6 +25,32 @@ MumpsMatrix::MumpsMatrix() {
 
 MumpsMatrix::~MumpsMatrix() { call(job_end); }
 
+std::vector<std::size_t> MumpsMatrix::elimination_of(const BlockMatrix& a) {
+  const std::size_t leading = a.num_leading();
+  MumpsMatrix graph;
+  for (std::size_t r = 0; r < leading; ++r)
+    for (std::size_t s = a.row_start()[r]; s < a.row_start()[r + 1] && a.columns()[s] <= r; ++s) {
+      graph.rows_.push_back(static_cast<MUMPS_INT>(r + 1));
+      graph.columns_.push_back(static_cast<MUMPS_INT>(a.columns()[s] + 1));
+    }
+  graph.values_.assign(graph.rows_.size(), 1.0);
+  graph.point_at(leading);
+  graph.control(12) = 1;  // ordered as a graph, whatever the values
+  graph.call(job_analyse);
+  std::vector<std::size_t> at(leading), out(a.num_rows());
+  for (std::size_t r = 0; r < leading; ++r) at[static_cast<std::size_t>(graph.id_.sym_perm[r]) - 1] = r;
+  std::size_t next = 0;
+  std::vector<int> waits_for(a.num_rows(), -1);  // of a multiplier: for itself and its blocks
+  for (std::size_t m = leading; m < a.num_rows(); ++m)
+    waits_for[m] = static_cast<int>(a.row_start()[m + 1] - a.row_start()[m]) - 1;
+  for (const std::size_t r : at) {
+    out[r] = next++;
+    for (std::size_t s = a.row_start()[r]; s < a.row_start()[r + 1]; ++s)
+      if (const std::size_t m = a.columns()[s]; m >= leading && --waits_for[m] == 0) out[m] = next++;
+  }
+  return out;
+}
+
 void MumpsMatrix::set(const BlockMatrix& a) {
   std::vector<MUMPS_INT> rows, columns;
   values_.clear();
@@ -41,12 +69,28 @@ void MumpsMatrix::set(const BlockMatrix& a) {
     rows_ = std::move(rows);
     columns_ = std::move(columns);
     is_analysed_ = false;
+    if (a.num_leading() < a.num_rows()) order_multipliers_last(a);
   }
-  id_.n = static_cast<MUMPS_INT>(6 * a.num_rows());
+  point_at(6 * a.num_rows());
+}
+
+void MumpsMatrix::point_at(std::size_t n) {
+  id_.n = static_cast<MUMPS_INT>(n);
   id_.nnz = static_cast<MUMPS_INT8>(rows_.size());
   id_.irn = rows_.data();
   id_.jcn = columns_.data();
   id_.a = values_.data();
+}
+
+void MumpsMatrix::order_multipliers_last(const BlockMatrix& a) {
+  position_.clear();
+  for (const std::size_t row : elimination_of(a))
+    for (std::size_t i = 0; i < block_unknowns; ++i)
+      position_.push_back(static_cast<MUMPS_INT>(6 * row + i + 1));
+  id_.perm_in = position_.data();
+  control(6) = 0;           // the rows stay in their places
+  control(7) = 1;           // this elimination
+  real_control(1) = 1e-10;  // -δ P is a good pivot, nothing smaller
 }
 
 bool MumpsMatrix::factor() {
@@ -56,11 +100,34 @@ bool MumpsMatrix::factor() {
 }
 
 void MumpsMatrix::solve(std::span<double> x, int columns) {
+  if (position_.empty()) return substitute(x, columns);
+  const std::vector<double> right(x.begin(), x.end());
+  substitute(x, columns);
+  constexpr int refinements = 2;
+  for (int i = 0; i < refinements; ++i) {
+    std::vector<double> rest = right;
+    for (std::size_t c = 0; c < static_cast<std::size_t>(columns); ++c)
+      subtract_product(x.data() + c * static_cast<std::size_t>(id_.n),
+                       rest.data() + c * static_cast<std::size_t>(id_.n));
+    substitute(rest, columns);
+    std::ranges::transform(x, rest, x.begin(), std::plus{});
+  }
+}
+
+void MumpsMatrix::substitute(std::span<double> x, int columns) {
   id_.rhs = x.data();
   id_.nrhs = columns;
   id_.lrhs = id_.n;
   if (!call(job_solve))
     throw std::runtime_error("MUMPS could not solve: INFOG(1) = " + std::to_string(count(1)));
+}
+
+void MumpsMatrix::subtract_product(const double* x, double* y) const {
+  for (std::size_t e = 0; e < values_.size(); ++e) {
+    const auto row = rows_[e] - 1, column = columns_[e] - 1;
+    y[row] -= values_[e] * x[column];
+    if (row != column) y[column] -= values_[e] * x[row];
+  }
 }
 
 bool MumpsMatrix::call(int job) {
