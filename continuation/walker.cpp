@@ -23,6 +23,7 @@ void Walker::begin_stage(std::size_t stage) {
 Attempt Walker::attempt(Control& control, double step, const State& guess) {
   Attempt out = controlled_step(system_, here_.state, control, step, guess, parameters_);
   effort_.newton_iterations += out.newton_iterations;
+  effort_.reduced_iterations += out.reduced_iterations;
   effort_.multiplier_iterations += out.multiplier_iterations;
   if (!out.converged) ++effort_.rejected;
   return out;

@@ -16,6 +16,7 @@ struct Effort {
   int rejected = 0;
   int rescues = 0;
   int newton_iterations = 0;
+  int reduced_iterations = 0;  ///< on the cracked points alone
   int multiplier_iterations = 0;
 };
 

@@ -148,7 +148,7 @@ void put(RestartData& data, const Walker& walker) {
   put(data, walker.leaving());
   const Effort& effort = walker.effort();
   data.integers["effort"] = {effort.accepted, effort.rejected, effort.rescues, effort.newton_iterations,
-                             effort.multiplier_iterations};
+                             effort.multiplier_iterations, effort.reduced_iterations};
   put(data, "linear", walker.system().linear());
   if (walker.system().iterates_multipliers()) put(data, "path_linear", walker.system().path_linear());
 }
@@ -159,6 +159,7 @@ Effort take_effort(const RestartData& data) {
           .rejected = static_cast<int>(e.at(1)),
           .rescues = static_cast<int>(e.at(2)),
           .newton_iterations = static_cast<int>(e.at(3)),
+          .reduced_iterations = static_cast<int>(e.at(5)),
           .multiplier_iterations = static_cast<int>(e.at(4))};
 }
 

@@ -89,6 +89,7 @@ Json summarise(const Simulation& simulation, const RunMemory& memory, const Meas
   out["steps"] = effort.accepted;
   out["rejected_steps"] = effort.rejected;
   out["newton_iterations"] = effort.newton_iterations;
+  out["reduced_iterations"] = effort.reduced_iterations;
   out["factorisations"] =
       memory.num_factorisations + static_cast<long long>(simulation.system().linear().num_factorisations());
   out["rescues"] = effort.rescues;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "continuation/system.hpp"
@@ -12,6 +13,14 @@ struct ControlPoint {
   std::span<const double> d;
   double load_factor;
   const LawValues& laws;
+};
+
+/// A control in parts, N = (g(d, λ) + Σ W (energy that accepting q spends) − target)/scale.
+struct ControlSum {
+  const Functional* gauge = nullptr;  ///< g, if any
+  bool spends = false;                ///< whether the energy enters
+  double target = 0;
+  double scale = 1;
 };
 
 /// One scalar equation that closes equilibrium, N(d, λ, s) = 0: which point of the path is wanted.
@@ -29,6 +38,8 @@ class Control {
   virtual double gradient(const ControlPoint& at, std::span<double> per_d) const = 0;
   /// ∂N/∂s.
   virtual double per_path() const = 0;
+  /// N(·, ·, s) in parts, of controls that consist of them.
+  virtual std::optional<ControlSum> as_sum(double) const { return {}; }
   /// Whether the laws are to answer with frozen damage under this control.
   virtual bool freezes_damage() const { return false; }
 };

@@ -27,6 +27,9 @@ class DissipationControl final : public Control {
     return per_load_factor;
   }
 
+  std::optional<ControlSum> as_sum(double s) const override {
+    return ControlSum{.gauge = nullptr, .spends = true, .target = s, .scale = scale_};
+  }
   double per_path() const override { return -1 / scale_; }
 
  private:

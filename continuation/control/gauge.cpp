@@ -18,6 +18,9 @@ class GaugeControl final : public Control {
     gauge_.add_gradient(1 / scale_, per_d);
     return gauge_.per_load_factor / scale_;
   }
+  std::optional<ControlSum> as_sum(double s) const override {
+    return ControlSum{.gauge = &gauge_, .spends = false, .target = start_ + s, .scale = scale_};
+  }
   double per_path() const override { return -1 / scale_; }
 
  private:

@@ -48,6 +48,8 @@ bool LinearSystem::rebase(std::span<const Mat2> tangents) {
   updated_.clear();
   active_.clear();
   z_.clear();
+  keeps_z_ = true;
+  gauges_.clear();
   std::ranges::fill(slot_, -1);
   reference_.solution.clear();
   dead_.solution.clear();
@@ -62,11 +64,13 @@ bool LinearSystem::restore(std::span<const Mat2> base, std::span<const std::size
   return true;
 }
 
-/// The dense part of a few iterations, ⅔ r³ each, against one factorisation.
+/// The dense part of a few iterations, ⅔ r³ each, against one factorisation and the columns that a new base
+/// needs again. An operation of a small sparse factorisation takes many times as long as one in a dense
+/// matrix.
 std::size_t LinearSystem::most_columns() const {
-  constexpr double iterations_per_base = 5, fewest = 48;
+  constexpr double iterations_per_base = 5, sparse_over_dense = 20, fewest = 48;
   return static_cast<std::size_t>(
-      std::max(fewest, std::cbrt(1.5 * solver_->factor_flops() / iterations_per_base)));
+      std::max(fewest, std::cbrt(1.5 * sparse_over_dense * solver_->factor_flops() / iterations_per_base)));
 }
 
 bool LinearSystem::set_tangent(std::span<const Mat2> tangents) {
@@ -90,6 +94,66 @@ bool LinearSystem::set_tangent(std::span<const Mat2> tangents) {
   return factor_small();
 }
 
+bool LinearSystem::is_as_in_base(std::size_t point, const Vec2& q, const Response& now) const {
+  constexpr double round_off = 1e-14;
+  const Vec2 linear = base_[point] * q;
+  return (now.traction - linear).norm() <= round_off * linear.norm() && is_same(now.tangent, base_[point]);
+}
+
+bool LinearSystem::make_columns(std::span<const std::size_t> points) {
+  std::vector<std::size_t> batches;
+  for (const std::size_t p : points)
+    if (batches.empty() || batches.back() != p / batch) batches.push_back(p / batch);
+  if (2 * (updated_.size() + batch * batches.size()) > most_columns()) return false;
+  for (const std::size_t p : points)
+    if (slot_[p] < 0) add_columns(p);
+  return true;
+}
+
+void LinearSystem::add_rows(std::size_t point, const Vec2& force, double* to) const {
+  equilibrium_.point(point).for_each_part([&](BlockId part, const Mat26& rows) {
+    Eigen::Map<Vec6>(to + 6 * part.value()) += rows.transpose() * force;
+  });
+}
+
+void LinearSystem::subtract_columns(std::span<const std::size_t> points, const Eigen::MatrixXd& shares,
+                                    std::span<const std::span<double>> solutions) {
+  const auto size = static_cast<Eigen::Index>(n());
+  if (points.empty()) return;
+  if (keeps_z_) {
+    for (std::size_t a = 0; a < points.size(); ++a) {
+      const double* columns = z_.data() + 2 * n() * static_cast<std::size_t>(slot_[points[a]]);
+      const Eigen::Map<const Eigen::MatrixX2d> z(columns, size, 2);
+      for (std::size_t c = 0; c < solutions.size(); ++c)
+        Eigen::Map<Eigen::VectorXd>(solutions[c].data(), size).noalias() -=
+            z * shares.block<2, 1>(2 * static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(c));
+    }
+    return;
+  }
+  std::vector<double> product(solutions.size() * n(), 0.0);
+  for (std::size_t c = 0; c < solutions.size(); ++c)
+    for (std::size_t a = 0; a < points.size(); ++a)
+      add_rows(points[a], shares.block<2, 1>(2 * static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(c)),
+               product.data() + c * n());
+  solver_->solve(product, static_cast<int>(solutions.size()));
+  num_solves_ += solutions.size();
+  for (std::size_t c = 0; c < solutions.size(); ++c)
+    for (std::size_t i = 0; i < n(); ++i) solutions[c][i] -= product[c * n() + i];
+}
+
+/// The base is symmetric: Zᵀ g = U K_base⁻¹ g.
+Eigen::VectorXd LinearSystem::along_columns(const Functional& gauge) {
+  std::vector<double> right(n(), 0.0);
+  gauge.add_gradient(1, right);
+  auto kept = std::ranges::find(gauges_, right, &Kept::right);
+  if (kept == gauges_.end()) kept = gauges_.insert(kept, Kept{std::move(right), {}});
+  const std::vector<double>& solution = solution_of(*kept);
+  Eigen::VectorXd out(2 * static_cast<Eigen::Index>(updated_.size()));
+  for (std::size_t i = 0; i < updated_.size(); ++i)
+    out.segment<2>(2 * static_cast<Eigen::Index>(i)) = rows_times(updated_[i], solution);
+  return out;
+}
+
 /// Computes Z for the batch of a point, and its couplings in G with every point before it.
 void LinearSystem::add_columns(std::size_t point) {
   const std::size_t first = updated_.size(), begin = point / batch * batch;
@@ -98,30 +162,31 @@ void LinearSystem::add_columns(std::size_t point) {
     slot_[p] = static_cast<int>(updated_.size());
     updated_.push_back(p);
   }
-  z_.resize(2 * n() * updated_.size(), 0.0);
-  for (std::size_t p = begin; p < end; ++p) {
-    const InterfacePoint& at = equilibrium_.point(p);
-    for (std::size_t c = 0; c < 2; ++c) {
-      double* column = z_.data() + (2 * static_cast<std::size_t>(slot_[p]) + c) * n();
-      at.for_each_part([&](BlockId part, const Mat26& rows) {
-        Eigen::Map<Vec6>(column + 6 * part.value()) += rows.row(static_cast<Eigen::Index>(c)).transpose();
-      });
-    }
+  const std::size_t count = 2 * (end - begin);
+  std::vector<double> columns(count * n(), 0.0);
+  for (std::size_t p = begin; p < end; ++p)
+    for (std::size_t c = 0; c < 2; ++c)
+      add_rows(p, Vec2::Unit(static_cast<Eigen::Index>(c)), columns.data() + (2 * (p - begin) + c) * n());
+  solver_->solve(columns, static_cast<int>(count));
+  num_solves_ += count;
+  extend_couplings(first, columns);
+  constexpr std::size_t most_numbers = std::size_t{1} << 25;  // 256 MiB
+  if (keeps_z_ && z_.size() + columns.size() > most_numbers) {
+    keeps_z_ = false;
+    z_ = {};
   }
-  const std::size_t columns = 2 * (end - begin);
-  solver_->solve({z_.data() + 2 * n() * first, columns * n()}, static_cast<int>(columns));
-  num_solves_ += columns;
-  extend_couplings(first);
+  if (keeps_z_) z_.insert(z_.end(), columns.begin(), columns.end());
 }
 
-void LinearSystem::extend_couplings(std::size_t first_new) {
+void LinearSystem::extend_couplings(std::size_t first_new, std::span<const double> columns) {
   const auto needed = static_cast<Eigen::Index>(2 * updated_.size());
   if (g_.rows() < needed) g_.conservativeResize(2 * needed, 2 * needed);
   for (std::size_t s = first_new; s < updated_.size(); ++s)
     for (std::size_t a = 0; a < updated_.size(); ++a)
       for (std::size_t c = 0; c < 2; ++c) {
         const auto row = static_cast<Eigen::Index>(2 * a), col = static_cast<Eigen::Index>(2 * s + c);
-        g_.block<2, 1>(row, col) = rows_times(updated_[a], column(s, c));
+        g_.block<2, 1>(row, col) =
+            rows_times(updated_[a], columns.subspan((2 * (s - first_new) + c) * n(), n()));
         if (a < first_new) g_.block<1, 2>(col, row) = g_.block<2, 1>(row, col).transpose();
       }
 }
@@ -173,21 +238,23 @@ void LinearSystem::solve_base(std::span<const double> b, std::span<double> y) {
 }
 
 bool LinearSystem::solve_base_residual(const Iterate& at, std::span<double> y) {
-  std::vector<std::pair<std::size_t, Vec2>> forces;
+  std::vector<std::size_t> points;
+  std::vector<double> minus_z;
   for (std::size_t p = 0; p < at.traction.size(); ++p) {
     const Vec2 linear = base_[p] * equilibrium_.opening(p, at.d);
     const Vec2 z = at.traction[p] - linear;
     constexpr double round_off = 1e-14;
     if (z.norm() <= round_off * linear.norm()) continue;
     if (slot_[p] < 0) return false;
-    forces.emplace_back(static_cast<std::size_t>(slot_[p]), equilibrium_.point(p).weight * z);
+    points.push_back(p);
+    for (const double component : z) minus_z.push_back(-equilibrium_.point(p).weight * component);
   }
+  if (!keeps_z_) return false;
+  const Eigen::MatrixXd forces =
+      Eigen::Map<const Eigen::VectorXd>(minus_z.data(), static_cast<Eigen::Index>(minus_z.size()));
   const std::vector<double>&live = solution_of(reference_), &dead = solution_of(dead_);
   for (std::size_t i = 0; i < y.size(); ++i) y[i] = at.d[i] - at.load_factor * live[i] - dead[i];
-  const auto size = static_cast<Eigen::Index>(n());
-  Eigen::Map<Eigen::VectorXd> sum(y.data(), size);
-  for (const auto& [slot, z] : forces)
-    sum.noalias() += Eigen::Map<const Eigen::MatrixX2d>(column(slot, 0).data(), size, 2) * z;
+  subtract_columns(points, forces, std::span<const std::span<double>>(&y, 1));
   return true;
 }
 
@@ -196,10 +263,10 @@ void LinearSystem::solve(std::span<const double> b, std::span<double> x) {
   correct(std::span<const std::span<double>>(&x, 1));
 }
 
-void LinearSystem::correct(std::span<const std::span<double>> solutions) const {
+void LinearSystem::correct(std::span<const std::span<double>> solutions) {
   if (active_.empty()) return;
   const auto r = static_cast<Eigen::Index>(2 * active_.size());
-  const auto columns = static_cast<Eigen::Index>(solutions.size()), size = static_cast<Eigen::Index>(n());
+  const auto columns = static_cast<Eigen::Index>(solutions.size());
   Eigen::MatrixXd right(r, columns);
   for (std::size_t a = 0; a < active_.size(); ++a) {
     const Mat2 e = equilibrium_.point(active_[a]).weight * (tangent_[active_[a]] - base_[active_[a]]);
@@ -207,14 +274,7 @@ void LinearSystem::correct(std::span<const std::span<double>> solutions) const {
       right.block<2, 1>(2 * static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(c)) =
           e * rows_times(active_[a], solutions[c]);
   }
-  const Eigen::MatrixXd shares = small_.solve(right);
-  for (std::size_t a = 0; a < active_.size(); ++a) {
-    const Eigen::Map<const Eigen::MatrixX2d> z(column(static_cast<std::size_t>(slot_[active_[a]]), 0).data(),
-                                               size, 2);
-    for (Eigen::Index c = 0; c < columns; ++c)
-      Eigen::Map<Eigen::VectorXd>(solutions[static_cast<std::size_t>(c)].data(), size).noalias() -=
-          z * shares.block<2, 1>(2 * static_cast<Eigen::Index>(a), c);
-  }
+  subtract_columns(active_, small_.solve(right), solutions);
 }
 
 void LinearSystem::multiply(std::span<const double> x, std::span<double> y) const {

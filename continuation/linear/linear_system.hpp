@@ -15,10 +15,12 @@ namespace dda {
 ///     K = K_base + Uᵀ E U,     U = rows B of the changed points,  E = W (D − D_base), 2 × 2 per point
 ///     K⁻¹ b = y − Z (1 + E G)⁻¹ E U y,   y = K_base⁻¹ b,  Z = K_base⁻¹ Uᵀ,  G = U Z
 ///
-/// Sherman-Morrison-Woodbury; columns of Z are computed when a point first changes and kept. When so many
-/// points have changed that the dense part costs more than a factorisation, the present tangent becomes the
-/// base; that is decided by counts, never by clocks, so that runs repeat. The base is symmetric: of a
-/// frictional tangent it takes the symmetric part, and the rest stays an update.
+/// Sherman-Morrison-Woodbury. G grows by the columns of Z of points that change for the first time; Z itself
+/// is kept as long as it is small and replaced by a solve per product from then on, so that memory follows
+/// the factor and not the cracks. When so many points have changed that the dense part costs more than a
+/// factorisation, the present tangent becomes the base; that is decided by counts, never by clocks, so that
+/// runs repeat. The base is symmetric: of a frictional tangent it takes the symmetric part, and the rest
+/// stays an update.
 class LinearSystem {
  public:
   enum class Update { low_rank, refactorise };
@@ -38,13 +40,13 @@ class LinearSystem {
   void solve(std::span<const double> b, std::span<double> x);
   /// y = K_base⁻¹ b.
   void solve_base(std::span<const double> b, std::span<double> y);
-  /// Turns solutions with K_base into solutions with K, all in one pass over Z.
-  void correct(std::span<const std::span<double>> solutions) const;
+  /// Turns solutions with K_base into solutions with K, all at once.
+  void correct(std::span<const std::span<double>> solutions);
   /// K_base⁻¹ R without a solve, from what is known of the iterate: with z = W (t − D_base B d)
   ///
   ///     K_base⁻¹ R = d − λ K_base⁻¹ f_ref − K_base⁻¹ f_dead + Z z
   ///
-  /// False when a kept solution is missing or columns would have to be made for it.
+  /// False where that is no cheaper than a solve, or columns would have to be made for it.
   bool solve_base_residual(const Iterate& at, std::span<double> y);
   /// The stiffness with these D, 2 × 2 per active point, whatever the present tangent is.
   BlockMatrix matrix_with(std::span<const Mat2> tangents) const;
@@ -53,6 +55,24 @@ class LinearSystem {
 
   /// K_base⁻¹ of these (and of their negatives) is computed once per base.
   void keep_solutions_of(std::vector<double> reference, std::vector<double> dead);
+
+  /// Whether cracked points are updates of a base.
+  bool updates() const { return update_ == Update::low_rank; }
+  /// Whether a point answers at q as its part of the base does.
+  bool is_as_in_base(std::size_t point, const Vec2& q, const Response& now) const;
+  bool has_columns(std::size_t point) const { return slot_[point] >= 0; }
+  /// Columns for these points; false where a new base would be cheaper.
+  bool make_columns(std::span<const std::size_t> points);
+  /// x −= Z s for each x, s in the columns of `shares`, 2 rows per point.
+  void subtract_columns(std::span<const std::size_t> points, const Eigen::MatrixXd& shares,
+                        std::span<const std::span<double>> solutions);
+  /// Zᵀ ∂g/∂d of a gauge, 2 per updated point.
+  Eigen::VectorXd along_columns(const Functional& gauge);
+  /// G, in the order of updated_points(); rows and columns beyond them are spare.
+  const Eigen::MatrixXd& couplings() const { return g_; }
+  /// K_base⁻¹ of the loads that are kept.
+  const std::vector<double>& reference_solution() { return solution_of(reference_); }
+  const std::vector<double>& dead_solution() { return solution_of(dead_); }
 
   /// What a restart must bring back: stiffness of the base, and the points whose columns are kept, in their
   /// order.
@@ -77,14 +97,13 @@ class LinearSystem {
   std::size_t most_columns() const;
   std::size_t n() const { return equilibrium_.num_unknowns(); }
   void add_columns(std::size_t point);
-  void extend_couplings(std::size_t first_new);
+  void extend_couplings(std::size_t first_new, std::span<const double> columns);
+  /// Uᵀ: adds the rows of a point times a force to a vector of size n.
+  void add_rows(std::size_t point, const Vec2& force, double* to) const;
   /// y = K x for the K with these D.
   void multiply(std::span<const Mat2> tangents, std::span<const double> x, std::span<double> y) const;
   bool factor_small();
   const std::vector<double>& solution_of(Kept& kept);
-  std::span<const double> column(std::size_t slot, std::size_t component) const {
-    return {z_.data() + (2 * slot + component) * n(), n()};
-  }
   Vec2 rows_times(std::size_t point, std::span<const double> x) const {
     return equilibrium_.opening(point, x);
   }
@@ -95,11 +114,13 @@ class LinearSystem {
   std::vector<Mat2> base_, tangent_;
   std::vector<std::size_t> updated_;  ///< points with columns in z_, in order
   std::vector<int> slot_;             ///< point → index in updated_, −1 when none
+  bool keeps_z_ = true;               ///< until it grows too large
   std::vector<double> z_;             ///< columns of K_base⁻¹ Uᵀ, n × 2 per updated point
   Eigen::MatrixXd g_;                 ///< U K_base⁻¹ Uᵀ, at least 2 · updated square
   std::vector<std::size_t> active_;   ///< updated points with E ≠ 0 now
   Eigen::PartialPivLU<Eigen::MatrixXd> small_;
   Kept reference_, dead_;
+  std::vector<Kept> gauges_;  ///< of along_columns
   std::size_t num_factorisations_ = 0, num_solves_ = 0;
 };
 

@@ -15,6 +15,7 @@
 
 #include "continuation/loca/group.hpp"
 #include "continuation/loca/parameter_list.hpp"
+#include "continuation/reduced.hpp"
 
 namespace dda {
 namespace {
@@ -158,13 +159,9 @@ struct Loca {
   ~Loca() { LOCA::destroyGlobalData(global); }
 };
 
-}  // namespace
-
-Attempt controlled_step(System& system, const State& start, Control& control, double step, const State& guess,
-                        const StepperParameters& parameters) {
-  system.set_frozen(control.freezes_damage());
-  system.set_multipliers(start.multipliers);
-  control.start_at({start.d, start.load_factor, *system.laws_at(start.d, start.load_factor)}, std::abs(step));
+/// One LOCA step that ends under the control, Newton starting at `guess`.
+Attempt loca_step(System& system, const State& start, Control& control, double step, const State& guess,
+                  const StepperParameters& parameters) {
   const auto active = std::make_shared<ActiveControl>(ActiveControl{&control});
   const Teuchos::RCP<LOCA::MultiContinuation::ConstraintInterface> constraint =
       Teuchos::rcp(new ControlConstraint(system, active, start));
@@ -177,7 +174,22 @@ Attempt controlled_step(System& system, const State& start, Control& control, do
   const Loca loca(list);
   const auto group = Teuchos::rcp(new Group(loca.global, system, start, Metric::natural));
   const auto test = Teuchos::rcp(new NewtonTest(system, active, parameters.newton));
-  Attempt out = SingleStep(loca.global, group, test, list, step).take(&guess, parameters.multipliers);
+  return SingleStep(loca.global, group, test, list, step).take(&guess, parameters.multipliers);
+}
+
+}  // namespace
+
+Attempt controlled_step(System& system, const State& start, Control& control, double step, const State& guess,
+                        const StepperParameters& parameters) {
+  system.set_frozen(control.freezes_damage());
+  system.set_multipliers(start.multipliers);
+  control.start_at({start.d, start.load_factor, *system.laws_at(start.d, start.load_factor)}, std::abs(step));
+  const auto reduced = solve_reduced(system, control, step, guess, parameters.newton.max_iterations);
+  Attempt out;
+  if (reduced) out = loca_step(system, start, control, step, reduced->state, parameters);
+  // At a rupture the tangent is singular on the far side of the kink: only from this one can it be reached.
+  if (!out.converged) out = loca_step(system, start, control, step, guess, parameters);
+  if (reduced) out.reduced_iterations = reduced->iterations;
   system.set_frozen(false);
   return out;
 }

@@ -13,7 +13,8 @@ struct Attempt {
   bool converged = false;
   State state;
   int newton_iterations = 0;
-  double residual = 0;  ///< relative to the force level
+  int reduced_iterations = 0;  ///< before them, on the cracked points alone
+  double residual = 0;         ///< relative to the force level
   int multiplier_iterations = 0;
   double gap = 0;      ///< left by iterated multipliers, see System::relative_gap
   std::string reason;  ///< why it failed
