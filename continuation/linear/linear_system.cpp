@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 namespace dda {
 
@@ -42,8 +43,15 @@ BlockMatrix LinearSystem::matrix_with(std::span<const Mat2> tangents) const {
 }
 
 bool LinearSystem::rebase(std::span<const Mat2> tangents) {
-  base_.clear();
+  const std::vector<Mat2> before = std::exchange(base_, {});
   for (const Mat2& tangent : tangents) base_.emplace_back(0.5 * (tangent + tangent.transpose()));
+  if (factor_base()) return true;
+  base_ = before;  // a singular tangent is no base: the old one stays in force
+  if (!base_.empty()) factor_base();
+  return false;
+}
+
+bool LinearSystem::factor_base() {
   tangent_ = base_;
   updated_.clear();
   active_.clear();
@@ -54,7 +62,10 @@ bool LinearSystem::rebase(std::span<const Mat2> tangents) {
   reference_.solution.clear();
   dead_.solution.clear();
   ++num_factorisations_;
-  return solver_->factor(matrix_with(base_));
+  if (!solver_->factor(matrix_with(base_))) return false;
+  constexpr std::size_t of_many = 4, of_few = 16;
+  batch_ = 2 * equilibrium_.num_active() <= most_columns() ? of_few : of_many;
+  return true;
 }
 
 bool LinearSystem::restore(std::span<const Mat2> base, std::span<const std::size_t> updated) {
@@ -76,12 +87,12 @@ std::size_t LinearSystem::most_columns() const {
 bool LinearSystem::set_tangent(std::span<const Mat2> tangents) {
   if (update_ == Update::refactorise && !std::ranges::equal(tangents, base_, is_same) && !rebase(tangents))
     return false;
-  std::vector<bool> new_batch(tangents.size() / batch + 1, false);
+  std::vector<bool> new_batch(tangents.size() / batch_ + 1, false);
   std::size_t columns = 2 * updated_.size();
   for (std::size_t p = 0; p < tangents.size(); ++p) {
-    if (is_same(tangents[p], base_[p]) || slot_[p] >= 0 || new_batch[p / batch]) continue;
-    new_batch[p / batch] = true;
-    columns += 2 * batch;
+    if (is_same(tangents[p], base_[p]) || slot_[p] >= 0 || new_batch[p / batch_]) continue;
+    new_batch[p / batch_] = true;
+    columns += 2 * batch_;
   }
   if (columns > most_columns() && update_ == Update::low_rank && !rebase(tangents)) return false;
   tangent_.assign(tangents.begin(), tangents.end());
@@ -103,8 +114,8 @@ bool LinearSystem::is_as_in_base(std::size_t point, const Vec2& q, const Respons
 bool LinearSystem::make_columns(std::span<const std::size_t> points) {
   std::vector<std::size_t> batches;
   for (const std::size_t p : points)
-    if (batches.empty() || batches.back() != p / batch) batches.push_back(p / batch);
-  if (2 * (updated_.size() + batch * batches.size()) > most_columns()) return false;
+    if (batches.empty() || batches.back() != p / batch_) batches.push_back(p / batch_);
+  if (2 * (updated_.size() + batch_ * batches.size()) > most_columns()) return false;
   for (const std::size_t p : points)
     if (slot_[p] < 0) add_columns(p);
   return true;
@@ -156,8 +167,8 @@ Eigen::VectorXd LinearSystem::along_columns(const Functional& gauge) {
 
 /// Computes Z for the batch of a point, and its couplings in G with every point before it.
 void LinearSystem::add_columns(std::size_t point) {
-  const std::size_t first = updated_.size(), begin = point / batch * batch;
-  const std::size_t end = std::min(begin + batch, equilibrium_.num_active());
+  const std::size_t first = updated_.size(), begin = point / batch_ * batch_;
+  const std::size_t end = std::min(begin + batch_, equilibrium_.num_active());
   for (std::size_t p = begin; p < end; ++p) {
     slot_[p] = static_cast<int>(updated_.size());
     updated_.push_back(p);

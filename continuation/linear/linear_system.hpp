@@ -84,15 +84,14 @@ class LinearSystem {
   std::size_t num_solves() const { return num_solves_; }
 
  private:
-  /// Points whose columns are made in one call of the solver; always the same partition, so that a restored
-  /// run makes the same numbers.
-  static constexpr std::size_t batch = 4;
   struct Kept {
     std::vector<double> right, solution;  ///< solution empty until asked for
   };
 
-  /// Makes K_base the stiffness with these D. False when singular.
+  /// Makes K_base the stiffness with these D. False when singular; then the base stays what it was.
   bool rebase(std::span<const Mat2> tangents);
+  /// Factorises K_base and forgets all columns.
+  bool factor_base();
   /// Columns beyond which a new base is cheaper.
   std::size_t most_columns() const;
   std::size_t n() const { return equilibrium_.num_unknowns(); }
@@ -114,10 +113,13 @@ class LinearSystem {
   std::vector<Mat2> base_, tangent_;
   std::vector<std::size_t> updated_;  ///< points with columns in z_, in order
   std::vector<int> slot_;             ///< point → index in updated_, −1 when none
-  bool keeps_z_ = true;               ///< until it grows too large
-  std::vector<double> z_;             ///< columns of K_base⁻¹ Uᵀ, n × 2 per updated point
-  Eigen::MatrixXd g_;                 ///< U K_base⁻¹ Uᵀ, at least 2 · updated square
-  std::vector<std::size_t> active_;   ///< updated points with E ≠ 0 now
+  /// Points whose columns are made in one call of the solver; always the same partition, so that a restored
+  /// run makes the same numbers.
+  std::size_t batch_ = 4;
+  bool keeps_z_ = true;              ///< until it grows too large
+  std::vector<double> z_;            ///< columns of K_base⁻¹ Uᵀ, n × 2 per updated point
+  Eigen::MatrixXd g_;                ///< U K_base⁻¹ Uᵀ, at least 2 · updated square
+  std::vector<std::size_t> active_;  ///< updated points with E ≠ 0 now
   Eigen::PartialPivLU<Eigen::MatrixXd> small_;
   Kept reference_, dead_;
   std::vector<Kept> gauges_;  ///< of along_columns

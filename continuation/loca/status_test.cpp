@@ -46,9 +46,9 @@ NOX::StatusTest::StatusType NewtonTest::judge(const NOX::Solver::Generic& solver
     reason_ = "the residual is not a number";
     return NOX::StatusTest::Failed;
   }
-  constexpr double control_tolerance = 1e-8, hardly_less = 0.1;
-  const bool stagnates = solver.getNumIterations() > 0 && residual_ > hardly_less * before;
-  if (residual_ > parameters_.tolerance && stagnates)
+  constexpr double hardly_less = 0.1;
+  const bool falls = solver.getNumIterations() > 0 && residual_ <= hardly_less * before;
+  if (residual_ > parameters_.tolerance && !falls)
     residual_ = system_.excess_residual(group.residual(), group.displacement(), group.load_factor());
   if (residual_ <= parameters_.tolerance && control <= control_tolerance) return NOX::StatusTest::Converged;
   if (solver.getNumIterations() >= parameters_.max_iterations) {

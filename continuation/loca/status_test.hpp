@@ -15,7 +15,10 @@ struct NewtonParameters {
   int max_iterations = 15;
 };
 
-/// Converged when equilibrium and control hold; a residual that stagnates counts without its rounding
+/// Largest |N| of a control, or of LOCA's arc length relative to the step, that counts as none.
+inline constexpr double control_tolerance = 1e-8;
+
+/// Converged when equilibrium and control hold; a residual that does not fall counts without its rounding
 /// (System::excess_residual); failed on NaN, on too many iterations, and as soon as the set of
 /// loading points comes back to one it has left, which plain Newton would repeat for ever.
 class NewtonTest final : public NOX::StatusTest::Generic {

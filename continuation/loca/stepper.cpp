@@ -11,6 +11,8 @@
 #include <fmt/format.h>
 
 #include <Teuchos_oblackholestream.hpp>
+#include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include "continuation/loca/group.hpp"
@@ -177,6 +179,19 @@ Attempt loca_step(System& system, const State& start, Control& control, double s
   return SingleStep(loca.global, group, test, list, step).take(&guess, parameters.multipliers);
 }
 
+/// What the reduced iteration has found as the end of the step, if the full equations have nothing to add.
+std::optional<Attempt> finished(System& system, const Control& control, double step, const Reduced& reduced,
+                                const NewtonParameters& newton) {
+  const State& at = reduced.state;
+  const auto laws = system.laws_at(at.d, at.load_factor);
+  if (!(std::abs(control.residual({at.d, at.load_factor, *laws}, step)) <= control_tolerance)) return {};
+  std::vector<double> r(at.d.size());
+  system.residual(at.d, at.load_factor, *laws, r);
+  const double residual = system.relative(system.residual_norm(r), at.d);
+  if (!(residual <= newton.tolerance)) return {};
+  return Attempt{.converged = true, .state = at, .residual = residual, .reason = {}};
+}
+
 }  // namespace
 
 Attempt controlled_step(System& system, const State& start, Control& control, double step, const State& guess,
@@ -186,7 +201,10 @@ Attempt controlled_step(System& system, const State& start, Control& control, do
   control.start_at({start.d, start.load_factor, *system.laws_at(start.d, start.load_factor)}, std::abs(step));
   const auto reduced = solve_reduced(system, control, step, guess, parameters.newton.max_iterations);
   Attempt out;
-  if (reduced) out = loca_step(system, start, control, step, reduced->state, parameters);
+  if (reduced) {
+    const auto whole = finished(system, control, step, *reduced, parameters.newton);
+    out = whole ? *whole : loca_step(system, start, control, step, reduced->state, parameters);
+  }
   // At a rupture the tangent is singular on the far side of the kink: only from this one can it be reached.
   if (!out.converged) out = loca_step(system, start, control, step, guess, parameters);
   if (reduced) out.reduced_iterations = reduced->iterations;

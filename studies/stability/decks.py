@@ -81,8 +81,8 @@ def beam(cut, law, treatment=None):
         "stages": [{"name": "bending", "loads": [{"type": "point_load", "at": [0, top], "force": [0, -1]}]}],
         "gauges": {
             "deflection": {"type": "displacement", "at": [0, top], "direction": [0, -1]},
-            "cmod": {"type": "relative_displacement", "from": [0, 0], "from_inside": [-0.1, 0.1],
-                     "to": [0, 0], "to_inside": [0.1, 0.1], "direction": [1, 0]},
+            "cmod": {"type": "relative_displacement", "from": [0, 0], "from_inside": [-0.01, 0.01],
+                     "to": [0, 0], "to_inside": [0.01, 0.01], "direction": [1, 0]},
         },
         "path": {"stop": {"load_below": 0.1}},
         "record": {"fields_every": 0},
