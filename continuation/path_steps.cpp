@@ -201,8 +201,10 @@ std::optional<Candidate> Path::try_step(const Move& move, double amount, std::st
   Candidate candidate = walker_.evaluate(tried);
   why = objection(candidate);
   const double ahead = candidate.state.load_factor - walker_.state().load_factor;
+  constexpr double round_off = 1e-9;
   if (why.empty() && move.to_event && !walker_.leaving().dissipates &&
-      ahead * walker_.leaving().load_factor < 0)
+      ahead * walker_.leaving().load_factor <
+          -round_off * std::abs(walker_.state().load_factor * walker_.leaving().load_factor))
     why = "the event lies behind, where cracks close";
   if (why.empty()) return candidate;
   ++walker_.effort().rejected;

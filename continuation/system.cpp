@@ -269,23 +269,13 @@ double System::dissipated(const std::vector<History>& history) const {
 }
 
 double System::stored(const State& state, const LawValues& laws) const {
-  // ½ dᵀ K_b d + Σ W ψ = ½ dᵀ K0 d + Σ W (ψ − ½ B d·D0 B d): only active points are summed.
-  std::vector<double> force(state.d.size(), 0.0);
-  equilibrium_.intact().multiply_add(state.d, force);
-  double energy = 0;
-  for (std::size_t i = 0; i < force.size(); ++i) energy += 0.5 * force[i] * state.d[i];
+  double energy = equilibrium_.passive_energy(state.d);
   for (std::size_t p = 0; p < laws.opening.size(); ++p) {
     const InterfacePoint& point = equilibrium_.point(p);
-    const Vec2 jump = equilibrium_.opening(p, state.d);
-    energy += point.weight * (point.law->stored(laws.opening[p], history_[p], point.stiffness) -
-                              0.5 * jump.dot(point.intact_stiffness().cwiseProduct(jump)));
+    energy += point.weight * point.law->stored(laws.opening[p], history_[p], point.stiffness);
     if (point.multiplier == Multiplier::iterated)
       energy -=
           0.5 * point.weight * multipliers_[p].dot(point.trial_stiffness().cwiseProduct(multipliers_[p]));
-  }
-  for (const Spring& spring : equilibrium_.driven_springs()) {
-    const double u = spring.displacement.value(state.d, state.load_factor);
-    energy -= 0.5 * spring.stiffness * u * u;
   }
   return energy;
 }

@@ -57,13 +57,13 @@ Equilibrium::Equilibrium(const Body& body, const ModelParameters& model)
     : num_blocks_(body.assembly.num_blocks()), intact_(0, {}) {
   Findings findings;
   set_ = make_interface_points(body, model, findings);
-  const std::vector<Spring> supports = make_supports(body, model, findings);
+  supports_ = make_supports(body, model, findings);
   const LoadProgramme programme = make_loads(body, model, findings);
   driven_ = programme.driven;
-  std::vector<Spring> springs = supports;
+  std::vector<Spring> springs = supports_;
   springs.insert(springs.end(), driven_.begin(), driven_.end());
   check_rigid_motions(body, springs, model.where, findings);
-  stages_ = make_stages(body, model, set_, supports, programme, findings);
+  stages_ = make_stages(body, model, set_, supports_, programme, findings);
   findings.throw_if_any();
   for (const Block& block : body.assembly.blocks) block_size_.push_back(std::sqrt(block.moments.area));
   for (Loading& stage : stages_)
@@ -82,12 +82,12 @@ void Equilibrium::assemble(const Body& body, const ModelParameters& model,
       pairs.emplace_back(point.second, point.node);
     }
   intact_ = BlockMatrix(num_nodes(), pairs, num_blocks_);
-  const double weak = model.weak_springs * body.largest_modulus() * body.thickness;
+  weak_stiffness_ = model.weak_springs * body.largest_modulus() * body.thickness;
   for (std::size_t i = 0; i < num_blocks_; ++i) {
     const BlockId id{i};
     strain_stiffness_.push_back(body.volume(id) * body.material(id).stiffness());
     Mat6 k = strain_rows().transpose() * strain_stiffness_.back() * strain_rows();
-    k.diagonal().head<3>() += weak * Vec3(1, 1, body.block(id).moments.area);
+    k.diagonal().head<3>() += weak_stiffness_ * Vec3(1, 1, body.block(id).moments.area);
     intact_.add(id, id, k);
   }
   for (const Spring& spring : springs) add_spring(spring);
@@ -96,20 +96,25 @@ void Equilibrium::assemble(const Body& body, const ModelParameters& model,
     subtract_multiplier_energy(intact_, point);
     add_joint(intact_, point, point.weight * point.intact_stiffness());
   }
-  hold_unused_unknowns(body.largest_modulus() * body.thickness);
+  held_stiffness_ = body.largest_modulus() * body.thickness;
+  hold_unused_unknowns();
 }
 
 /// A node has room for three multipliers; what no point uses gets a diagonal of its own.
-void Equilibrium::hold_unused_unknowns(double stiffness) {
+void Equilibrium::hold_unused_unknowns() {
   std::vector<int> used(set_.num_nodes, 0);
   for (const InterfacePoint& point : set_.points)
     if (point.multiplier == Multiplier::unknown)
       used[point.node.value() - num_blocks_] =
           std::max(used[point.node.value() - num_blocks_], point.column + 2);
   for (std::size_t i = 0; i < used.size(); ++i) {
+    const BlockId node{num_blocks_ + i};
     Mat6 rest = Mat6::Zero();
-    for (int j = used[i]; j < block_unknowns; ++j) rest(j, j) = stiffness;
-    intact_.add(BlockId{num_blocks_ + i}, BlockId{num_blocks_ + i}, rest);
+    for (int j = used[i]; j < block_unknowns; ++j) {
+      rest(j, j) = held_stiffness_;
+      held_.push_back(block_unknowns * node.value() + static_cast<std::size_t>(j));
+    }
+    intact_.add(node, node, rest);
   }
 }
 
@@ -142,6 +147,37 @@ Vec2 Equilibrium::opening(std::size_t p, std::span<const double> d) const {
   if (point.multiplier == Multiplier::unknown)
     out += Eigen::Map<const Vec2>(d.data() + 6 * point.node.value() + static_cast<std::size_t>(point.column));
   return out;
+}
+
+double Equilibrium::passive_energy(std::span<const double> d) const {
+  double twice = 0;
+  for (std::size_t b = 0; b < num_blocks_; ++b) {
+    const Eigen::Map<const Vec6> at(d.data() + 6 * b);
+    const double area = block_size_[b] * block_size_[b];
+    twice += at.tail<3>().dot(strain_stiffness_[b] * at.tail<3>()) +
+             weak_stiffness_ * (at.head<2>().squaredNorm() + area * at[2] * at[2]);
+  }
+  for (const Spring& spring : supports_) {
+    const double u = spring.displacement.value(d, 0);
+    twice += spring.stiffness * u * u;
+  }
+  for (std::size_t p = 0; p < set_.points.size(); ++p) {
+    const InterfacePoint& point = set_.points[p];
+    const Vec2 stress =
+        point.rows.first_stress * Eigen::Map<const Vec6>(d.data() + 6 * point.first.value()) +
+        point.rows.second_stress * Eigen::Map<const Vec6>(d.data() + 6 * point.second.value());
+    const Vec2 stiffness = point.trial_stiffness();
+    twice -= point.weight * stress.dot(stress.cwiseQuotient(stiffness));
+    if (point.multiplier == Multiplier::unknown) {
+      const Vec2 m(d.data() + 6 * point.node.value() + static_cast<std::size_t>(point.column));
+      twice -= point.weight * (1 + point.perturbation) * m.dot(stiffness.cwiseProduct(m));
+    }
+    if (p < set_.num_active) continue;
+    const Vec2 q = opening(p, d);
+    twice += point.weight * q.dot(point.intact_stiffness().cwiseProduct(q));
+  }
+  for (const std::size_t i : held_) twice += held_stiffness_ * d[i] * d[i];
+  return twice / 2;
 }
 
 Functional Equilibrium::opening_gauge(const Loading& loading, std::size_t p, const Vec2& e) const {

@@ -97,17 +97,24 @@ class Equilibrium {
   /// e·q of a point as a gauge, but for its constant part.
   Functional opening_gauge(const Loading& loading, std::size_t p, const Vec2& e) const;
 
-  /// Stiffness of the springs that loads drive; their own energy is not the structure's.
+  /// Energy stored in blocks, bonds, supports and weak springs: all but the joints of active points and the
+  /// springs that loads drive [FL]. A sum over the parts: ½ d·K0 d would lose the digits of a small part of a
+  /// structure that moves far.
+  double passive_energy(std::span<const double> d) const;
+  /// The springs that loads drive.
   const std::vector<Spring>& driven_springs() const { return driven_; }
 
  private:
   void assemble(const Body& body, const ModelParameters& model, const std::vector<Spring>& springs);
   void add_spring(const Spring& spring);
-  void hold_unused_unknowns(double stiffness);
+  void hold_unused_unknowns();
 
   std::size_t num_blocks_;
   InterfaceSet set_;
-  std::vector<Spring> driven_;
+  std::vector<Spring> supports_, driven_;
+  double weak_stiffness_ = 0;  ///< of the weak springs [F/L]
+  double held_stiffness_ = 0;
+  std::vector<std::size_t> held_;  ///< unknowns of nodes that no multiplier uses
   BlockMatrix intact_;
   std::vector<Loading> stages_;
   std::vector<double> block_size_;
