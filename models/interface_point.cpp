@@ -46,6 +46,12 @@ std::vector<std::pair<double, double>> quadrature(PointRule rule) {
   return {{0.5 - g, 0.5}, {0.5 + g, 0.5}};
 }
 
+/// Exactly closed points cannot open one by one unless each has a corner of its own to move: of two Gauss
+/// points on a side, the second holds what the first lets go.
+PointRule usual_points(const Treatment& treatment) {
+  return treatment.multiplier() == Multiplier::none ? PointRule::gauss : PointRule::vertices;
+}
+
 /// Finds the interface of a side and makes its points.
 class PointMaker {
  public:
@@ -79,9 +85,10 @@ class PointMaker {
     Interface made{.name = name,
                    .law = p.law.make(),
                    .treatment = p.treatment.make(),
-                   .points = p.points,
+                   .points = {},
                    .where = p.where,
                    .index = static_cast<int>(interfaces_.size())};
+    made.points = p.points.value_or(usual_points(*made.treatment));
     if (p.between.empty())
       by_curve_[name] = made.index;
     else

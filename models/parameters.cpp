@@ -18,8 +18,9 @@ Kind<InterfaceParameters> interface_kind() {
       .one_of(
           "points", &P::points,
           {{"gauss", PointRule::gauss}, {"vertices", PointRule::vertices}, {"midpoint", PointRule::midpoint}},
-          {.fallback = PointRule::gauss,
-           .text = "Interface points of a side: two Gauss points, its ends, its middle."})
+          {.text =
+               "Interface points of a side: two Gauss points, its ends, its middle. Without it the ends for "
+               "treatments with multipliers, Gauss points for the others."})
       .check([](const P& p, const Position& where, Findings& findings) {
         if (!p.between.empty() && p.between.size() != 2) findings.add(where, "`between` takes two materials");
       })

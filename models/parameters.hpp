@@ -24,7 +24,7 @@ struct InterfaceParameters {
   std::vector<std::string> between;
   LawChoice law;
   TreatmentChoice treatment;
-  PointRule points = PointRule::gauss;
+  std::optional<PointRule> points;  ///< by the treatment when not given
   Position where;
 };
 

@@ -47,8 +47,8 @@ def expected(ratio):
 
 
 def updates(outcome):
-    """Updates of the multipliers: every solve but the first."""
-    return sum(step["newton_iterations"] for step in outcome.steps) - 1 if outcome.steps else None
+    """Updates of the multipliers."""
+    return sum(step["multiplier_iterations"] for step in outcome.steps) if outcome.steps else None
 
 
 def bars(runner):
