@@ -9,6 +9,9 @@ namespace dda {
 
 namespace {
 
+/// Columns that one tangent may ask for: more are soon made again, and a factorisation is cheaper.
+constexpr std::size_t most_new_columns = 160;
+
 /// Equal but for rounding: what is left of a symmetric tangent beside its symmetric part is no update.
 bool is_same(const Mat2& a, const Mat2& b) {
   constexpr double round_off = 1e-14;
@@ -94,7 +97,8 @@ bool LinearSystem::set_tangent(std::span<const Mat2> tangents) {
     new_batch[p / batch_] = true;
     columns += 2 * batch_;
   }
-  if (columns > most_columns() && update_ == Update::low_rank && !rebase(tangents)) return false;
+  const bool too_many = columns > most_columns() || columns - 2 * updated_.size() > most_new_columns;
+  if (too_many && update_ == Update::low_rank && !rebase(tangents)) return false;
   tangent_.assign(tangents.begin(), tangents.end());
   active_.clear();
   for (std::size_t p = 0; p < tangents.size(); ++p) {
@@ -115,7 +119,8 @@ bool LinearSystem::make_columns(std::span<const std::size_t> points) {
   std::vector<std::size_t> batches;
   for (const std::size_t p : points)
     if (batches.empty() || batches.back() != p / batch_) batches.push_back(p / batch_);
-  if (2 * (updated_.size() + batch_ * batches.size()) > most_columns()) return false;
+  const std::size_t columns = 2 * batch_ * batches.size();
+  if (columns > most_new_columns || 2 * updated_.size() + columns > most_columns()) return false;
   for (const std::size_t p : points)
     if (slot_[p] < 0) add_columns(p);
   return true;
