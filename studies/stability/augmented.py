@@ -80,7 +80,7 @@ def section(runner, quick=False):
             f"{', '.join(str(found) for *_, found in cells)}; closed form "
             f"{', '.join(str(wanted) for _, wanted, _ in cells)}. The beam: {report.count(outcomes)}.")
     if reached and penalty.peak:
-        said += (f" Iterations {report.span([o.summary['newton_iterations'] for o in reached])}; largest difference of "
+        said += (f" Iterations {report.span([o.iterations for o in reached])}; largest difference of "
                  f"the peak from the stiff penalty's {100 * max(abs(o.peak / penalty.peak - 1) for o in reached):.2g} %.")
     table = report.table([penalty, *outcomes], report.label("treatment"), report.label("factor"), report.VERDICT,
                          report.PEAK, ("against penalty", lambda o: report.percent(o.peak, penalty.peak)),

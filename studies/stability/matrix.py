@@ -26,7 +26,7 @@ def cell(outcome):
     if not outcome.reached:
         return outcome.verdict
     s = outcome.summary
-    return f"{s['steps']} / {s['newton_iterations']} / {s['rescues']}"
+    return f"{s['steps']} / {outcome.iterations} / {s['rescues']}"
 
 
 def table(outcomes):

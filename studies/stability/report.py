@@ -99,7 +99,7 @@ EFFORT = (
     ("steps", lambda o: o.summary.get("steps")),
     ("rejected", lambda o: o.summary.get("rejected_steps")),
     ("rescues", lambda o: o.summary.get("rescues")),
-    ("iterations", lambda o: o.summary.get("newton_iterations")),
+    ("iterations", lambda o: o.iterations),
 )
 QUALITY = (
     ("condition at start", lambda o: o.stiffness()["condition_start"]),

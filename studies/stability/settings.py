@@ -68,7 +68,7 @@ def draw(found, key, title):
         x = [o.case.labels[key] for o, *_ in mine]
         axes[0].plot(x, [100 * peak for _, peak, _ in mine], ".-", label=shape)
         axes[1].plot(x, [100 * stiff for *_, stiff in mine], ".-", label=shape)
-        axes[2].plot(x, [o.summary["newton_iterations"] for o, *_ in mine], ".-", label=shape)
+        axes[2].plot(x, [o.iterations for o, *_ in mine], ".-", label=shape)
     for axis, label in zip(axes, ("peak against default [%]", "initial stiffness [%]", "iterations of the path")):
         report.logarithmic(axis, "x")
         axis.set(xlabel=title, ylabel=label)
@@ -87,7 +87,7 @@ def finish(name, key, title, outcomes, must_reach):
         at = worst[1].case.labels
         said += (f" Largest difference of the peak from the default's on the same blocks: {100 * worst[0]:.1f} % "
                  f"({at['shape']}, {key} = {at[key]:g}); iterations "
-                 f"{report.span([o.summary['newton_iterations'] for _, o in near])} per path.")
+                 f"{report.span([o.iterations for _, o in near])} per path.")
     default, others = split(outcomes, key)
     complaints = report.failures([o for o in others if must_reach(o)] + list(default.values()))
     rows = [o.row() | {"peak_deviation": peak, "stiffness_deviation": stiff} for o, peak, stiff in found]

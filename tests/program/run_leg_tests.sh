@@ -4,16 +4,8 @@
 set -u
 program=$(realpath "$1")
 deck=$(realpath "$2")
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 1
-export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
-failed=0
-
-complain() {
-  echo "FAILED: $1"
-  failed=1
-}
+source "$(dirname "${BASH_SOURCE[0]}")/scratch.sh"
+open_scratch
 
 # follow NAME COMMAND...: the command must end well.
 follow() {
@@ -21,8 +13,6 @@ follow() {
   shift
   "$@" >said.log 2>&1 || complain "$what: exit code $?; it said: $(tail -n 3 said.log)"
 }
-
-same() { cmp -s "$1" "$2" || complain "$1 and $2 differ"; }
 
 # Number of accepted steps after which the column `control` (the third) first changes to or from unloading.
 turns() { awk -F, 'NR > 2 && ($3 == "unloading") != last { print $1 - 1 } NR > 1 { last = ($3 == "unloading") }' "$1"; }

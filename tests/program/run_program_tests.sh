@@ -5,16 +5,8 @@ set -u
 program=$(realpath "$1")
 bar=$(realpath "$2")
 beam=$(realpath "$3")
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 1
-export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
-failed=0
-
-complain() {
-  echo "FAILED: $1"
-  failed=1
-}
+source "$(dirname "${BASH_SOURCE[0]}")/scratch.sh"
+open_scratch
 
 # expect CODE WHAT COMMAND...: the command's exit code; its output goes to said.log.
 expect() {
@@ -26,7 +18,6 @@ expect() {
 }
 
 said() { grep -qF -- "$1" said.log || complain "expected '$1' in: $(tail -n 3 said.log)"; }
-same() { cmp -s "$1" "$2" || complain "$1 and $2 differ"; }
 exists() { [ -e "$1" ] || complain "there is no $1"; }
 is_absent() { [ ! -e "$1" ] || complain "there is a $1"; }
 status_is() { grep -q "\"status\": \"$2\"" "$1/summary.json" || complain "$1 is not $2"; }

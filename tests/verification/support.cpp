@@ -1,5 +1,7 @@
 #include "verification/support.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <stdexcept>
@@ -89,6 +91,32 @@ double smallest_scaled_eigenvalue(const BlockMatrix& matrix) {
   const Eigen::VectorXd scale = k.diagonal().cwiseSqrt().cwiseInverse();
   const Eigen::MatrixXd scaled = scale.asDiagonal() * k * scale.asDiagonal();
   return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled, Eigen::EigenvaluesOnly).eigenvalues()[0];
+}
+
+std::string pressed_blocks(const std::string& treatment, const std::string& law, const std::string& stages,
+                           const std::string& path) {
+  return fmt::format(R"(
+scene:
+  regions:
+    - {{name: lower, material: stone, vertices: [[0, 0], [40, 0], [40, 10], [0, 10]]}}
+    - {{name: upper, material: stone, vertices: [[0, 10], [40, 10], [40, 20], [0, 20]]}}
+  curves: {{joint: [[0, 10], [40, 10]]}}
+  boundaries: {{foot: [[0, 0], [40, 0]], head: [[0, 20], [40, 20]]}}
+thickness: 2
+materials: {{stone: {{type: linear_elastic, young_modulus: 1000, poisson_ratio: 0}}}}
+interfaces:
+  joint: {{points: midpoint, treatment: {}, law: {}}}
+supports:
+  foot: {{on: foot, fix: xy}}
+  guide: {{at: [20, 15], fix: rotation}}
+stages:
+  - {{loads: [{{type: edge_traction, on: head, traction: [0, -3]}}]}}
+{}gauges:
+  slip: {{type: relative_displacement, from: [20, 10], from_inside: [20, 9], to: [20, 10], to_inside: [20, 11], direction: [1, 0]}}
+  pushed: {{type: displacement, at: [20, 15], direction: [1, 0]}}
+path: {}
+)",
+                     treatment, law, stages, path);
 }
 
 Vec3 strain_of(const std::vector<double>& d, std::size_t block) {

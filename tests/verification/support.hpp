@@ -57,6 +57,12 @@ std::vector<double> intact_response(const Equilibrium& equilibrium);
 /// blocks of unlike size or stiffness cost no digits.
 double smallest_scaled_eigenvalue(const BlockMatrix& matrix);
 
+/// Two blocks 40 × 10 × 2, E = 1000, pressed together by 3 and joined at one point with this treatment and
+/// law. `stages` are the lines of further stages; the gauges `slip` of the joint and `pushed` of the upper
+/// block.
+std::string pressed_blocks(const std::string& treatment, const std::string& law, const std::string& stages,
+                           const std::string& path = "{}");
+
 /// Strain (εx, εy, γxy) of a block.
 Vec3 strain_of(const std::vector<double>& d, std::size_t block);
 

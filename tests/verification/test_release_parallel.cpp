@@ -128,32 +128,10 @@ class PressedJoint : public testing::TestWithParam<std::string> {
   static constexpr double pressure = 3, cohesion = 2, width = 40, depth = 2, push = 80;
   static double tangent(double degrees) { return std::tan(degrees * std::numbers::pi / 180); }
   static std::string deck(const std::string& path) {
-    return fmt::format(R"(
-scene:
-  regions:
-    - {{name: lower, material: stone, vertices: [[0, 0], [40, 0], [40, 10], [0, 10]]}}
-    - {{name: upper, material: stone, vertices: [[0, 10], [40, 10], [40, 20], [0, 20]]}}
-  curves: {{joint: [[0, 10], [40, 10]]}}
-  boundaries: {{foot: [[0, 0], [40, 0]], head: [[0, 20], [40, 20]]}}
-thickness: 2
-materials: {{stone: {{type: linear_elastic, young_modulus: 1000, poisson_ratio: 0}}}}
-interfaces:
-  joint:
-    points: midpoint
-    treatment: {}
-    law: {{type: mohr_coulomb, tensile_strength: 1, cohesion: 2, friction_angle: 35, residual_friction_angle: 25}}
-supports:
-  foot: {{on: foot, fix: xy}}
-  guide: {{at: [20, 15], fix: rotation}}
-stages:
-  - {{loads: [{{type: edge_traction, on: head, traction: [0, -3]}}]}}
-  - {{loads: [{{type: point_load, at: [20, 15], force: [80, 0]}}]}}
-gauges:
-  slip: {{type: relative_displacement, from: [20, 10], from_inside: [20, 9], to: [20, 10], to_inside: [20, 11], direction: [1, 0]}}
-  pushed: {{type: displacement, at: [20, 15], direction: [1, 0]}}
-path: {}
-)",
-                       GetParam(), path);
+    return pressed_blocks(GetParam(),
+                          "{type: mohr_coulomb, tensile_strength: 1, cohesion: 2, friction_angle: 35, "
+                          "residual_friction_angle: 25}",
+                          "  - {loads: [{type: point_load, at: [20, 15], force: [80, 0]}]}\n", path);
   }
   static constexpr double joint = width * depth;
   const double strength_ = (cohesion + pressure * tangent(35)) * joint / push;

@@ -135,32 +135,14 @@ class PressedLoop : public testing::TestWithParam<Joint> {
   const double friction_ = 3 * std::tan(std::numbers::pi / 6) * joint;
 
   static std::string deck() {
-    return fmt::format(R"(
-scene:
-  regions:
-    - {{name: lower, material: stone, vertices: [[0, 0], [40, 0], [40, 10], [0, 10]]}}
-    - {{name: upper, material: stone, vertices: [[0, 10], [40, 10], [40, 20], [0, 20]]}}
-  curves: {{joint: [[0, 10], [40, 10]]}}
-  boundaries: {{foot: [[0, 0], [40, 0]], head: [[0, 20], [40, 20]]}}
-thickness: 2
-materials: {{stone: {{type: linear_elastic, young_modulus: 1000, poisson_ratio: 0}}}}
-interfaces:
-  joint:
-    points: midpoint
-    treatment: {}
-    law: {{type: linear_softening, tensile_strength: 1, fracture_energy: 0.02, cohesion: 1.5, friction_angle: 30}}
-supports:
-  foot: {{on: foot, fix: xy}}
-  guide: {{at: [20, 15], fix: rotation}}
-stages:
-  - {{loads: [{{type: edge_traction, on: head, traction: [0, -3]}}]}}
-  - {{loads: [{{type: prescribed_displacement, at: [20, 15], direction: [1, 0], displacement: 0.2}}], until: {{slip: 0.03}}}}
-  - {{name: back, unload: true, until: {{slip: 0.005}}}}
-  - {{name: again, until: {{slip: 0.06}}}}
-gauges:
-  slip: {{type: relative_displacement, from: [20, 10], from_inside: [20, 9], to: [20, 10], to_inside: [20, 11], direction: [1, 0]}}
-)",
-                       GetParam().treatment);
+    return pressed_blocks(
+        GetParam().treatment,
+        "{type: linear_softening, tensile_strength: 1, fracture_energy: 0.02, cohesion: 1.5, friction_angle: "
+        "30}",
+        "  - {loads: [{type: prescribed_displacement, at: [20, 15], direction: [1, 0], displacement: 0.2}], "
+        "until: {slip: 0.03}}\n"
+        "  - {name: back, unload: true, until: {slip: 0.005}}\n"
+        "  - {name: again, until: {slip: 0.06}}\n");
   }
 };
 
