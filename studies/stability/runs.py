@@ -98,7 +98,8 @@ class Outcome:
         if self.unconverged:
             return f"{self.unconverged} steps not converged"
         lines = self.said.strip().splitlines()
-        return self.summary.get("reason") or (lines[-1] if lines else f"exit code {self.exit}")
+        said = lines[-1].replace(f"{self.folder.parent}/", "") if lines else f"exit code {self.exit}"
+        return self.summary.get("reason") or said
 
     @property
     def iterations(self):
