@@ -38,16 +38,13 @@ class CrackedPoints {
       pair(q_, i) = system_.equilibrium().opening(points_[i], guess.d);
     load_factor_ = guess.load_factor;
     evaluate();
-    constexpr double good = 1e-10;  // so good that on a kink a step would only lead away from it
-    if (gap().lpNorm<Eigen::Infinity>() <= good * q_.lpNorm<Eigen::Infinity>() &&
-        std::abs(value() - control_.target) <= good * control_.scale)
-      return 0;
-    for (int iteration = 1; iteration <= max_iterations; ++iteration) {
+    for (int iteration = 0; iteration <= max_iterations; ++iteration) {
+      if (is_solved()) return iteration;
       const double step = correct();
       if (!std::isfinite(step)) return {};
       evaluate();
-      constexpr double tolerance = 1e-12;
-      if (step <= tolerance * q_.lpNorm<Eigen::Infinity>()) return iteration;
+      constexpr double rounding = 1e-12;  // below which the equations cannot be met better
+      if (step <= rounding * q_.lpNorm<Eigen::Infinity>()) return iteration + 1;
     }
     return {};
   }
@@ -70,6 +67,12 @@ class CrackedPoints {
 
  private:
   Eigen::Index size() const { return 2 * static_cast<Eigen::Index>(points_.size()); }
+
+  bool is_solved() {
+    constexpr double good = 1e-11;
+    return gap().lpNorm<Eigen::Infinity>() <= good * q_.lpNorm<Eigen::Infinity>() &&
+           std::abs(value() - control_.target) <= good * control_.scale;
+  }
 
   /// z and its derivative E at q; which points are not as in the base.
   void evaluate() {
