@@ -79,7 +79,7 @@ Schema<PathParameters> path_schema() {
                .text = "The peak load is bracketed to this relative width."})
       .section("newton", &P::newton, newton_schema())
       .section("multipliers", &P::multipliers, multiplier_schema())
-      .choice("linear", &P::linear, direct_solvers(), {.fallback = "mumps", .text = "Linear solver."})
+      .choice("linear", &P::linear, direct_solvers(), {.fallback = "cholmod", .text = "Linear solver."})
       .one_of(
           "update", &P::update,
           {{"low_rank", LinearSystem::Update::low_rank}, {"refactorise", LinearSystem::Update::refactorise}},

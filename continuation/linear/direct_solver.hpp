@@ -8,6 +8,8 @@
 
 namespace dda {
 
+class HalfSolver;
+
 /// A sparse direct solver of symmetric matrices, possibly indefinite.
 class DirectSolver {
  public:
@@ -20,6 +22,8 @@ class DirectSolver {
   virtual double factor_flops() const = 0;
   /// Number of negative eigenvalues of A, or −1 when the solver does not tell.
   virtual int num_negative_pivots() const = 0;
+  /// Half solutions of the last factorisation; null where it has none.
+  virtual const HalfSolver* halves() const { return nullptr; }
 };
 
 using DirectSolverFamily = Family<DirectSolver>;

@@ -9,9 +9,6 @@ namespace dda {
 
 namespace {
 
-/// Columns that one tangent may ask for: more are soon made again, and a factorisation is cheaper.
-constexpr std::size_t most_new_columns = 160;
-
 /// Equal but for rounding: what is left of a symmetric tangent beside its symmetric part is no update.
 bool is_same(const Mat2& a, const Mat2& b) {
   constexpr double round_off = 1e-14;
@@ -58,8 +55,6 @@ bool LinearSystem::factor_base() {
   tangent_ = base_;
   updated_.clear();
   active_.clear();
-  z_.clear();
-  keeps_z_ = true;
   gauges_.clear();
   std::ranges::fill(slot_, -1);
   reference_.solution.clear();
@@ -67,7 +62,9 @@ bool LinearSystem::factor_base() {
   ++num_factorisations_;
   if (!solver_->factor(matrix_with(base_))) return false;
   constexpr std::size_t of_many = 4, of_few = 16;
-  batch_ = 2 * equilibrium_.num_active() <= most_columns() ? of_few : of_many;
+  if (columns_) num_solves_ += columns_->num_solves();
+  columns_ = update_columns(equilibrium_, *solver_,
+                            2 * equilibrium_.num_active() <= most_columns() ? of_few : of_many);
   return true;
 }
 
@@ -90,14 +87,16 @@ std::size_t LinearSystem::most_columns() const {
 bool LinearSystem::set_tangent(std::span<const Mat2> tangents) {
   if (update_ == Update::refactorise && !std::ranges::equal(tangents, base_, is_same) && !rebase(tangents))
     return false;
-  std::vector<bool> new_batch(tangents.size() / batch_ + 1, false);
+  const std::size_t batch = columns_->batch();
+  std::vector<bool> new_batch(tangents.size() / batch + 1, false);
   std::size_t columns = 2 * updated_.size();
   for (std::size_t p = 0; p < tangents.size(); ++p) {
-    if (is_same(tangents[p], base_[p]) || slot_[p] >= 0 || new_batch[p / batch_]) continue;
-    new_batch[p / batch_] = true;
-    columns += 2 * batch_;
+    if (is_same(tangents[p], base_[p]) || slot_[p] >= 0 || new_batch[p / batch]) continue;
+    new_batch[p / batch] = true;
+    columns += 2 * batch;
   }
-  const bool too_many = columns > most_columns() || columns - 2 * updated_.size() > most_new_columns;
+  const bool too_many =
+      columns > most_columns() || columns - 2 * updated_.size() > columns_->most_at_once();
   if (too_many && update_ == Update::low_rank && !rebase(tangents)) return false;
   tangent_.assign(tangents.begin(), tangents.end());
   active_.clear();
@@ -118,43 +117,21 @@ bool LinearSystem::is_as_in_base(std::size_t point, const Vec2& q, const Respons
 bool LinearSystem::make_columns(std::span<const std::size_t> points) {
   std::vector<std::size_t> batches;
   for (const std::size_t p : points)
-    if (batches.empty() || batches.back() != p / batch_) batches.push_back(p / batch_);
-  const std::size_t columns = 2 * batch_ * batches.size();
-  if (columns > most_new_columns || 2 * updated_.size() + columns > most_columns()) return false;
+    if (batches.empty() || batches.back() != p / columns_->batch())
+      batches.push_back(p / columns_->batch());
+  const std::size_t columns = 2 * columns_->batch() * batches.size();
+  if (columns > columns_->most_at_once() || 2 * updated_.size() + columns > most_columns()) return false;
   for (const std::size_t p : points)
     if (slot_[p] < 0) add_columns(p);
   return true;
 }
 
-void LinearSystem::add_rows(std::size_t point, const Vec2& force, double* to) const {
-  equilibrium_.point(point).for_each_part([&](BlockId part, const Mat26& rows) {
-    Eigen::Map<Vec6>(to + 6 * part.value()) += rows.transpose() * force;
-  });
-}
-
 void LinearSystem::subtract_columns(std::span<const std::size_t> points, const Eigen::MatrixXd& shares,
                                     std::span<const std::span<double>> solutions) {
-  const auto size = static_cast<Eigen::Index>(n());
   if (points.empty()) return;
-  if (keeps_z_) {
-    for (std::size_t a = 0; a < points.size(); ++a) {
-      const double* columns = z_.data() + 2 * n() * static_cast<std::size_t>(slot_[points[a]]);
-      const Eigen::Map<const Eigen::MatrixX2d> z(columns, size, 2);
-      for (std::size_t c = 0; c < solutions.size(); ++c)
-        Eigen::Map<Eigen::VectorXd>(solutions[c].data(), size).noalias() -=
-            z * shares.block<2, 1>(2 * static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(c));
-    }
-    return;
-  }
-  std::vector<double> product(solutions.size() * n(), 0.0);
-  for (std::size_t c = 0; c < solutions.size(); ++c)
-    for (std::size_t a = 0; a < points.size(); ++a)
-      add_rows(points[a], shares.block<2, 1>(2 * static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(c)),
-               product.data() + c * n());
-  solver_->solve(product, static_cast<int>(solutions.size()));
-  num_solves_ += solutions.size();
-  for (std::size_t c = 0; c < solutions.size(); ++c)
-    for (std::size_t i = 0; i < n(); ++i) solutions[c][i] -= product[c * n() + i];
+  std::vector<std::size_t> places;
+  for (const std::size_t p : points) places.push_back(static_cast<std::size_t>(slot_[p]));
+  columns_->subtract(places, shares, solutions);
 }
 
 /// The base is symmetric: Zᵀ g = U K_base⁻¹ g.
@@ -172,39 +149,15 @@ Eigen::VectorXd LinearSystem::along_columns(const Functional& gauge) {
 
 /// Computes Z for the batch of a point, and its couplings in G with every point before it.
 void LinearSystem::add_columns(std::size_t point) {
-  const std::size_t first = updated_.size(), begin = point / batch_ * batch_;
-  const std::size_t end = std::min(begin + batch_, equilibrium_.num_active());
+  const std::size_t batch = columns_->batch(), first = updated_.size(), begin = point / batch * batch;
+  const std::size_t end = std::min(begin + batch, equilibrium_.num_active());
   for (std::size_t p = begin; p < end; ++p) {
     slot_[p] = static_cast<int>(updated_.size());
     updated_.push_back(p);
   }
-  const std::size_t count = 2 * (end - begin);
-  std::vector<double> columns(count * n(), 0.0);
-  for (std::size_t p = begin; p < end; ++p)
-    for (std::size_t c = 0; c < 2; ++c)
-      add_rows(p, Vec2::Unit(static_cast<Eigen::Index>(c)), columns.data() + (2 * (p - begin) + c) * n());
-  solver_->solve(columns, static_cast<int>(count));
-  num_solves_ += count;
-  extend_couplings(first, columns);
-  constexpr std::size_t most_numbers = std::size_t{1} << 25;  // 256 MiB
-  if (keeps_z_ && z_.size() + columns.size() > most_numbers) {
-    keeps_z_ = false;
-    z_ = {};
-  }
-  if (keeps_z_) z_.insert(z_.end(), columns.begin(), columns.end());
-}
-
-void LinearSystem::extend_couplings(std::size_t first_new, std::span<const double> columns) {
   const auto needed = static_cast<Eigen::Index>(2 * updated_.size());
   if (g_.rows() < needed) g_.conservativeResize(2 * needed, 2 * needed);
-  for (std::size_t s = first_new; s < updated_.size(); ++s)
-    for (std::size_t a = 0; a < updated_.size(); ++a)
-      for (std::size_t c = 0; c < 2; ++c) {
-        const auto row = static_cast<Eigen::Index>(2 * a), col = static_cast<Eigen::Index>(2 * s + c);
-        g_.block<2, 1>(row, col) =
-            rows_times(updated_[a], columns.subspan((2 * (s - first_new) + c) * n(), n()));
-        if (a < first_new) g_.block<1, 2>(col, row) = g_.block<2, 1>(row, col).transpose();
-      }
+  columns_->add(std::span<const std::size_t>(updated_).subspan(first), g_);
 }
 
 bool LinearSystem::factor_small() {
@@ -265,7 +218,7 @@ bool LinearSystem::solve_base_residual(const Iterate& at, std::span<double> y) {
     points.push_back(p);
     for (const double component : z) minus_z.push_back(-equilibrium_.point(p).weight * component);
   }
-  if (!keeps_z_) return false;
+  if (!columns_->product_is_cheap()) return false;
   const Eigen::MatrixXd forces =
       Eigen::Map<const Eigen::VectorXd>(minus_z.data(), static_cast<Eigen::Index>(minus_z.size()));
   const std::vector<double>&live = solution_of(reference_), &dead = solution_of(dead_);

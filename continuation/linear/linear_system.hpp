@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "continuation/linear/direct_solver.hpp"
+#include "continuation/linear/update_columns.hpp"
 #include "models/equilibrium.hpp"
 
 namespace dda {
@@ -15,12 +16,10 @@ namespace dda {
 ///     K = K_base + Uᵀ E U,     U = rows B of the changed points,  E = W (D − D_base), 2 × 2 per point
 ///     K⁻¹ b = y − Z (1 + E G)⁻¹ E U y,   y = K_base⁻¹ b,  Z = K_base⁻¹ Uᵀ,  G = U Z
 ///
-/// Sherman-Morrison-Woodbury. G grows by the columns of Z of points that change for the first time; Z itself
-/// is kept as long as it is small and replaced by a solve per product from then on, so that memory follows
-/// the factor and not the cracks. When so many points have changed that the dense part costs more than a
-/// factorisation, the present tangent becomes the base; that is decided by counts, never by clocks, so that
-/// runs repeat. The base is symmetric: of a frictional tangent it takes the symmetric part, and the rest
-/// stays an update.
+/// Sherman-Morrison-Woodbury. Z and G grow by the columns of points that change for the first time. When so
+/// many points have changed that the dense part costs more than a factorisation, the present tangent becomes
+/// the base; that is decided by counts, never by clocks, so that runs repeat. The base is symmetric: of a
+/// frictional tangent it takes the symmetric part, and the rest stays an update.
 class LinearSystem {
  public:
   enum class Update { low_rank, refactorise };
@@ -81,7 +80,7 @@ class LinearSystem {
   bool restore(std::span<const Mat2> base, std::span<const std::size_t> updated);
 
   std::size_t num_factorisations() const { return num_factorisations_; }
-  std::size_t num_solves() const { return num_solves_; }
+  std::size_t num_solves() const { return num_solves_ + columns_->num_solves(); }
 
  private:
   struct Kept {
@@ -96,9 +95,6 @@ class LinearSystem {
   std::size_t most_columns() const;
   std::size_t n() const { return equilibrium_.num_unknowns(); }
   void add_columns(std::size_t point);
-  void extend_couplings(std::size_t first_new, std::span<const double> columns);
-  /// Uᵀ: adds the rows of a point times a force to a vector of size n.
-  void add_rows(std::size_t point, const Vec2& force, double* to) const;
   /// y = K x for the K with these D.
   void multiply(std::span<const Mat2> tangents, std::span<const double> x, std::span<double> y) const;
   bool factor_small();
@@ -111,14 +107,10 @@ class LinearSystem {
   std::unique_ptr<DirectSolver> solver_;
   Update update_;
   std::vector<Mat2> base_, tangent_;
-  std::vector<std::size_t> updated_;  ///< points with columns in z_, in order
+  std::vector<std::size_t> updated_;  ///< points with columns, in order
   std::vector<int> slot_;             ///< point → index in updated_, −1 when none
-  /// Points whose columns are made in one call of the solver; always the same partition, so that a restored
-  /// run makes the same numbers.
-  std::size_t batch_ = 4;
-  bool keeps_z_ = true;              ///< until it grows too large
-  std::vector<double> z_;            ///< columns of K_base⁻¹ Uᵀ, n × 2 per updated point
-  Eigen::MatrixXd g_;                ///< U K_base⁻¹ Uᵀ, at least 2 · updated square
+  std::unique_ptr<UpdateColumns> columns_;  ///< Z
+  Eigen::MatrixXd g_;                       ///< U K_base⁻¹ Uᵀ, at least 2 · updated square
   std::vector<std::size_t> active_;  ///< updated points with E ≠ 0 now
   Eigen::PartialPivLU<Eigen::MatrixXd> small_;
   Kept reference_, dead_;

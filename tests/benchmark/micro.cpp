@@ -47,7 +47,7 @@ class Beam {
   explicit Beam(long blocks)
       : structure_(beam_deck(blocks)),
         equilibrium_(structure_.equilibrium()),
-        system_(equilibrium_, direct_solvers().choose("mumps"), update) {
+        system_(equilibrium_, direct_solvers().choose("cholmod"), update) {
     system_.set_stage(equilibrium_.stages().size() - 1);
     displacement_.resize(equilibrium_.num_unknowns());
     system_.linear().solve_base(system_.loading().reference, displacement_);
@@ -120,7 +120,7 @@ void assembly(benchmark::State& state) {
 /// Analysis and numbers of the intact stiffness.
 void factorisation(benchmark::State& state) {
   const Beam& beam = beam_of(state);
-  const DirectSolverChoice solver = direct_solvers().choose("mumps");
+  const DirectSolverChoice solver = direct_solvers().choose("cholmod");
   for (auto _ : state)
     benchmark::DoNotOptimize(LinearSystem(beam.equilibrium(), solver, update).num_factorisations());
 }

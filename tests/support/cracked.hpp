@@ -16,7 +16,7 @@ class CrackedSystem {
   explicit CrackedSystem(const std::string& yaml = square_deck(), std::uint64_t seed = 7)
       : structure_(yaml),
         equilibrium_(structure_.equilibrium()),
-        system_(equilibrium_, direct_solvers().choose("mumps"), LinearSystem::Update::low_rank),
+        system_(equilibrium_, direct_solvers().choose("cholmod"), LinearSystem::Update::low_rank),
         random_(seed) {
     system_.set_stage(equilibrium_.stages().size() - 1);
     // Openings of some ten times that of initiation, ft/k = 0.01/k with k about 10.

@@ -4,7 +4,7 @@ namespace dda::verification {
 
 Stepped::Stepped(const std::string& deck_text, const MultiplierParameters& multipliers)
     : structure_(deck_text),
-      system_(structure_.equilibrium, direct_solvers().choose("mumps"), LinearSystem::Update::low_rank),
+      system_(structure_.equilibrium, direct_solvers().choose("cholmod"), LinearSystem::Update::low_rank),
       parameters_{.newton = {}, .multipliers = multipliers, .nox = Node::map(), .loca = Node::map()},
       state_{std::vector<double>(structure_.equilibrium.num_unknowns(), 0.0), 0, system_.multipliers()} {}
 

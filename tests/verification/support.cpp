@@ -71,7 +71,7 @@ Eigen::MatrixXd dense(const BlockMatrix& matrix) {
 }
 
 std::vector<double> solve(const BlockMatrix& matrix, std::vector<double> force) {
-  const auto solver = direct_solvers().choose("mumps").make();
+  const auto solver = direct_solvers().choose("cholmod").make();
   if (!solver->factor(matrix)) throw std::runtime_error("the intact stiffness is singular");
   solver->solve(force, 1);
   return force;

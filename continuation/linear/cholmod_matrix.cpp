@@ -1,0 +1,232 @@
+#include "continuation/linear/cholmod_matrix.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace dda {
+namespace {
+
+constexpr int upper = 1, lower = -1;  // stype: which triangle is stored
+
+int* integers(void* p) { return static_cast<int*>(p); }
+double* reals(void* p) { return static_cast<double*>(p); }
+
+std::size_t count(int i) { return static_cast<std::size_t>(i); }
+
+using Columns = Eigen::Map<Eigen::MatrixX2d, 0, Eigen::OuterStride<>>;
+using Part = Eigen::Map<const Eigen::MatrixX2d>;
+using Entries = Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
+
+}  // namespace
+
+CholmodMatrix::CholmodMatrix() {
+  cholmod_start(&common_);
+  common_.supernodal = CHOLMOD_SUPERNODAL;
+  common_.print = 0;
+  common_.quick_return_if_not_posdef = true;
+}
+
+CholmodMatrix::~CholmodMatrix() {
+  for (cholmod_dense*& work : work_) cholmod_free_dense(&work, &common_);
+  cholmod_free_sparse(&matrix_, &common_);
+  cholmod_free_factor(&factor_, &common_);
+  cholmod_finish(&common_);
+}
+
+bool CholmodMatrix::factor(const BlockMatrix& a) {
+  assemble(a);
+  if (a.row_start() != pattern_rows_ || a.columns() != pattern_columns_) analyse(a);
+  cholmod_factorize(matrix_, factor_, &common_);
+  check("factorise");
+  if (common_.status == CHOLMOD_NOT_POSDEF || has_lost_a_pivot()) return false;
+  index_supernodes();
+  return true;
+}
+
+void CholmodMatrix::assemble(const BlockMatrix& a) {
+  constexpr std::size_t size = block_unknowns;
+  const std::size_t n = size * a.num_rows();
+  std::size_t entries = 0;
+  for (std::size_t r = 0; r < a.num_rows(); ++r)
+    for (std::size_t s = a.row_start()[r]; s < a.row_start()[r + 1]; ++s)
+      if (a.columns()[s] <= r) entries += a.columns()[s] == r ? size * (size + 1) / 2 : size * size;
+  cholmod_free_sparse(&matrix_, &common_);
+  matrix_ = cholmod_allocate_sparse(n, n, entries, false, true, upper, CHOLMOD_REAL, &common_);
+  check("store");
+  int* start = integers(matrix_->p);
+  int* row = integers(matrix_->i);
+  double* value = reals(matrix_->x);
+  int next = 0;
+  for (std::size_t r = 0; r < a.num_rows(); ++r)
+    for (std::size_t j = 0; j < size; ++j) {
+      start[size * r + j] = next;
+      for (std::size_t s = a.row_start()[r]; s < a.row_start()[r + 1]; ++s) {
+        const std::size_t c = a.columns()[s];
+        if (c > r) continue;
+        for (std::size_t i = 0; i < (c == r ? j + 1 : size); ++i) {
+          row[next] = static_cast<int>(size * c + i);
+          value[next++] = a.value(s)(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(i));
+        }
+      }
+    }
+  start[n] = next;
+}
+
+/// The blocks are ordered by nested dissection of their graph, a sixth of the matrix's.
+void CholmodMatrix::analyse(const BlockMatrix& a) {
+  pattern_rows_ = a.row_start();
+  pattern_columns_ = a.columns();
+  const std::size_t m = a.num_rows();
+  cholmod_sparse* graph =
+      cholmod_allocate_sparse(m, m, a.num_stored(), false, true, lower, CHOLMOD_PATTERN, &common_);
+  check("store");
+  int* row = integers(graph->i);
+  int next = 0;
+  for (std::size_t c = 0; c < m; ++c) {
+    integers(graph->p)[c] = next;
+    for (std::size_t s = a.row_start()[c]; s < a.row_start()[c + 1]; ++s)
+      if (a.columns()[s] >= c) row[next++] = static_cast<int>(a.columns()[s]);
+  }
+  integers(graph->p)[m] = next;
+  std::vector<int> blocks(m), parents(m), members(m), unknowns;
+  cholmod_nested_dissection(graph, nullptr, 0, blocks.data(), parents.data(), members.data(), &common_);
+  cholmod_free_sparse(&graph, &common_);
+  check("order");
+  for (const int block : blocks)
+    for (int i = 0; i < block_unknowns; ++i) unknowns.push_back(block_unknowns * block + i);
+  common_.nmethods = 1;
+  common_.method[0].ordering = CHOLMOD_GIVEN;
+  cholmod_free_factor(&factor_, &common_);
+  factor_ = cholmod_analyze_p(matrix_, unknowns.data(), nullptr, 0, &common_);
+  check("analyse");
+}
+
+bool CholmodMatrix::has_lost_a_pivot() const {
+  constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
+  const int* start = integers(matrix_->p);
+  const double* value = reals(matrix_->x);
+  const int* unknown = integers(factor_->Perm);
+  const int num_supernodes = static_cast<int>(factor_->nsuper);
+  for (int s = 0; s < num_supernodes; ++s) {
+    const int first = integers(factor_->super)[s], end = integers(factor_->super)[s + 1];
+    const int rows = integers(factor_->pi)[s + 1] - integers(factor_->pi)[s];
+    const double* l = reals(factor_->x) + integers(factor_->px)[s];
+    for (int c = first; c < end; ++c, l += rows + 1) {
+      const double diagonal = value[start[unknown[c] + 1] - 1];  // the last entry of its column
+      if (!(*l * *l > rounding * diagonal)) return true;
+    }
+  }
+  return false;
+}
+
+void CholmodMatrix::index_supernodes() {
+  super_ = integers(factor_->super);
+  supernode_of_.resize(factor_->n);
+  for (int s = 0; s < static_cast<int>(factor_->nsuper); ++s)
+    std::fill(supernode_of_.begin() + super_[s], supernode_of_.begin() + super_[s + 1], s);
+  position_.resize(factor_->n);
+  for (int i = 0; i < static_cast<int>(factor_->n); ++i) position_[count(integers(factor_->Perm)[i])] = i;
+  sparse_.assign(2 * factor_->n, 0.0);
+}
+
+CholmodMatrix::Supernode CholmodMatrix::supernode(int s) const {
+  const int* start = integers(factor_->pi);
+  return {super_[s], size_of(s), start[s + 1] - start[s], reals(factor_->x) + integers(factor_->px)[s],
+          integers(factor_->s) + start[s]};
+}
+
+std::vector<int> CholmodMatrix::way_of(std::span<const Entry> entries) const {
+  std::vector<int> out;
+  for (const Entry& entry : entries) {
+    const int* rows = position_.data() + block_unknowns * entry.block.value();
+    int s = supernode_of_[count(*std::min_element(rows, rows + block_unknowns))];
+    for (;;) {
+      out.push_back(s);
+      const Supernode node = supernode(s);
+      if (node.rows == node.size) break;
+      s = supernode_of_[count(node.row[node.size])];
+    }
+  }
+  std::ranges::sort(out);
+  out.erase(std::ranges::unique(out).begin(), out.end());
+  return out;
+}
+
+HalfSolution CholmodMatrix::half_solve(std::span<const Entry> entries) const {
+  HalfSolution out{way_of(entries), {}};
+  const auto n = static_cast<Eigen::Index>(factor_->n);
+  Eigen::Map<Eigen::MatrixX2d> x(sparse_.data(), n, 2);
+  for (const Entry& entry : entries)
+    for (int i = 0; i < block_unknowns; ++i)
+      x.row(position_[block_unknowns * entry.block.value() + count(i)]) += entry.rows.row(i);
+  Eigen::MatrixX2d below;
+  for (const int s : out.parts) {
+    const Supernode node = supernode(s);
+    const Entries l(node.values, node.rows, node.size, Eigen::OuterStride<>(node.rows));
+    auto here = x.middleRows(node.first, node.size);
+    l.topRows(node.size).triangularView<Eigen::Lower>().solveInPlace(here);
+    const int more = node.rows - node.size;
+    below.noalias() = l.bottomRows(more) * here;
+    for (int i = 0; i < more; ++i) x.row(node.row[node.size + i]) -= below.row(i);
+    out.values.insert(out.values.end(), here.col(0).begin(), here.col(0).end());
+    out.values.insert(out.values.end(), here.col(1).begin(), here.col(1).end());
+    here.setZero();
+  }
+  return out;
+}
+
+Mat2 CholmodMatrix::product(const HalfSolution& left, const HalfSolution& right) const {
+  Mat2 out = Mat2::Zero();
+  // The ways meet somewhere and are one from there to the root: walk back from it.
+  auto i = left.parts.size(), j = right.parts.size();
+  const double *x = left.values.data() + left.values.size(), *y = right.values.data() + right.values.size();
+  while (i > 0 && j > 0) {
+    const int s = left.parts[i - 1], t = right.parts[j - 1];
+    if (s >= t) x -= 2 * size_of(s);
+    if (t >= s) y -= 2 * size_of(t);
+    if (s == t) out.noalias() += Part(x, size_of(s), 2).transpose() * Part(y, size_of(s), 2);
+    if (s >= t) --i;
+    if (t >= s) --j;
+  }
+  return out;
+}
+
+void CholmodMatrix::add(const HalfSolution& y, const Vec2& s, std::span<double> sum) const {
+  const double* values = y.values.data();
+  for (const int part : y.parts) {
+    const int size = size_of(part);
+    Eigen::Map<Eigen::VectorXd>(sum.data() + super_[part], size).noalias() += Part(values, size, 2) * s;
+    values += 2 * size;
+  }
+}
+
+void CholmodMatrix::complete(std::span<double> sums, int columns) const {
+  apply(CHOLMOD_Lt, sums, columns);
+  apply(CHOLMOD_Pt, sums, columns);
+}
+
+void CholmodMatrix::solve(std::span<double> x, int columns) const { apply(CHOLMOD_A, x, columns); }
+
+void CholmodMatrix::apply(int system, std::span<double> x, int columns) const {
+  cholmod_dense right{};
+  right.nrow = right.d = factor_->n;
+  right.ncol = count(columns);
+  right.nzmax = x.size();
+  right.x = x.data();
+  right.xtype = CHOLMOD_REAL;
+  right.dtype = CHOLMOD_DOUBLE;
+  cholmod_solve2(system, factor_, &right, nullptr, &work_[0], nullptr, &work_[1], &work_[2], &common_);
+  check("solve");
+  std::copy_n(reals(work_[0]->x), x.size(), x.begin());
+}
+
+void CholmodMatrix::check(const char* what) const {
+  if (common_.status < CHOLMOD_OK)
+    throw std::runtime_error("CHOLMOD could not " + std::string(what) + ": status " +
+                             std::to_string(common_.status) +
+                             (common_.status == CHOLMOD_OUT_OF_MEMORY ? ", out of memory" : ""));
+}
+
+}  // namespace dda

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "framework/index.hpp"
+#include "models/kinematics/first_order.hpp"
+
+namespace dda {
+
+/// Half of the solutions of A z = u for two right-hand sides with few entries: y = L⁻¹ u, A = L Lᵀ.
+///
+/// y differs from zero only along the way from the blocks of u to the root of the elimination tree, some
+/// thousand numbers where z has all n.
+struct HalfSolution {
+  std::vector<int> parts;      ///< groups of rows of L on that way, ascending
+  std::vector<double> values;  ///< rows of the parts, one part after another, 2 columns each
+};
+
+/// What a Cholesky factorisation A = L Lᵀ of n rows gives for half of the price of a solution, or less.
+class HalfSolver {
+ public:
+  /// The rows of a block in the two right-hand sides.
+  struct Entry {
+    BlockId block;
+    Mat62 rows;
+  };
+
+  virtual ~HalfSolver() = default;
+  /// L⁻¹ u of the two right-hand sides with these entries.
+  virtual HalfSolution half_solve(std::span<const Entry> entries) const = 0;
+  /// y ᵀ y' = uᵀ A⁻¹ u', 2 × 2.
+  virtual Mat2 product(const HalfSolution& left, const HalfSolution& right) const = 0;
+  /// sum += y s, with s of size 2 and the sum of size n in the order of L.
+  virtual void add(const HalfSolution& y, const Vec2& s, std::span<double> sum) const = 0;
+  /// Overwrites each column of a sum Σ y s by A⁻¹ Σ u s.
+  virtual void complete(std::span<double> sums, int columns) const = 0;
+};
+
+}  // namespace dda

@@ -1,0 +1,171 @@
+#include "continuation/linear/update_columns.hpp"
+
+#include <limits>
+#include <vector>
+
+#include "continuation/linear/half_solver.hpp"
+
+namespace dda {
+namespace {
+
+using Matrix = Eigen::MatrixXd;
+
+Eigen::Index row_of(std::size_t place) { return 2 * static_cast<Eigen::Index>(place); }
+
+/// Z column by column. It is kept while it is small and replaced by a solution per product from then on, so
+/// that memory follows the factor and not the cracks.
+class WholeColumns final : public UpdateColumns {
+ public:
+  WholeColumns(const Equilibrium& equilibrium, DirectSolver& solver, std::size_t batch)
+      : equilibrium_(equilibrium), solver_(solver), batch_(batch) {}
+
+  std::size_t batch() const override { return batch_; }
+
+  void add(std::span<const std::size_t> points, Matrix& g) override {
+    std::vector<double> columns(2 * points.size() * n(), 0.0);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      for (std::size_t c = 0; c < 2; ++c)
+        add_rows(points[i], Vec2::Unit(static_cast<Eigen::Index>(c)), columns.data() + (2 * i + c) * n());
+    solve(columns, 2 * points.size());
+    const std::size_t first = points_.size();
+    points_.insert(points_.end(), points.begin(), points.end());
+    for (std::size_t s = first; s < points_.size(); ++s)
+      couple(s, first, std::span<const double>(columns).subspan(2 * (s - first) * n(), 2 * n()), g);
+    keep(columns);
+  }
+
+  void subtract(std::span<const std::size_t> places, const Matrix& shares,
+                std::span<const std::span<double>> solutions) override {
+    if (keeps_z_) return subtract_kept(places, shares, solutions);
+    std::vector<double> product(solutions.size() * n(), 0.0);
+    for (std::size_t c = 0; c < solutions.size(); ++c)
+      for (std::size_t a = 0; a < places.size(); ++a)
+        add_rows(points_[places[a]], shares.block<2, 1>(row_of(a), static_cast<Eigen::Index>(c)),
+                 product.data() + c * n());
+    solve(product, solutions.size());
+    for (std::size_t c = 0; c < solutions.size(); ++c)
+      for (std::size_t i = 0; i < n(); ++i) solutions[c][i] -= product[c * n() + i];
+  }
+
+  bool product_is_cheap() const override { return keeps_z_; }
+
+  std::size_t most_at_once() const override {
+    return 160;  // more are soon made again, and a factorisation is cheaper
+  }
+
+ private:
+  std::size_t n() const { return equilibrium_.num_unknowns(); }
+
+  void solve(std::vector<double>& columns, std::size_t count) {
+    solver_.solve(columns, static_cast<int>(count));
+    num_solves_ += count;
+  }
+
+  /// Uᵀ: adds the rows of a point times a force to a vector of size n.
+  void add_rows(std::size_t point, const Vec2& force, double* to) const {
+    equilibrium_.point(point).for_each_part([&](BlockId part, const Mat26& rows) {
+      Eigen::Map<Vec6>(to + 6 * part.value()) += rows.transpose() * force;
+    });
+  }
+
+  /// G of the point at a place, with columns z, and those before it; of those from `first` on one half.
+  void couple(std::size_t place, std::size_t first, std::span<const double> z, Matrix& g) const {
+    for (std::size_t a = 0; a < points_.size(); ++a) {
+      for (std::size_t c = 0; c < 2; ++c)
+        g.block<2, 1>(row_of(a), row_of(place) + static_cast<Eigen::Index>(c)) =
+            equilibrium_.opening(points_[a], z.subspan(c * n(), n()));
+      if (a < first)
+        g.block<2, 2>(row_of(place), row_of(a)) = g.block<2, 2>(row_of(a), row_of(place)).transpose();
+    }
+  }
+
+  void keep(const std::vector<double>& columns) {
+    constexpr std::size_t most_numbers = std::size_t{1} << 25;  // 256 MiB
+    if (keeps_z_ && z_.size() + columns.size() > most_numbers) {
+      keeps_z_ = false;
+      z_ = {};
+    }
+    if (keeps_z_) z_.insert(z_.end(), columns.begin(), columns.end());
+  }
+
+  void subtract_kept(std::span<const std::size_t> places, const Matrix& shares,
+                     std::span<const std::span<double>> solutions) const {
+    const auto size = static_cast<Eigen::Index>(n());
+    for (std::size_t a = 0; a < places.size(); ++a) {
+      const Eigen::Map<const Eigen::MatrixX2d> z(z_.data() + 2 * n() * places[a], size, 2);
+      for (std::size_t c = 0; c < solutions.size(); ++c)
+        Eigen::Map<Eigen::VectorXd>(solutions[c].data(), size).noalias() -=
+            z * shares.block<2, 1>(row_of(a), static_cast<Eigen::Index>(c));
+    }
+  }
+
+  const Equilibrium& equilibrium_;
+  DirectSolver& solver_;
+  const std::size_t batch_;
+  std::vector<std::size_t> points_;
+  bool keeps_z_ = true;
+  std::vector<double> z_;  ///< n × 2 per point
+};
+
+/// Half of Z: with K = L Lᵀ and Y = L⁻¹ Uᵀ,
+///
+///     G = Yᵀ Y,     Z s = L⁻ᵀ Y s
+///
+/// A column costs the way from its blocks to the root of the elimination tree instead of all of L, and a
+/// product half a solution.
+class HalfColumns final : public UpdateColumns {
+ public:
+  HalfColumns(const Equilibrium& equilibrium, const HalfSolver& solver, std::size_t batch)
+      : equilibrium_(equilibrium), solver_(solver), batch_(batch) {}
+
+  std::size_t batch() const override { return batch_; }
+
+  void add(std::span<const std::size_t> points, Matrix& g) override {
+    for (const std::size_t point : points) {
+      std::vector<HalfSolver::Entry> entries;
+      equilibrium_.point(point).for_each_part(
+          [&](BlockId part, const Mat26& rows) { entries.push_back({part, rows.transpose()}); });
+      const std::size_t place = y_.size();
+      y_.push_back(solver_.half_solve(entries));
+      for (std::size_t a = 0; a <= place; ++a) {
+        const Mat2 common = solver_.product(y_[a], y_[place]);
+        g.block<2, 2>(row_of(a), row_of(place)) = common;
+        g.block<2, 2>(row_of(place), row_of(a)) = common.transpose();
+      }
+    }
+  }
+
+  void subtract(std::span<const std::size_t> places, const Matrix& shares,
+                std::span<const std::span<double>> solutions) override {
+    const std::size_t n = equilibrium_.num_unknowns();
+    std::vector<double> sums(solutions.size() * n, 0.0);
+    for (std::size_t c = 0; c < solutions.size(); ++c)
+      for (std::size_t a = 0; a < places.size(); ++a)
+        solver_.add(y_[places[a]], shares.block<2, 1>(row_of(a), static_cast<Eigen::Index>(c)),
+                    std::span(sums).subspan(c * n, n));
+    solver_.complete(sums, static_cast<int>(solutions.size()));
+    num_solves_ += solutions.size();
+    for (std::size_t c = 0; c < solutions.size(); ++c)
+      for (std::size_t i = 0; i < n; ++i) solutions[c][i] -= sums[c * n + i];
+  }
+
+  bool product_is_cheap() const override { return true; }
+  std::size_t most_at_once() const override { return std::numeric_limits<std::size_t>::max(); }
+
+ private:
+  const Equilibrium& equilibrium_;
+  const HalfSolver& solver_;
+  const std::size_t batch_;
+  std::vector<HalfSolution> y_;
+};
+
+}  // namespace
+
+std::unique_ptr<UpdateColumns> update_columns(const Equilibrium& equilibrium, DirectSolver& solver,
+                                              std::size_t batch) {
+  if (const HalfSolver* halves = solver.halves())
+    return std::make_unique<HalfColumns>(equilibrium, *halves, batch);
+  return std::make_unique<WholeColumns>(equilibrium, solver, batch);
+}
+
+}  // namespace dda

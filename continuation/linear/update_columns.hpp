@@ -1,0 +1,40 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <memory>
+#include <span>
+
+#include "continuation/linear/direct_solver.hpp"
+#include "models/equilibrium.hpp"
+
+namespace dda {
+
+/// Columns of Z = K⁻¹ Uᵀ, two for every point whose rows U = B were added, in that order.
+class UpdateColumns {
+ public:
+  virtual ~UpdateColumns() = default;
+  /// Points that had better be added together; always the same partition of them all, so that a restored run
+  /// makes the same numbers.
+  virtual std::size_t batch() const = 0;
+  /// Adds two columns for each point, and what they have in common with all that were there to G = U Z,
+  /// which is large enough for it.
+  virtual void add(std::span<const std::size_t> points, Eigen::MatrixXd& g) = 0;
+  /// x −= Z s for each x, s in the columns of `shares`, which has 2 rows for each of the places.
+  virtual void subtract(std::span<const std::size_t> places, const Eigen::MatrixXd& shares,
+                        std::span<const std::span<double>> solutions) = 0;
+  /// Whether a product with Z costs less than a solution with K.
+  virtual bool product_is_cheap() const = 0;
+  /// Columns that are worth making at once, rather than a new K; and solutions with K that were computed.
+  virtual std::size_t most_at_once() const = 0;
+  std::size_t num_solves() const { return num_solves_; }
+
+ protected:
+  std::size_t num_solves_ = 0;
+};
+
+/// Columns for what the solver has factorised last.
+std::unique_ptr<UpdateColumns> update_columns(const Equilibrium& equilibrium, DirectSolver& solver,
+                                              std::size_t batch);
+
+}  // namespace dda
