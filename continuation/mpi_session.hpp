@@ -1,11 +1,12 @@
 #pragma once
 
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_RCP.hpp>
+
 namespace dda {
 
-/// Starts MPI for this process and ends it at the close of the program; Trilinos and MUMPS need it.
-///
-/// A run without mpirun is told to skip networks and the run-time daemon, which makes the start 15 times
-/// faster.
+/// What Trilinos and MUMPS need from the start of this process to its end: Kokkos, and MPI under mpirun.
+/// Without mpirun MPI starts when something asks for it, which most runs never do.
 class MpiSession {
  public:
   MpiSession();
@@ -13,5 +14,11 @@ class MpiSession {
   MpiSession(const MpiSession&) = delete;
   MpiSession& operator=(const MpiSession&) = delete;
 };
+
+/// Starts MPI if it has not been; the session ends it.
+void start_mpi();
+
+/// The ranks of this run; of a run without mpirun one, which needs no MPI.
+Teuchos::RCP<const Teuchos::Comm<int>> all_ranks();
 
 }  // namespace dda

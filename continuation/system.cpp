@@ -1,10 +1,11 @@
 #include "continuation/system.hpp"
 
 #include <Eigen/LU>
-#include <Tpetra_Core.hpp>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "continuation/mpi_session.hpp"
 
 namespace dda {
 
@@ -13,7 +14,7 @@ System::System(const Equilibrium& equilibrium, const DirectSolverChoice& solver,
       loading_(nullptr),
       linear_(equilibrium, solver, update),
       history_(equilibrium.num_active()),
-      map_(Teuchos::rcp(new TpetraMap(equilibrium.num_unknowns(), 0, Tpetra::getDefaultComm()))) {
+      map_(Teuchos::rcp(new TpetraMap(equilibrium.num_unknowns(), 0, all_ranks()))) {
   for (std::size_t p = 0; p < equilibrium.num_active() && !physical_; ++p)
     if (equilibrium.point(p).multiplier == Multiplier::iterated) {
       physical_ = std::make_unique<LinearSystem>(equilibrium, solver, update);

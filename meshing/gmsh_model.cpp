@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "meshing/mesh_file.hpp"
+
 namespace dda {
 namespace {
 
@@ -39,6 +41,7 @@ std::shared_ptr<const GmshModel> GmshModel::from_geo(const std::string& file,
 }
 
 std::shared_ptr<const GmshModel> GmshModel::from_msh(const std::string& file, const Position& where) {
+  if (auto model = read_mesh_file(file, where)) return model;
   return module().from_msh(file, where);
 }
 

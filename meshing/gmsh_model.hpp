@@ -26,10 +26,11 @@ struct ElementWish {
 
 using GmshParameters = std::map<std::string, double>;
 
-/// A geometry or mesh held by gmsh, which is started for it and stopped with it: one at a time.
+/// A geometry or mesh held by gmsh, which is started for it and stopped with it: one at a time; or a mesh
+/// read from a file without it.
 ///
 /// gmsh lives in a module of its own that is loaded with the first model: its libraries take 0.07 s to load,
-/// which a scene of polygons and Voronoi cells need not pay.
+/// which a scene of polygons and Voronoi cells or a mesh file need not pay.
 ///
 /// Roles come from the names of physical groups:
 ///     surfaces   material:NAME or material:NAME/REGION
@@ -43,7 +44,7 @@ class GmshModel {
   /// A .geo file; parameters replace the values of DefineConstant, by variable name or by ONELAB name.
   static std::shared_ptr<const GmshModel> from_geo(const std::string& file, const GmshParameters& parameters,
                                                    const Position& where);
-  /// A .msh file, version 4.1 or 2.2.
+  /// A .msh file; versions 4.1 and 2.2 in ASCII without gmsh, other formats through it.
   static std::shared_ptr<const GmshModel> from_msh(const std::string& file, const Position& where);
   /// Polygons, cut along their common borders and along the layout's lines.
   static std::shared_ptr<const GmshModel> from_layout(const Layout& layout);

@@ -35,9 +35,9 @@ void write_decks(const RunFolder& folder, const DeckFile& deck, const std::strin
   write_whole(folder.file("effective_deck.yaml"), effective, Flush::to_system);
 }
 
-void start_mpi(std::optional<MpiSession>& mpi, Timings& timings) {
+void begin(std::optional<MpiSession>& mpi, Timings& timings) {
   if (mpi) return;
-  const auto scope = timings.measure("MPI");
+  const auto scope = timings.measure("Trilinos");
   mpi.emplace();
 }
 
@@ -87,7 +87,7 @@ RunResult run_deck(const DeckFile& deck, const RunOptions& options, std::optiona
   const InterruptGuard guard;
   timings.end_start_up();
   Simulation simulation(deck.deck, timings);
-  start_mpi(mpi, timings);
+  begin(mpi, timings);
   simulation.prepare();
   const RunFolder folder = new_folder(deck, options);
   const std::string effective = effective_deck(deck);
@@ -108,7 +108,7 @@ RunResult resume_run(const fs::path& existing, const std::vector<std::string>& o
   const DeckFile deck = deck_of(data, existing, overrides);
   timings.end_start_up();
   Simulation simulation(deck.deck, timings);
-  start_mpi(mpi, timings);
+  begin(mpi, timings);
   simulation.prepare();
   const RunMemory memory = restore(data, existing, simulation);
   const bool in_place = options.folder.empty();

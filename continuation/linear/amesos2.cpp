@@ -1,9 +1,9 @@
 #include <Amesos2.hpp>
-#include <Tpetra_Core.hpp>
 #include <Tpetra_CrsMatrix.hpp>
 #include <algorithm>
 
 #include "continuation/linear/direct_solver.hpp"
+#include "continuation/mpi_session.hpp"
 
 namespace dda {
 namespace {
@@ -18,7 +18,8 @@ using Columns = Tpetra::MultiVector<double>;
 class Klu2 final : public DirectSolver {
  public:
   Klu2() {
-    if (Tpetra::getDefaultComm()->getSize() > 1)
+    start_mpi();  // Amesos2 asks it for its ranks
+    if (all_ranks()->getSize() > 1)
       throw InputError({},
                        "linear solver 'amesos2' (KLU2) is wrong on several ranks; use 'mumps' or one rank");
   }
@@ -57,7 +58,7 @@ class Klu2 final : public DirectSolver {
 
   void assemble(const BlockMatrix& a) {
     const std::size_t n = 6 * a.num_rows();
-    const auto map = Teuchos::rcp(new Tpetra::Map<>(n, 0, Tpetra::getDefaultComm()));
+    const auto map = Teuchos::rcp(new Tpetra::Map<>(n, 0, all_ranks()));
     std::vector<std::size_t> lengths(n);
     for (std::size_t i = 0; i < n; ++i) lengths[i] = 6 * (a.row_start()[i / 6 + 1] - a.row_start()[i / 6]);
     matrix_ = Teuchos::rcp(

@@ -95,8 +95,7 @@ bool LinearSystem::set_tangent(std::span<const Mat2> tangents) {
     new_batch[p / batch] = true;
     columns += 2 * batch;
   }
-  const bool too_many =
-      columns > most_columns() || columns - 2 * updated_.size() > columns_->most_at_once();
+  const bool too_many = columns > most_columns() || columns - 2 * updated_.size() > columns_->most_at_once();
   if (too_many && update_ == Update::low_rank && !rebase(tangents)) return false;
   tangent_.assign(tangents.begin(), tangents.end());
   active_.clear();
@@ -117,8 +116,7 @@ bool LinearSystem::is_as_in_base(std::size_t point, const Vec2& q, const Respons
 bool LinearSystem::make_columns(std::span<const std::size_t> points) {
   std::vector<std::size_t> batches;
   for (const std::size_t p : points)
-    if (batches.empty() || batches.back() != p / columns_->batch())
-      batches.push_back(p / columns_->batch());
+    if (batches.empty() || batches.back() != p / columns_->batch()) batches.push_back(p / columns_->batch());
   const std::size_t columns = 2 * columns_->batch() * batches.size();
   if (columns > columns_->most_at_once() || 2 * updated_.size() + columns > most_columns()) return false;
   for (const std::size_t p : points)

@@ -107,11 +107,11 @@ class LinearSystem {
   std::unique_ptr<DirectSolver> solver_;
   Update update_;
   std::vector<Mat2> base_, tangent_;
-  std::vector<std::size_t> updated_;  ///< points with columns, in order
-  std::vector<int> slot_;             ///< point → index in updated_, −1 when none
+  std::vector<std::size_t> updated_;        ///< points with columns, in order
+  std::vector<int> slot_;                   ///< point → index in updated_, −1 when none
   std::unique_ptr<UpdateColumns> columns_;  ///< Z
   Eigen::MatrixXd g_;                       ///< U K_base⁻¹ Uᵀ, at least 2 · updated square
-  std::vector<std::size_t> active_;  ///< updated points with E ≠ 0 now
+  std::vector<std::size_t> active_;         ///< updated points with E ≠ 0 now
   Eigen::PartialPivLU<Eigen::MatrixXd> small_;
   Kept reference_, dead_;
   std::vector<Kept> gauges_;  ///< of along_columns

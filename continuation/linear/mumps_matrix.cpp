@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "continuation/mpi_session.hpp"
+
 namespace dda {
 namespace {
 
@@ -15,6 +17,7 @@ constexpr int job_initialise = -1, job_end = -2, job_analyse = 1, job_factor = 2
 }  // namespace
 
 MumpsMatrix::MumpsMatrix() {
+  start_mpi();
   id_.comm_fortran = static_cast<MUMPS_INT>(MPI_Comm_c2f(MPI_COMM_SELF));
   id_.par = 1;
   id_.sym = 2;

@@ -123,8 +123,9 @@ class HalfColumns final : public UpdateColumns {
   void add(std::span<const std::size_t> points, Matrix& g) override {
     for (const std::size_t point : points) {
       std::vector<HalfSolver::Entry> entries;
-      equilibrium_.point(point).for_each_part(
-          [&](BlockId part, const Mat26& rows) { entries.push_back({part, rows.transpose()}); });
+      equilibrium_.point(point).for_each_part([&](BlockId part, const Mat26& rows) {
+        entries.push_back({part, rows.transpose()});
+      });
       const std::size_t place = y_.size();
       y_.push_back(solver_.half_solve(entries));
       for (std::size_t a = 0; a <= place; ++a) {

@@ -8,24 +8,12 @@
 #include <fstream>
 #include <iterator>
 #include <regex>
-#include <set>
 
 #include "meshing/gmsh/drawing.hpp"
 #include "meshing/gmsh/mesh_reader.hpp"
 
 namespace dda {
 namespace {
-
-const std::map<int, std::set<std::string>> roles{
-    {0, {"gauge"}}, {1, {"interface", "boundary", "slit"}}, {2, {"material"}}};
-
-const char* noun(int dimension) { return dimension == 2 ? "surface" : dimension == 1 ? "curve" : "point"; }
-
-std::string list(const std::set<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word + ":NAME";
-  return text;
-}
 
 /// "'beam.geo', line 3: syntax error (;)" with the place it names; anything else at `where`.
 InputError translated(const std::string& message, const Position& where) {
@@ -63,7 +51,7 @@ std::vector<std::string> arguments_for(const GmshParameters& parameters) {
 std::string centre_of(int dimension, int tag) {
   double x0, y0, z0, x1, y1, z1;
   gmsh::model::getBoundingBox(dimension, tag, x0, y0, z0, x1, y1, z1);
-  return fmt::format("{} {} (centre {:.6g}, {:.6g})", noun(dimension), tag, (x0 + x1) / 2, (y0 + y1) / 2);
+  return fmt::format("{} (centre {:.6g}, {:.6g})", entity_text(dimension, tag), (x0 + x1) / 2, (y0 + y1) / 2);
 }
 
 }  // namespace
@@ -115,72 +103,26 @@ std::shared_ptr<const GmshModel> GmshSession::from_msh(const std::string& file, 
 }
 
 void GmshSession::read_groups() {
-  gmsh::vectorpair tagged;
+  gmsh::vectorpair tagged, entities;
   gmsh::model::getPhysicalGroups(tagged);
-  Findings findings;
   for (const auto& [dimension, tag] : tagged) {
-    Group group{dimension, tag, {}, {}, {}};
     std::string text;
     gmsh::model::getPhysicalName(dimension, tag, text);
-    const std::size_t colon = text.find(':');
-    group.role = text.substr(0, colon);
-    group.name = colon == std::string::npos ? "" : text.substr(colon + 1);
-    gmsh::model::getEntitiesForPhysicalGroup(dimension, tag, group.entities);
-    check_group(group, findings);
-    groups_.push_back(group);
+    std::vector<int> members;
+    gmsh::model::getEntitiesForPhysicalGroup(dimension, tag, members);
+    groups_.push_back(physical_group(dimension, tag, text, std::move(members)));
   }
-  check_entities(findings);
-  findings.throw_if_any();
+  std::vector<int> surfaces;
+  gmsh::model::getEntities(entities, 2);
+  for (const auto& [dimension, tag] : entities) surfaces.push_back(tag);
+  require_sound(groups_, surfaces, centre_of, where_);
 }
-
-void GmshSession::check_group(const Group& group, Findings& findings) const {
-  if (group.dimension > 2) return findings.add(where_, "the geometry has physical volumes; it must be plane");
-  if (roles.at(group.dimension).count(group.role) && !group.name.empty()) return;
-  const std::string text = group.role + (group.name.empty() ? "" : ":" + group.name);
-  findings.add(where_, fmt::format("physical {} {} has the unknown name '{}'; expected {}",
-                                   noun(group.dimension), group.tag, text, list(roles.at(group.dimension))));
-}
-
-/// Every surface has one material; no entity has two names of one role.
-void GmshSession::check_entities(Findings& findings) const {
-  std::map<std::tuple<int, int, std::string>, std::string> named;
-  for (const Group& group : groups_)
-    for (const int entity : group.entities) {
-      const auto [old, fresh] = named.try_emplace({group.dimension, entity, group.role}, group.name);
-      if (!fresh)
-        findings.add(where_,
-                     fmt::format("{} is in two groups: {}:{} and {}:{}", centre_of(group.dimension, entity),
-                                 group.role, old->second, group.role, group.name));
-    }
-  gmsh::vectorpair surfaces;
-  gmsh::model::getEntities(surfaces, 2);
-  for (const auto& [dimension, tag] : surfaces)
-    if (!named.count({2, tag, "material"}))
-      findings.add(where_,
-                   centre_of(2, tag) + " has no material: put it into a physical surface material:NAME");
-  if (surfaces.empty()) findings.add(where_, "the geometry has no surface");
-}
-
-namespace {
-
-/// Region of a surface group: material before the slash, region's own name after it.
-Region region_named(const std::string& name) {
-  const std::size_t slash = name.find('/');
-  if (slash == std::string::npos) return {name, name};
-  return {name.substr(slash + 1), name.substr(0, slash)};
-}
-
-LineRole role_named(const std::string& role) {
-  return role == "interface" ? LineRole::interface : role == "boundary" ? LineRole::boundary : LineRole::slit;
-}
-
-}  // namespace
 
 std::vector<Cell> GmshSession::elements() const {
   const NodePlaces places = mesh_nodes(where_);
   std::vector<Cell> cells;
   int region = 0;
-  for (const Group& group : groups_) {
+  for (const PhysicalGroup& group : groups_) {
     if (group.dimension != 2) continue;
     for (const int surface : group.entities) {
       std::vector<Polygon> faces = mesh_faces(surface, places, where_);
@@ -195,18 +137,18 @@ std::vector<Cell> GmshSession::elements() const {
 std::vector<NamedLine> GmshSession::line_pieces() const {
   const NodePlaces places = mesh_nodes(where_);
   std::vector<NamedLine> lines;
-  for (const Group& group : groups_) {
+  for (const PhysicalGroup& group : groups_) {
     if (group.dimension != 1) continue;
     for (const int curve : group.entities)
       for (const MeshEdge& edge : mesh_edges(curve, places))
-        lines.push_back({role_named(group.role), group.name, {edge.start, edge.end}, where_, true});
+        lines.push_back({line_role(group), group.name, {edge.start, edge.end}, where_, true});
   }
   return lines;
 }
 
 std::map<std::string, Vec2> GmshSession::named_points() const {
   std::map<std::string, Vec2> points;
-  for (const Group& group : groups_)
+  for (const PhysicalGroup& group : groups_)
     if (group.dimension == 0 && !group.entities.empty())
       points[group.name] = mesh_point(group.entities.front());
   return points;
@@ -216,7 +158,7 @@ std::vector<Shape> GmshSession::shapes() const {
   const NodePlaces places = mesh_nodes(where_);
   std::vector<Shape> shapes;
   int region = 0;
-  for (const Group& group : groups_) {
+  for (const PhysicalGroup& group : groups_) {
     if (group.dimension != 2) continue;
     for (const int surface : group.entities)
       shapes.push_back({boundary_loops(surface, places), region, where_});
@@ -228,8 +170,8 @@ std::vector<Shape> GmshSession::shapes() const {
 Layout GmshSession::layout() const {
   Layout layout;
   layout.where = where_;
-  for (const Group& group : groups_)
-    if (group.dimension == 2) layout.regions.push_back(region_named(group.name));
+  for (const PhysicalGroup& group : groups_)
+    if (group.dimension == 2) layout.regions.push_back(region_of(group));
   try {
     if (!meshed_) gmsh::model::mesh::generate(1);
     layout.points = named_points();
@@ -271,7 +213,7 @@ void GmshSession::apply(const ElementWish& wish) const {
 /// h(distance) = min(size, refined size + growth × distance) as a background field.
 void GmshSession::refine(const ElementWish& wish) const {
   std::vector<double> curves;
-  for (const Group& group : groups_)
+  for (const PhysicalGroup& group : groups_)
     if (group.dimension == 1 && group.name == wish.refine->curve)
       curves.insert(curves.end(), group.entities.begin(), group.entities.end());
   if (curves.empty()) throw InputError(where_, "refine: there is no curve '" + wish.refine->curve + "'");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "meshing/gmsh_model.hpp"
+#include "meshing/physical_groups.hpp"
 
 namespace dda {
 
@@ -17,16 +18,9 @@ class GmshSession final : public GmshModel {
   Cells mesh(const ElementWish& wish) const override;
 
  private:
-  struct Group {
-    int dimension = 0, tag = 0;
-    std::string role, name;
-    std::vector<int> entities;
-  };
   GmshSession(const std::vector<std::string>& arguments, Position where);
   void open(const std::string& file);
   void read_groups();
-  void check_group(const Group& group, Findings& findings) const;
-  void check_entities(Findings& findings) const;
   void apply(const ElementWish& wish) const;
   void refine(const ElementWish& wish) const;
   std::vector<Cell> elements() const;
@@ -36,7 +30,7 @@ class GmshSession final : public GmshModel {
 
   Position where_;
   bool meshed_ = false;  // the file holds the mesh itself
-  std::vector<Group> groups_;
+  std::vector<PhysicalGroup> groups_;
 };
 
 }  // namespace dda

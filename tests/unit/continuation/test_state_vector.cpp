@@ -1,15 +1,15 @@
 #include <gtest/gtest.h>
 
-#include <Tpetra_Core.hpp>
 #include <cmath>
 
 #include "continuation/loca/state_vector.hpp"
+#include "continuation/mpi_session.hpp"
 
 namespace dda {
 namespace {
 
 StateVector vector_of(const std::vector<double>& values) {
-  StateVector out(Teuchos::rcp(new TpetraMap(values.size(), 0, Tpetra::getDefaultComm())));
+  StateVector out(Teuchos::rcp(new TpetraMap(values.size(), 0, all_ranks())));
   std::copy(values.begin(), values.end(), out.local().begin());
   return StateVector(out, NOX::DeepCopy);
 }
