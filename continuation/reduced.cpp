@@ -195,7 +195,10 @@ std::optional<Reduced> solve_reduced(System& system, const Control& control, dou
   constexpr int most_rounds = 8;
   for (int round = 0; round < most_rounds; ++round) {
     CrackedPoints points(system, *sum);
-    const auto iterations = points.solve(guess, max_iterations);
+    const auto iterations = [&] {
+      const auto scope = system.timings().measure("reduced iterations");
+      return points.solve(guess, max_iterations);
+    }();
     if (!iterations) return {};
     out.iterations += *iterations;
     out.state = points.state();

@@ -23,6 +23,12 @@ System::System(const Equilibrium& equilibrium, const DirectSolverChoice& solver,
   set_stage(0);
 }
 
+void System::measure_with(Timings& timings) {
+  timings_ = &timings;
+  linear_.measure_with(timings);
+  if (physical_) physical_->measure_with(timings);
+}
+
 void System::set_stage(std::size_t stage) {
   loading_ = &equilibrium_.stages()[stage];
   remembered_.laws.reset();
@@ -118,6 +124,7 @@ std::shared_ptr<const LawValues> System::laws_at(std::span<const double> d, doub
 }
 
 LawValues System::laws(std::span<const double> d, double load_factor) const {
+  const auto scope = timings_->measure("laws");
   const std::size_t n = equilibrium_.num_active();
   LawValues out{openings(d, load_factor), std::vector<Vec2>(n), std::vector<Mat2>(n)};
   for (std::size_t p = 0; p < n; ++p) {
@@ -133,6 +140,7 @@ LawValues System::laws(std::span<const double> d, double load_factor) const {
 
 void System::residual(std::span<const double> d, double load_factor, const LawValues& laws,
                       std::span<double> out) const {
+  const auto scope = timings_->measure("residuals");
   for (std::size_t i = 0; i < out.size(); ++i)
     out[i] = -loading_->dead[i] - load_factor * loading_->reference[i];
   equilibrium_.intact().multiply_add(d, out);

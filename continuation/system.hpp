@@ -46,6 +46,10 @@ enum class Metric { natural, openings };
 class System {
  public:
   System(const Equilibrium& equilibrium, const DirectSolverChoice& solver, LinearSystem::Update update);
+  /// Times the phases of a step there from now on.
+  void measure_with(Timings& timings);
+  /// What they are timed with.
+  Timings& timings() const { return *timings_; }
 
   const Equilibrium& equilibrium() const { return equilibrium_; }
   const Loading& loading() const { return *loading_; }
@@ -154,6 +158,8 @@ class System {
   Remembered remembered_;
   std::size_t stamps_ = 0, used_stamp_ = 0;
   Teuchos::RCP<const TpetraMap> map_;
+  std::unique_ptr<Timings> own_timings_ = std::make_unique<Timings>();
+  Timings* timings_ = own_timings_.get();
 };
 
 }  // namespace dda

@@ -11,7 +11,7 @@ Tangent direction(System& system, const State& state) {
   system.load_derivative(*laws, force);
   if (!system.use_path_tangent(*laws)) return out;
   out.d.resize(state.d.size());
-  system.path_linear().solve(force, out.d);
+  system.path_linear().solve_watched(force, out.d);
   for (double& value : out.d) value = -value;
   out.load_factor = 1;
   out.multipliers = system.multiplier_rates(out.d);
@@ -44,6 +44,7 @@ void scale(double factor, std::vector<Vec2>& v) {
 }
 
 Tangent oriented(System& system, const State& state) {
+  const auto scope = system.timings().measure("tangents");
   Tangent out = direction(system, state);
   if (out.d.empty()) return out;
   const double rate = dissipation_rate(system, state, out);

@@ -13,7 +13,7 @@ namespace dda {
 /// Per unit of dissipated energy when points load, so that its orientation is the one that dissipates; per
 /// unit of load factor when nothing does.
 struct Tangent {
-  std::vector<double> d;
+  std::vector<double> d;  ///< at Equilibrium::watched(); of the other nodes it may be zero
   double load_factor = 0;
   bool dissipates = false;        ///< a crack grows
   std::vector<Vec2> multipliers;  ///< rates of iterated multipliers, else empty

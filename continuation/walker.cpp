@@ -47,6 +47,7 @@ State Walker::ahead(double amount) const {
 }
 
 void Walker::fill_energies(Candidate& candidate) {
+  const auto scope = system_.timings().measure("energies");
   const State& at = candidate.state;
   candidate.dissipated = system_.dissipated(candidate.history);
   candidate.stored = system_.stored(at, *system_.laws_at(at.d, at.load_factor));

@@ -1,8 +1,8 @@
-#include <yaml-cpp/eventhandler.h>
-#include <yaml-cpp/exceptions.h>
-#include <yaml-cpp/parser.h>
+#include <yaml.h>
 
+#include <algorithm>
 #include <fstream>
+#include <new>
 #include <optional>
 #include <sstream>
 #include <unordered_map>
@@ -25,70 +25,144 @@ std::size_t count_nodes(const Node& node) {
   return count;
 }
 
-/// Builds our tree from the parser's events, rejecting what yaml-cpp lets pass (duplicate keys above all).
-class Builder : public YAML::EventHandler {
+/// What the parser of libyaml says next; knows nothing of nodes.
+class Events {
  public:
-  explicit Builder(std::string file) : file_(std::move(file)) {}
+  Events(const std::string& text, std::string file) : text_(text), file_(std::move(file)) {
+    yaml_parser_initialize(&parser_);
+    yaml_parser_set_input_string(&parser_, reinterpret_cast<const unsigned char*>(text.data()), text.size());
+    yaml_parser_set_encoding(&parser_, YAML_UTF8_ENCODING);
+  }
+  ~Events() {
+    yaml_event_delete(&event_);
+    yaml_parser_delete(&parser_);
+  }
+  Events(const Events&) = delete;
+  Events& operator=(const Events&) = delete;
 
-  Position position(const YAML::Mark& mark) const {
-    return mark.is_null() ? Position{file_, 0, 0} : Position{file_, mark.line + 1, mark.column + 1};
+  /// Stays valid until the next call.
+  const yaml_event_t& next() {
+    yaml_event_delete(&event_);
+    if (!yaml_parser_parse(&parser_, &event_)) fail();
+    return event_;
   }
-  const YAML::Mark& start() const { return start_; }
-  const Findings& findings() const { return findings_; }
-  Node take_root() { return std::move(root_); }
+  Position position(const yaml_mark_t& mark) const {
+    return {file_, static_cast<int>(mark.line) + 1, static_cast<int>(mark.column) + 1};
+  }
 
-  void OnDocumentStart(const YAML::Mark& mark) override { start_ = mark; }
-  void OnDocumentEnd() override {}
-  void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
-    begin(mark, Node::Kind::null, anchor);
-    end();
+ private:
+  [[noreturn]] void fail() const {
+    if (parser_.error == YAML_MEMORY_ERROR) throw std::bad_alloc();
+    Position where = position(parser_.problem_mark);
+    if (parser_.error == YAML_READER_ERROR) {  // a character that is none; it is not yet in a line
+      const auto end =
+          text_.begin() + static_cast<std::ptrdiff_t>(std::min(parser_.problem_offset, text_.size()));
+      where = {file_, static_cast<int>(1 + std::count(text_.begin(), end, '\n')), 1};
+    }
+    throw InputError(where, std::string("YAML syntax: ") + parser_.problem);
   }
-  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
-                const std::string& value) override {
-    Node& node = begin(mark, Node::Kind::scalar, anchor);
-    node.text = value;
-    node.quoted = tag == "!" || tag.ends_with(":str");
-    end();
+
+  const std::string& text_;
+  std::string file_;
+  yaml_parser_t parser_{};
+  yaml_event_t event_{};
+};
+
+std::string text_of(const yaml_char_t* text) { return text ? reinterpret_cast<const char*>(text) : ""; }
+
+bool means_nothing(const std::string& plain) {
+  return plain.empty() || plain == "~" || plain == "null" || plain == "Null" || plain == "NULL";
+}
+
+/// Builds our tree from the parser's events, rejecting what it lets pass (duplicate keys above all).
+class Builder {
+ public:
+  Builder(const std::string& text, const std::string& file) : events_(text, file), file_(file) {}
+
+  Node build() {
+    events_.next();  // of the stream
+    if (events_.next().type == YAML_STREAM_END_EVENT) return empty();
+    read_document();
+    if (const yaml_event_t& more = events_.next(); more.type != YAML_STREAM_END_EVENT)
+      throw InputError(events_.position(more.start_mark), "only one document is read; remove the '---'");
+    findings_.throw_if_any();
+    return root_.is_null() ? empty() : std::move(root_);
   }
-  void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
-    const auto known = anchors_.find(anchor);
-    if (known == anchors_.end()) throw InputError(position(mark), "an alias stands inside what it names");
-    count(count_nodes(known->second), position(mark));
-    place(known->second);
-  }
-  void OnSequenceStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor,
-                       YAML::EmitterStyle::value) override {
-    begin(mark, Node::Kind::sequence, anchor);
-  }
-  void OnSequenceEnd() override { end(); }
-  void OnMapStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor,
-                  YAML::EmitterStyle::value) override {
-    begin(mark, Node::Kind::map, anchor);
-  }
-  void OnMapEnd() override { end(); }
 
  private:
   /// A node that is being read; of a map also the key whose value comes next.
   struct Open {
     Node node;
-    YAML::anchor_t anchor;
+    std::string anchor;
     std::optional<Node> key{};
     std::unordered_map<std::string, Position> seen{};
   };
 
-  Node& begin(const YAML::Mark& mark, Node::Kind kind, YAML::anchor_t anchor) {
+  Node empty() const {
+    Node out = Node::map();
+    out.where = {file_, 0, 0};
+    return out;
+  }
+
+  void read_document() {
+    for (;;) {
+      const yaml_event_t& event = events_.next();
+      const Position where = events_.position(event.start_mark);
+      switch (event.type) {
+        case YAML_DOCUMENT_END_EVENT:
+          return;
+        case YAML_SCALAR_EVENT:
+          add_scalar(event, where);
+          break;
+        case YAML_ALIAS_EVENT:
+          add_alias(text_of(event.data.alias.anchor), where);
+          break;
+        case YAML_SEQUENCE_START_EVENT:
+          begin(Node::Kind::sequence, where, text_of(event.data.sequence_start.anchor));
+          break;
+        case YAML_MAPPING_START_EVENT:
+          begin(Node::Kind::map, where, text_of(event.data.mapping_start.anchor));
+          break;
+        default:  // the end of a sequence or map
+          end();
+      }
+    }
+  }
+
+  void add_scalar(const yaml_event_t& event, const Position& where) {
+    const auto& scalar = event.data.scalar;
+    const std::string tag = text_of(scalar.tag);
+    std::string text(reinterpret_cast<const char*>(scalar.value), scalar.length);
+    const bool quoted = scalar.style != YAML_PLAIN_SCALAR_STYLE || tag == "!" || tag.ends_with(":str");
+    const bool is_null = !quoted && tag.empty() && means_nothing(text);
+    Node& node = begin(is_null ? Node::Kind::null : Node::Kind::scalar, where, text_of(scalar.anchor));
+    if (!is_null) node.text = std::move(text);
+    node.quoted = quoted;
+    end();
+  }
+
+  void add_alias(const std::string& anchor, const Position& where) {
+    for (const Open& open : open_)
+      if (open.anchor == anchor) throw InputError(where, "an alias stands inside what it names");
+    const auto known = anchors_.find(anchor);
+    if (known == anchors_.end()) throw InputError(where, "nothing is named '&" + anchor + "' before this");
+    count(count_nodes(known->second), where);
+    place(known->second);
+  }
+
+  Node& begin(Node::Kind kind, const Position& where, std::string anchor) {
     Node node;
     node.kind = kind;
-    node.where = position(mark);
-    if (open_.size() > max_depth) throw InputError(node.where, "nested too deeply");
-    count(1, node.where);
-    open_.push_back({std::move(node), anchor});
+    node.where = where;
+    if (open_.size() > max_depth) throw InputError(where, "nested too deeply");
+    count(1, where);
+    open_.push_back({std::move(node), std::move(anchor)});
     return open_.back().node;
   }
 
   void end() {
     Node node = std::move(open_.back().node);
-    if (open_.back().anchor != 0) anchors_[open_.back().anchor] = node;
+    if (!open_.back().anchor.empty()) anchors_[open_.back().anchor] = node;
     open_.pop_back();
     place(std::move(node));
   }
@@ -123,35 +197,14 @@ class Builder : public YAML::EventHandler {
     if (count_ > max_nodes) throw InputError(where, "the document is too large (aliases of aliases?)");
   }
 
+  Events events_;
   std::string file_;
-  YAML::Mark start_;
   Node root_;
   std::vector<Open> open_;
-  std::unordered_map<YAML::anchor_t, Node> anchors_;
+  std::unordered_map<std::string, Node> anchors_;
   std::size_t count_ = 0;
   Findings findings_;
 };
-
-/// A text that starts with a comma gives yaml-cpp endless empty documents at the same place.
-void reject_second_document(YAML::Parser& parser, const Builder& first, Builder second) {
-  if (!parser.HandleNextDocument(second)) return;
-  const bool is_stuck = second.start().pos == first.start().pos;
-  throw InputError(first.position(second.start()), is_stuck ? "YAML syntax: this cannot start a document"
-                                                            : "only one document is read; remove the '---'");
-}
-
-Node build(const std::string& text, const std::string& file) {
-  Builder builder(file);
-  std::istringstream stream(text);
-  YAML::Parser parser(stream);
-  if (parser.HandleNextDocument(builder)) reject_second_document(parser, builder, Builder(file));
-  builder.findings().throw_if_any();
-  Node root = builder.take_root();
-  if (!root.is_null()) return root;
-  root = Node::map();
-  root.where = builder.position(YAML::Mark{});
-  return root;
-}
 
 std::string read_text(const std::filesystem::path& path) {
   const Position where{path.string(), 0, 0};
@@ -169,11 +222,7 @@ std::string read_text(const std::filesystem::path& path) {
 }  // namespace
 
 Node parse_yaml(const std::string& text, const std::string& file_name) {
-  try {
-    return build(text, file_name);
-  } catch (const YAML::Exception& error) {
-    throw InputError(Builder(file_name).position(error.mark), "YAML syntax: " + error.msg);
-  }
+  return Builder(text, file_name).build();
 }
 
 Node read_yaml(const std::filesystem::path& path) { return parse_yaml(read_text(path), path.string()); }

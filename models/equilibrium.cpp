@@ -149,6 +149,29 @@ Vec2 Equilibrium::opening(std::size_t p, std::span<const double> d) const {
   return out;
 }
 
+std::vector<BlockId> Equilibrium::watched() const {
+  std::vector<bool> is_watched(num_nodes(), false);
+  const auto watch = [&](const Functional& gauge) {
+    for (const auto& [node, row] : gauge.rows) is_watched[node.value()] = true;
+  };
+  for (std::size_t p = 0; p < num_active(); ++p)
+    point(p).for_each_part([&](BlockId node, const Mat26&) { is_watched[node.value()] = true; });
+  for (const Loading& stage : stages_) {
+    watch(stage.load);
+    for (const NamedGauge& gauge : stage.gauges) watch(gauge.functional);
+    for (const WorkPair& pair : stage.driven) {
+      watch(pair.force);
+      watch(pair.displacement);
+    }
+    for (std::size_t i = 0; i < stage.reference_work.size(); ++i)
+      if (stage.reference_work[i] != 0) is_watched[i / block_unknowns] = true;
+  }
+  std::vector<BlockId> out;
+  for (std::size_t node = 0; node < is_watched.size(); ++node)
+    if (is_watched[node]) out.emplace_back(node);
+  return out;
+}
+
 double Equilibrium::passive_energy(std::span<const double> d) const {
   double twice = 0;
   for (std::size_t b = 0; b < num_blocks_; ++b) {

@@ -101,6 +101,8 @@ class Equilibrium {
   /// springs that loads drive [FL]. A sum over the parts: ½ d·K0 d would lose the digits of a small part of a
   /// structure that moves far.
   double passive_energy(std::span<const double> d) const;
+  /// Nodes that a path asks for along a direction: those of active points, gauges, loads and driven springs.
+  std::vector<BlockId> watched() const;
   /// The springs that loads drive.
   const std::vector<Spring>& driven_springs() const { return driven_; }
 

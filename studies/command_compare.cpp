@@ -19,8 +19,8 @@ struct Compared {
   std::string control;
   RunResult result;
   double seconds = 0;
-  PathDistance distance;  ///< to the first control's path
-  double at_landings = 0; ///< difference of load on the wanted gauge values, nothing interpolated
+  PathDistance distance;   ///< to the first control's path
+  double at_landings = 0;  ///< difference of load on the wanted gauge values, nothing interpolated
   bool is_expected = false;
 };
 
@@ -73,12 +73,18 @@ Compared run_control(const DeckFile& deck, const std::string& control, const fs:
 }
 
 std::vector<Column> columns(const Compared& first) {
-  return {{"control", ""},         {"status", ""},
-          {"reason", ""},          {"steps", ""},
-          {"rejected", ""},        {"rescues", ""},
-          {"iterations", ""},      {"factorisations", ""},
-          {"seconds", "s"},        {"peak", first.result.measures.load_unit()},
-          {"load_difference", ""}, {"hausdorff_distance", ""},
+  return {{"control", ""},
+          {"status", ""},
+          {"reason", ""},
+          {"steps", ""},
+          {"rejected", ""},
+          {"rescues", ""},
+          {"iterations", ""},
+          {"factorisations", ""},
+          {"seconds", "s"},
+          {"peak", first.result.measures.load_unit()},
+          {"load_difference", ""},
+          {"hausdorff_distance", ""},
           {"difference_at_landings", ""}};
 }
 

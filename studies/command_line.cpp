@@ -64,6 +64,9 @@ class Grammar {
     sub->add_flag("--overwrite", line_.run.overwrite, "Replace the results of an earlier run in that folder");
     sub->add_flag("--quiet", line_.run.quiet, "No progress lines");
   }
+  void add_profile(CLI::App* sub) {
+    sub->add_flag("--profile", line_.run.profile, "Print time, calls and work that was skipped, by phase");
+  }
   void add_solving();
   void add_looking();
 
@@ -76,12 +79,14 @@ void Grammar::add_solving() {
   CLI::App* run = add("run", "Follow the equilibrium path of a deck into a run folder", command_run);
   add_deck(run);
   add_output(run);
+  add_profile(run);
   CLI::App* resume =
       add("resume", "Continue an interrupted run, or a finished one under another control or stopping rule",
           command_resume);
   resume->add_option("run", line_.runs, "The run folder")->required()->expected(1);
   add_set(resume);
   add_output(resume);
+  add_profile(resume);
   CLI::App* compare =
       add("compare", "Run a deck under several controls and compare the paths", command_compare);
   add_deck(compare);

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "studies/commands.hpp"
+#include "studies/profile.hpp"
 #include "studies/summary.hpp"
 
 namespace dda {
@@ -25,6 +26,7 @@ int command_resume(const CommandLine& line) {
   }
   std::optional<MpiSession> mpi;
   const RunResult result = resume_run(folder, line.overrides, line.run, mpi);
+  if (line.run.profile) fmt::print("{}", profile_table(result.summary));
   fmt::print("{}\n", last_line(result));
   return exit_code_of(result.ending);
 }

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "studies/commands.hpp"
+#include "studies/profile.hpp"
 #include "studies/summary.hpp"
 
 namespace dda {
@@ -9,6 +10,7 @@ int command_run(const CommandLine& line) {
   const DeckFile deck = read_deck(line.deck, line.overrides);
   std::optional<MpiSession> mpi;
   const RunResult result = run_deck(deck, line.run, mpi);
+  if (line.run.profile) fmt::print("{}", profile_table(result.summary));
   fmt::print("{}\n", last_line(result));
   return exit_code_of(result.ending);
 }

@@ -166,7 +166,8 @@ PathDistance distance(const Trace& first, const Trace& second) {
           std::max(one_sided(of_second, a, peak), one_sided(of_first, b, peak))};
 }
 
-double difference_at(const Trace& first, const Trace& second, std::size_t k, const std::vector<double>& values) {
+double difference_at(const Trace& first, const Trace& second, std::size_t k,
+                     const std::vector<double>& values) {
   const auto landed = [&](const Trace& trace, double value) {
     constexpr double round_off = 1e-7;
     return std::ranges::find_if(trace, [&](const TracePoint& at) {

@@ -22,9 +22,9 @@ struct PathDistance {
 /// measured against the nearer of both.
 PathDistance distance(const std::vector<TracePoint>& first, const std::vector<TracePoint>& second);
 
-/// Largest difference of load, relative to the peak of the first, where both paths have a step on the same wanted
-/// value of displacement gauge k: exact, nothing is interpolated. Not a number when they share none.
-double difference_at(const std::vector<TracePoint>& first, const std::vector<TracePoint>& second, std::size_t k,
-                     const std::vector<double>& values);
+/// Largest difference of load, relative to the peak of the first, where both paths have a step on the same
+/// wanted value of displacement gauge k: exact, nothing is interpolated. Not a number when they share none.
+double difference_at(const std::vector<TracePoint>& first, const std::vector<TracePoint>& second,
+                     std::size_t k, const std::vector<double>& values);
 
 }  // namespace dda

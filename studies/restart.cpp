@@ -147,8 +147,12 @@ void put(RestartData& data, const Walker& walker) {
                             here.load,       here.residual, walker.system().highest_force_level()};
   put(data, walker.leaving());
   const Effort& effort = walker.effort();
-  data.integers["effort"] = {effort.accepted, effort.rejected, effort.rescues, effort.newton_iterations,
-                             effort.multiplier_iterations, effort.reduced_iterations};
+  data.integers["effort"] = {effort.accepted,
+                             effort.rejected,
+                             effort.rescues,
+                             effort.newton_iterations,
+                             effort.multiplier_iterations,
+                             effort.reduced_iterations};
   put(data, "linear", walker.system().linear());
   if (walker.system().iterates_multipliers()) put(data, "path_linear", walker.system().path_linear());
 }

@@ -17,6 +17,7 @@ struct RunOptions {
       folder;  ///< empty: the deck's own, or runs/<name of the deck> with the next free number
   bool overwrite = false;
   bool quiet = false;
+  bool profile = false;  ///< print where the time went
 };
 
 /// What a run came to.

@@ -5,6 +5,7 @@
 
 #include "framework/output/provenance.hpp"
 #include "studies/pictures.hpp"
+#include "studies/profile.hpp"
 #include "studies/restart.hpp"
 #include "studies/summary.hpp"
 
@@ -101,7 +102,8 @@ void RunRecorder::record(const Point& point) {
   trace_.push_back(trace_point(simulation_.walker(), measures_));
   if (!is_due(point)) return;
   store_here();
-  write_restart_file();
+  constexpr double pause = 1.0;  // what a killed run can lose [s]
+  if (timings_.total() - restart_written_ >= pause) write_restart_file();
 }
 
 /// The state of the highest load is held back until the load falls, so that only the peak itself is stored.
@@ -128,6 +130,7 @@ void RunRecorder::store_here() { store(here()); }
 void RunRecorder::write_restart_file() {
   const auto scope = timings_.measure("restart file");
   write_restart(folder_.file("restart.h5"), restart_data(simulation_, memory_, deck_, effective_));
+  restart_written_ = timings_.total();
 }
 
 void RunRecorder::log_step(const Point& point, const Measurement& now) {
@@ -166,6 +169,7 @@ nlohmann::ordered_json RunRecorder::finish(const Ending& ending) {
     out["stiffness"] = stiffness_quality(simulation_);
   }
   out["timings"] = to_json(timings_);
+  out["profile"] = profile_of(timings_, simulation_);
   write_whole(folder_.file("summary.json"), out.dump(2) + "\n");
   return out;
 }

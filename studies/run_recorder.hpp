@@ -56,6 +56,7 @@ class RunRecorder {
   CurveTable curve_;
   ResultsFile results_;
   int last_stored_ = -1;
+  double restart_written_ = -1e9;  ///< when [s]
   Measurement last_;
   std::vector<TracePoint> trace_;
 };

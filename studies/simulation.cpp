@@ -55,6 +55,7 @@ Simulation::Simulation(const Deck& deck, Timings& timings) : deck_(deck), timing
 void Simulation::prepare() {
   const auto scope = timings_.measure("factorisation");
   system_ = std::make_unique<System>(*equilibrium_, deck_.path.linear, deck_.path.update);
+  system_->measure_with(timings_);
   walker_ = std::make_unique<Walker>(*system_, deck_.path);
   notices_ = equilibrium_->interfaces().notices;
   if (const std::size_t multipliers = equilibrium_->num_unknown_multipliers(); multipliers > 0)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 #include <stdexcept>
 #include <string>
 
@@ -137,25 +138,24 @@ CholmodMatrix::Supernode CholmodMatrix::supernode(int s) const {
           integers(factor_->s) + start[s]};
 }
 
-std::vector<int> CholmodMatrix::way_of(std::span<const Entry> entries) const {
-  std::vector<int> out;
-  for (const Entry& entry : entries) {
-    const int* rows = position_.data() + block_unknowns * entry.block.value();
+std::vector<int> CholmodMatrix::way_of(std::span<const BlockId> blocks) const {
+  std::set<int> out;
+  for (const BlockId block : blocks) {
+    const int* rows = position_.data() + block_unknowns * block.value();
     int s = supernode_of_[count(*std::min_element(rows, rows + block_unknowns))];
-    for (;;) {
-      out.push_back(s);
+    while (out.insert(s).second) {
       const Supernode node = supernode(s);
       if (node.rows == node.size) break;
       s = supernode_of_[count(node.row[node.size])];
     }
   }
-  std::ranges::sort(out);
-  out.erase(std::ranges::unique(out).begin(), out.end());
-  return out;
+  return {out.begin(), out.end()};
 }
 
 HalfSolution CholmodMatrix::half_solve(std::span<const Entry> entries) const {
-  HalfSolution out{way_of(entries), {}};
+  std::vector<BlockId> blocks;
+  for (const Entry& entry : entries) blocks.push_back(entry.block);
+  HalfSolution out{way_of(blocks), {}};
   const auto n = static_cast<Eigen::Index>(factor_->n);
   Eigen::Map<Eigen::MatrixX2d> x(sparse_.data(), n, 2);
   for (const Entry& entry : entries)
@@ -205,6 +205,34 @@ void CholmodMatrix::add(const HalfSolution& y, const Vec2& s, std::span<double> 
 void CholmodMatrix::complete(std::span<double> sums, int columns) const {
   apply(CHOLMOD_Lt, sums, columns);
   apply(CHOLMOD_Pt, sums, columns);
+}
+
+std::optional<std::vector<int>> CholmodMatrix::narrow_way(std::span<const BlockId> blocks) const {
+  std::vector<int> way = way_of(blocks);
+  double entries = 0;
+  for (const int s : way) {
+    const Supernode node = supernode(s);
+    entries += static_cast<double>(node.rows) * node.size;
+  }
+  constexpr double narrow = 0.5;
+  if (entries > narrow * static_cast<double>(factor_->xsize)) return {};
+  return way;
+}
+
+void CholmodMatrix::complete_on(const std::vector<int>& way, std::span<double> sum) const {
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(factor_->n)), below;
+  for (auto s = way.rbegin(); s != way.rend(); ++s) {
+    const Supernode node = supernode(*s);
+    const Entries l(node.values, node.rows, node.size, Eigen::OuterStride<>(node.rows));
+    const int more = node.rows - node.size;
+    below.resize(more);
+    for (int i = 0; i < more; ++i) below[i] = x[node.row[node.size + i]];
+    auto here = x.segment(node.first, node.size);
+    here = Eigen::Map<const Eigen::VectorXd>(sum.data() + node.first, node.size);
+    here.noalias() -= l.bottomRows(more).transpose() * below;
+    l.topRows(node.size).triangularView<Eigen::Lower>().transpose().solveInPlace(here);
+  }
+  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = x[position_[i]];
 }
 
 void CholmodMatrix::solve(std::span<double> x, int columns) const { apply(CHOLMOD_A, x, columns); }

@@ -36,6 +36,8 @@ class CholmodMatrix final : public HalfSolver {
   Mat2 product(const HalfSolution& left, const HalfSolution& right) const override;
   void add(const HalfSolution& y, const Vec2& s, std::span<double> sum) const override;
   void complete(std::span<double> sums, int columns) const override;
+  std::optional<std::vector<int>> narrow_way(std::span<const BlockId> blocks) const override;
+  void complete_on(const std::vector<int>& way, std::span<double> sum) const override;
 
  private:
   /// One supernode of L: `size` columns from `first` on, `rows` of them below one another in `values`.
@@ -53,7 +55,7 @@ class CholmodMatrix final : public HalfSolver {
   Supernode supernode(int s) const;
   int size_of(int s) const { return super_[s + 1] - super_[s]; }
   /// Supernodes on the ways from the blocks to the root.
-  std::vector<int> way_of(std::span<const Entry> entries) const;
+  std::vector<int> way_of(std::span<const BlockId> blocks) const;
   /// x ← (what CHOLMOD calls) `system` applied to x.
   void apply(int system, std::span<double> x, int columns) const;
   void check(const char* what) const;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -36,6 +37,11 @@ class HalfSolver {
   virtual void add(const HalfSolution& y, const Vec2& s, std::span<double> sum) const = 0;
   /// Overwrites each column of a sum Σ y s by A⁻¹ Σ u s.
   virtual void complete(std::span<double> sums, int columns) const = 0;
+
+  /// Parts of L on the ways of these blocks to the root; nothing when they are more than half of L.
+  virtual std::optional<std::vector<int>> narrow_way(std::span<const BlockId> blocks) const = 0;
+  /// Overwrites a sum Σ y s by A⁻¹ Σ u s at the blocks of a way and by zero elsewhere.
+  virtual void complete_on(const std::vector<int>& way, std::span<double> sum) const = 0;
 };
 
 }  // namespace dda

@@ -52,6 +52,7 @@ bool LinearSystem::rebase(std::span<const Mat2> tangents) {
 }
 
 bool LinearSystem::factor_base() {
+  const auto scope = timings_->measure("factorisation");
   tangent_ = base_;
   updated_.clear();
   active_.clear();
@@ -127,9 +128,14 @@ bool LinearSystem::make_columns(std::span<const std::size_t> points) {
 void LinearSystem::subtract_columns(std::span<const std::size_t> points, const Eigen::MatrixXd& shares,
                                     std::span<const std::span<double>> solutions) {
   if (points.empty()) return;
-  std::vector<std::size_t> places;
-  for (const std::size_t p : points) places.push_back(static_cast<std::size_t>(slot_[p]));
-  columns_->subtract(places, shares, solutions);
+  const auto scope = timings_->measure("products");
+  columns_->subtract(places_of(points), shares, solutions);
+}
+
+std::vector<std::size_t> LinearSystem::places_of(std::span<const std::size_t> points) const {
+  std::vector<std::size_t> out;
+  for (const std::size_t p : points) out.push_back(static_cast<std::size_t>(slot_[p]));
+  return out;
 }
 
 /// The base is symmetric: Zᵀ g = U K_base⁻¹ g.
@@ -147,6 +153,7 @@ Eigen::VectorXd LinearSystem::along_columns(const Functional& gauge) {
 
 /// Computes Z for the batch of a point, and its couplings in G with every point before it.
 void LinearSystem::add_columns(std::size_t point) {
+  const auto scope = timings_->measure("columns");
   const std::size_t batch = columns_->batch(), first = updated_.size(), begin = point / batch * batch;
   const std::size_t end = std::min(begin + batch, equilibrium_.num_active());
   for (std::size_t p = begin; p < end; ++p) {
@@ -180,6 +187,7 @@ void LinearSystem::keep_solutions_of(std::vector<double> reference, std::vector<
 
 const std::vector<double>& LinearSystem::solution_of(Kept& kept) {
   if (!kept.solution.empty()) return kept.solution;
+  const auto scope = timings_->measure("solutions");
   kept.solution = kept.right;
   if (std::ranges::all_of(kept.right, [](double value) { return value == 0; })) return kept.solution;
   solver_->solve(kept.solution, 1);
@@ -198,6 +206,7 @@ void LinearSystem::solve_base(std::span<const double> b, std::span<double> y) {
   } else if (std::ranges::equal(b, reference_.right, [](double u, double v) { return u == -v; })) {
     std::ranges::transform(solution_of(reference_), y.begin(), std::negate{});
   } else {
+    const auto scope = timings_->measure("solutions");
     std::ranges::copy(b, y.begin());
     solver_->solve(y, 1);
     ++num_solves_;
@@ -230,8 +239,18 @@ void LinearSystem::solve(std::span<const double> b, std::span<double> x) {
   correct(std::span<const std::span<double>>(&x, 1));
 }
 
-void LinearSystem::correct(std::span<const std::span<double>> solutions) {
+void LinearSystem::solve_watched(std::span<const double> b, std::span<double> x) {
+  solve_base(b, x);
   if (active_.empty()) return;
+  const auto scope = timings_->measure("products");
+  columns_->subtract_watched(places_of(active_), shares_of(std::span<const std::span<double>>(&x, 1)), x);
+}
+
+void LinearSystem::correct(std::span<const std::span<double>> solutions) {
+  if (!active_.empty()) subtract_columns(active_, shares_of(solutions), solutions);
+}
+
+Eigen::MatrixXd LinearSystem::shares_of(std::span<const std::span<double>> solutions) const {
   const auto r = static_cast<Eigen::Index>(2 * active_.size());
   const auto columns = static_cast<Eigen::Index>(solutions.size());
   Eigen::MatrixXd right(r, columns);
@@ -241,7 +260,7 @@ void LinearSystem::correct(std::span<const std::span<double>> solutions) {
       right.block<2, 1>(2 * static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(c)) =
           e * rows_times(active_[a], solutions[c]);
   }
-  subtract_columns(active_, small_.solve(right), solutions);
+  return small_.solve(right);
 }
 
 void LinearSystem::multiply(std::span<const double> x, std::span<double> y) const {

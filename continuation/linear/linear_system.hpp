@@ -7,6 +7,7 @@
 
 #include "continuation/linear/direct_solver.hpp"
 #include "continuation/linear/update_columns.hpp"
+#include "framework/output/timings.hpp"
 #include "models/equilibrium.hpp"
 
 namespace dda {
@@ -32,11 +33,15 @@ class LinearSystem {
   };
 
   LinearSystem(const Equilibrium& equilibrium, const DirectSolverChoice& solver, Update update);
+  /// Times its phases there from now on.
+  void measure_with(Timings& timings) { timings_ = &timings; }
 
   /// Makes K the tangent with these D, 2 × 2 per active point. False when K is numerically singular.
   bool set_tangent(std::span<const Mat2> tangents);
   /// x = K⁻¹ b, both of size n.
   void solve(std::span<const double> b, std::span<double> x);
+  /// x = K⁻¹ b at Equilibrium::watched(); elsewhere it may be zero.
+  void solve_watched(std::span<const double> b, std::span<double> x);
   /// y = K_base⁻¹ b.
   void solve_base(std::span<const double> b, std::span<double> y);
   /// Turns solutions with K_base into solutions with K, all at once.
@@ -98,6 +103,9 @@ class LinearSystem {
   /// y = K x for the K with these D.
   void multiply(std::span<const Mat2> tangents, std::span<const double> x, std::span<double> y) const;
   bool factor_small();
+  /// s of K⁻¹ b = y − Z s for these y, two rows per active point.
+  Eigen::MatrixXd shares_of(std::span<const std::span<double>> solutions) const;
+  std::vector<std::size_t> places_of(std::span<const std::size_t> points) const;
   const std::vector<double>& solution_of(Kept& kept);
   Vec2 rows_times(std::size_t point, std::span<const double> x) const {
     return equilibrium_.opening(point, x);
@@ -116,6 +124,8 @@ class LinearSystem {
   Kept reference_, dead_;
   std::vector<Kept> gauges_;  ///< of along_columns
   std::size_t num_factorisations_ = 0, num_solves_ = 0;
+  Timings own_timings_;
+  Timings* timings_ = &own_timings_;
 };
 
 }  // namespace dda

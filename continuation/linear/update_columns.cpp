@@ -1,6 +1,8 @@
 #include "continuation/linear/update_columns.hpp"
 
+#include <algorithm>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "continuation/linear/half_solver.hpp"
@@ -116,7 +118,11 @@ class WholeColumns final : public UpdateColumns {
 class HalfColumns final : public UpdateColumns {
  public:
   HalfColumns(const Equilibrium& equilibrium, const HalfSolver& solver, std::size_t batch)
-      : equilibrium_(equilibrium), solver_(solver), batch_(batch) {}
+      : equilibrium_(equilibrium),
+        solver_(solver),
+        batch_(batch),
+        watched_(equilibrium.watched()),
+        way_(solver.narrow_way(watched_)) {}
 
   std::size_t batch() const override { return batch_; }
 
@@ -141,22 +147,41 @@ class HalfColumns final : public UpdateColumns {
     const std::size_t n = equilibrium_.num_unknowns();
     std::vector<double> sums(solutions.size() * n, 0.0);
     for (std::size_t c = 0; c < solutions.size(); ++c)
-      for (std::size_t a = 0; a < places.size(); ++a)
-        solver_.add(y_[places[a]], shares.block<2, 1>(row_of(a), static_cast<Eigen::Index>(c)),
-                    std::span(sums).subspan(c * n, n));
+      add_up(places, shares.col(static_cast<Eigen::Index>(c)), std::span(sums).subspan(c * n, n));
     solver_.complete(sums, static_cast<int>(solutions.size()));
     num_solves_ += solutions.size();
     for (std::size_t c = 0; c < solutions.size(); ++c)
       for (std::size_t i = 0; i < n; ++i) solutions[c][i] -= sums[c * n + i];
   }
 
+  void subtract_watched(std::span<const std::size_t> places, const Matrix& shares,
+                        std::span<double> solution) override {
+    if (!way_) return UpdateColumns::subtract_watched(places, shares, solution);
+    std::vector<double> sum(solution.size(), 0.0), out(solution.size(), 0.0);
+    add_up(places, shares.col(0), sum);
+    solver_.complete_on(*way_, sum);
+    for (const BlockId node : watched_)
+      for (std::size_t i = block_unknowns * node.value(); i < block_unknowns * (node.value() + 1); ++i)
+        out[i] = solution[i] - sum[i];
+    std::ranges::copy(out, solution.begin());
+  }
+
   bool product_is_cheap() const override { return true; }
   std::size_t most_at_once() const override { return std::numeric_limits<std::size_t>::max(); }
 
  private:
+  /// Y s.
+  void add_up(std::span<const std::size_t> places, const Eigen::VectorXd& share,
+              std::span<double> sum) const {
+    for (std::size_t a = 0; a < places.size(); ++a)
+      solver_.add(y_[places[a]], share.segment<2>(row_of(a)), sum);
+  }
+
   const Equilibrium& equilibrium_;
   const HalfSolver& solver_;
   const std::size_t batch_;
+  const std::vector<BlockId> watched_;
+  const std::optional<std::vector<int>> way_;  ///< of the watched ones, where it is narrow
   std::vector<HalfSolution> y_;
 };
 

@@ -23,6 +23,12 @@ class UpdateColumns {
   /// x −= Z s for each x, s in the columns of `shares`, which has 2 rows for each of the places.
   virtual void subtract(std::span<const std::size_t> places, const Eigen::MatrixXd& shares,
                         std::span<const std::span<double>> solutions) = 0;
+  /// The same for one x, of which only what stands at Equilibrium::watched() is asked for: there it is right,
+  /// and elsewhere it may be zero.
+  virtual void subtract_watched(std::span<const std::size_t> places, const Eigen::MatrixXd& shares,
+                                std::span<double> solution) {
+    subtract(places, shares, std::span<const std::span<double>>(&solution, 1));
+  }
   /// Whether a product with Z costs less than a solution with K.
   virtual bool product_is_cheap() const = 0;
   /// Columns that are worth making at once, rather than a new K; and solutions with K that were computed.

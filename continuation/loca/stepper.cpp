@@ -164,6 +164,7 @@ struct Loca {
 /// One LOCA step that ends under the control, Newton starting at `guess`.
 Attempt loca_step(System& system, const State& start, Control& control, double step, const State& guess,
                   const StepperParameters& parameters) {
+  const auto scope = system.timings().measure("LOCA");
   const auto active = std::make_shared<ActiveControl>(ActiveControl{&control});
   const Teuchos::RCP<LOCA::MultiContinuation::ConstraintInterface> constraint =
       Teuchos::rcp(new ControlConstraint(system, active, start));
@@ -214,6 +215,7 @@ Attempt controlled_step(System& system, const State& start, Control& control, do
 
 Attempt arc_length_step(System& system, const State& start, const ArcLength& arc,
                         const StepperParameters& parameters) {
+  const auto scope = system.timings().measure("LOCA");
   system.set_multipliers(start.multipliers);
   const auto list = common_list("Arc Length", "lambda", start.load_factor, parameters);
   auto& stepper = list->sublist("LOCA").sublist("Stepper");

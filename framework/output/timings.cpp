@@ -4,6 +4,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 
@@ -20,6 +21,20 @@ double process_start_ticks() {
   std::string field;
   for (int number = 3; number <= 22; ++number) rest >> field;
   return rest ? std::stod(field) : 0.0;
+}
+
+double seconds_since_boot() {
+  timespec now{};
+  clock_gettime(CLOCK_BOOTTIME, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// A process that was something else before it became this program says in DDA_STARTED_AT since when it is.
+double start_of_program(double now) {
+  const double process = process_start_ticks() / static_cast<double>(sysconf(_SC_CLK_TCK));
+  const char* text = std::getenv("DDA_STARTED_AT");
+  const double program = text ? std::strtod(text, nullptr) : 0;
+  return program > process && program <= now ? program : process;
 }
 
 }  // namespace
@@ -58,10 +73,8 @@ void Timings::end_start_up() { start_up_ = seconds_since_process_start(); }
 double Timings::total() const { return seconds_since_process_start(); }
 
 double seconds_since_process_start() {
-  static const double start = process_start_ticks() / static_cast<double>(sysconf(_SC_CLK_TCK));
-  timespec now{};
-  clock_gettime(CLOCK_BOOTTIME, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec) - start;
+  static const double start = start_of_program(seconds_since_boot());
+  return seconds_since_boot() - start;
 }
 
 }  // namespace dda

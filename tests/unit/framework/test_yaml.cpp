@@ -71,9 +71,23 @@ TEST(Yaml, DeepNestingIsRefused) {
   EXPECT_THAT(refusal("a: " + std::string(300, '[') + std::string(300, ']')), HasSubstr("nested too deeply"));
 }
 
-TEST(Yaml, StrayCommaEnds) {
-  EXPECT_EQ(refusal(","), "a.yaml:1:1: YAML syntax: this cannot start a document");
+TEST(Yaml, AliasNeedsItsAnchor) {
+  EXPECT_EQ(refusal("a: *x\nb: &x 1\n"), "a.yaml:1:4: nothing is named '&x' before this");
+}
+
+TEST(Yaml, StrayCommaIsASyntaxError) {
+  EXPECT_THAT(refusal(","), StartsWith("a.yaml:1:1: YAML syntax: "));
   EXPECT_THAT(refusal("!t ,"), HasSubstr("a.yaml:1:"));
+}
+
+TEST(Yaml, CharactersThatAreNoneHaveTheirLine) {
+  EXPECT_THAT(refusal("a: 1\nb: \xff\n"), StartsWith("a.yaml:2:1: YAML syntax: "));
+}
+
+TEST(Yaml, NothingIsNull) {
+  const Node root = parse("{a: , b: ~, c: null, d: \"null\", e: ''}");
+  for (const char* key : {"a", "b", "c"}) EXPECT_TRUE(root.find(key)->is_null()) << key;
+  for (const char* key : {"d", "e"}) EXPECT_TRUE(root.find(key)->is_scalar()) << key;
 }
 
 TEST(Yaml, OneDocumentOnly) { EXPECT_THAT(refusal("a: 1\n---\nb: 2\n"), HasSubstr("only one document")); }

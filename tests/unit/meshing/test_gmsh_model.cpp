@@ -158,32 +158,76 @@ TEST(GmshModel, ReadsAMeshOfVersion22) {
   EXPECT_EQ(a.regions[1].material, "brick");
 }
 
+/// Version 2.1 has the same text and is read by gmsh.
+TEST(GmshModel, ReadsAMeshAsGmshDoes) {
+  const std::string text =
+      replaced(replaced(old_mesh, "4\n1 1 2 3 7 2 3", "5\n9 15 2 4 5 2\n1 1 2 3 7 2 3"),
+               "3\n1 3 \"interface:joint\"", "4\n0 4 \"gauge:foot\"\n1 3 \"interface:joint\"");
+  const Assembly own = mesh_of(GmshFile("own.msh", text).scene("msh"));
+  const Assembly other = mesh_of(GmshFile("other.msh", replaced(text, "2.2 0 8", "2.1 0 8")).scene("msh"));
+  ASSERT_EQ(own.num_blocks(), other.num_blocks());
+  for (std::size_t b = 0; b < own.num_blocks(); ++b) {
+    EXPECT_EQ(own.blocks[b].outline.vertices, other.blocks[b].outline.vertices);
+    EXPECT_EQ(own.blocks[b].region, other.blocks[b].region);
+  }
+  EXPECT_EQ(own.points, other.points);
+  EXPECT_EQ(own.curves, other.curves);
+  EXPECT_EQ(length_on_curve(own, "joint"), length_on_curve(other, "joint"));
+}
+
+TEST(GmshModel, AMeshMissingAMaterialIsRefusedAsGmshDoes) {
+  const std::string text = replaced(old_mesh, "4 3 2 2 9", "4 3 2 0 9");
+  for (const char* version : {"2.2 0 8", "2.1 0 8"})
+    EXPECT_THAT(complaint(GmshFile("a.msh", replaced(text, "2.2 0 8", version)).scene("msh")),
+                HasSubstr("surface 9 (centre 1.5, 0.5) has no material"))
+        << version;
+}
+
+TEST(GmshModel, ABrokenMeshIsRefusedWithItsLine) {
+  const auto said = [](const std::string& what, const std::string& by) {
+    return complaint(GmshFile("a.msh", replaced(old_mesh, what, by)).scene("msh"));
+  };
+  EXPECT_THAT(said("3 1 1 0", "3 1 x 0"), HasSubstr("a.msh:14:1: expected y, got 'x'"));
+  EXPECT_THAT(said("2 5 6 3", "2 5 60 3"), HasSubstr("a.msh:24:1: there is no node 60"));
+  EXPECT_THAT(said("4 3 2 2 9", "4 16 2 2 9"), HasSubstr("a.msh:24:1: the mesh has elements that are no"));
+  EXPECT_THAT(said("$EndElements", ""), HasSubstr("there is no $EndElements"));
+  EXPECT_THAT(said("6\n1 0 0 0", "600000\n1 0 0 0"), HasSubstr("600000 nodes do not fit into the file"));
+  EXPECT_THAT(said("$Elements", "Elements"), HasSubstr("a.msh:19:1: expected a section, got 'Elements'"));
+}
+
 TEST(GmshModel, ReadsAMeshOfVersion41) {
   const std::string text = R"($MeshFormat
 4.1 0 8
 $EndMeshFormat
 $PhysicalNames
-1
+3
+0 7 "gauge:corner"
+1 2 "boundary:foot"
 2 1 "material:stone"
 $EndPhysicalNames
 $Entities
-0 0 1 0
-1 0 0 0 1 1 0 1 1 0
+1 1 1 0
+5 1 0 0 1 7
+3 0 0 0 1 0 0 1 -2 2 5 -6
+1 0 0 0 1 1 0 1 1 1 3
 $EndEntities
 $Nodes
-1 4 1 4
-2 1 0 4
+2 4 1 4
+1 3 1 2
 1
 2
+0 0 0 0
+1 0 0 1
+2 1 0 2
 3
 4
-0 0 0
-1 0 0
 1 1 0
 0 1 0
 $EndNodes
 $Elements
-1 2 1 2
+2 3 1 3
+1 3 1 1
+3 1 2
 2 1 2 2
 1 1 2 3
 2 1 3 4
@@ -192,6 +236,8 @@ $EndElements
   const Assembly a = mesh_of(GmshFile("new.msh", text).scene("msh"));
   EXPECT_EQ(a.num_blocks(), 2u);
   EXPECT_EQ(a.sides.size(), 1u);
+  EXPECT_EQ(a.boundaries, std::vector<std::string>{"foot"});
+  EXPECT_EQ(a.points.at("corner"), Vec2(1, 0));
 }
 
 TEST(GmshModel, AMeshMayNotOverlapLeaveThePlaneOrBeCutAgain) {
