@@ -5,6 +5,7 @@
 
 #include "models/loading.hpp"
 #include "studies/commands.hpp"
+#include "studies/memory_prediction.hpp"
 
 namespace dda {
 namespace {
@@ -65,23 +66,15 @@ void print_interfaces(const Simulation& simulation) {
   for (const std::string& notice : set.notices) line("notice", notice);
 }
 
-/// Entries of a factor of a plane mesh of n blocks under nested dissection, 31/4 n log2 √n. Source: George
-/// (1973).
-double factor_blocks(double n) { return n < 2 ? n : 31.0 / 8.0 * n * std::log2(n); }
-
 void print_size(const Simulation& simulation) {
-  const Equilibrium& equilibrium = simulation.equilibrium();
-  constexpr double bytes_per_block = 36 * sizeof(double);
-  const double matrix = bytes_per_block * static_cast<double>(equilibrium.intact().num_stored());
-  const double factor =
-      bytes_per_block * std::max(factor_blocks(static_cast<double>(equilibrium.num_blocks())),
-                                 0.5 * static_cast<double>(equilibrium.intact().num_stored()));
-  const double column = 2 * sizeof(double) * static_cast<double>(equilibrium.num_unknowns());
-  line("unknowns", fmt::format("{}", equilibrium.num_unknowns()));
+  line("unknowns", fmt::format("{}", simulation.equilibrium().num_unknowns()));
+  const MemoryPrediction memory = predict_memory(simulation);
+  const auto mib = [](double bytes) { return bytes / bytes_per_mib; };
   line("memory",
-       fmt::format("about {:.1f} MiB: matrix {:.1f}, factor {:.1f}, {:.2f} for every 100 points that crack",
-                   (matrix + factor) / bytes_per_mib, matrix / bytes_per_mib, factor / bytes_per_mib,
-                   100 * column / bytes_per_mib));
+       fmt::format("about {:.0f} MiB at most: {:.0f} until here, factor {:.0f}, vectors {:.0f}, and "
+                   "{:.0f} if {} points crack",
+                   mib(memory.total()), mib(memory.until_here), mib(memory.factor), mib(memory.vectors),
+                   mib(memory.columns), memory.cracked_points));
 }
 
 void print_loading(const Simulation& simulation) {
@@ -100,6 +93,7 @@ void print_loading(const Simulation& simulation) {
 int command_check(const CommandLine& command) {
   const DeckFile file = read_deck(command.deck, command.overrides);
   Timings timings;
+  const MpiSession mpi;
   const Simulation simulation(file.deck, timings);
   fmt::print("{} is valid{}\n", command.deck.string(), file.deck.title.empty() ? "" : ": " + file.deck.title);
   print_blocks(simulation);

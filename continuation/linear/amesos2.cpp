@@ -48,6 +48,9 @@ class Klu2 final : public DirectSolver {
       std::copy_n(left.getData(c).getRawPtr(), n, x.data() + c * n);
   }
 
+  double factor_bytes(const BlockMatrix& a) override {
+    return fill_guess * static_cast<double>(a.num_stored()) * sizeof(double);
+  }
   double factor_flops() const override {
     return 2 * static_cast<double>(matrix_->getNodeNumEntries()) * fill_guess;
   }

@@ -32,6 +32,11 @@ class Cholmod final : public DirectSolver {
       indefinite_->solve(x, columns);
   }
 
+  double factor_bytes(const BlockMatrix& a) override {
+    if (a.num_leading() == a.num_rows()) return definite_.factor_bytes(a);
+    if (!indefinite_) indefinite_.emplace();
+    return indefinite_->factor_bytes(a);
+  }
   double factor_flops() const override {
     return is_definite_ ? definite_.factor_flops() : indefinite_->real_result(3);
   }

@@ -46,6 +46,15 @@ bool CholmodMatrix::factor(const BlockMatrix& a) {
   return true;
 }
 
+double CholmodMatrix::factor_bytes(const BlockMatrix& a) {
+  assemble(a);
+  analyse(a);
+  constexpr double copies = 2;
+  const double of_factor = static_cast<double>(factor_->xsize) * sizeof(double) +
+                           static_cast<double>(factor_->ssize) * sizeof(int);
+  return of_factor + copies * static_cast<double>(matrix_->nzmax) * (sizeof(double) + sizeof(int));
+}
+
 void CholmodMatrix::assemble(const BlockMatrix& a) {
   constexpr std::size_t size = block_unknowns;
   const std::size_t n = size * a.num_rows();

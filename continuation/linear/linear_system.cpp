@@ -1,5 +1,6 @@
 #include "continuation/linear/linear_system.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -178,6 +179,35 @@ bool LinearSystem::factor_small() {
   small_.compute(m);
   const auto pivots = small_.matrixLU().diagonal().cwiseAbs();
   return std::isfinite(pivots.sum()) && pivots.minCoeff() > 0;
+}
+
+std::optional<int> LinearSystem::num_negative_eigenvalues() const {
+  int out = solver_->num_negative_pivots();
+  if (out < 0) return {};
+  std::vector<double> e;                         // eigenvalues of E that are not zero
+  std::vector<std::pair<Eigen::Index, Vec2>> v;  // place in G and direction of each
+  for (const std::size_t p : active_) {
+    const Mat2 change = equilibrium_.point(p).weight * (tangent_[p] - base_[p]);
+    constexpr double round_off = 1e-12;
+    const double size = change.cwiseAbs().maxCoeff();
+    if (std::abs(change(0, 1) - change(1, 0)) > round_off * size) return {};
+    const Eigen::SelfAdjointEigenSolver<Mat2> own(change);
+    for (Eigen::Index k = 0; k < 2; ++k) {
+      if (std::abs(own.eigenvalues()[k]) <= round_off * size) continue;
+      e.push_back(own.eigenvalues()[k]);
+      v.emplace_back(2 * slot_[p], own.eigenvectors().col(k));
+      if (e.back() > 0) --out;
+    }
+  }
+  const auto r = static_cast<Eigen::Index>(e.size());
+  Eigen::MatrixXd small(r, r);
+  for (std::size_t a = 0; a < e.size(); ++a)
+    for (std::size_t b = 0; b < e.size(); ++b)
+      small(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b)) =
+          v[a].second.dot(g_.block<2, 2>(v[a].first, v[b].first) * v[b].second) + (a == b ? 1 / e[a] : 0);
+  if (r == 0) return out;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> all(small, Eigen::EigenvaluesOnly);
+  return out + static_cast<int>((all.eigenvalues().array() > 0).count());
 }
 
 void LinearSystem::keep_solutions_of(std::vector<double> reference, std::vector<double> dead) {

@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -56,6 +57,14 @@ class LinearSystem {
   BlockMatrix matrix_with(std::span<const Mat2> tangents) const;
   /// y = K x.
   void multiply(std::span<const double> x, std::span<double> y) const;
+  /// Number of negative eigenvalues of K, from those of the base and of the small matrix; E = V e Vᵀ with
+  /// e ≠ 0:
+  ///
+  ///     n₋(K) = n₋(K_base) + n₊(e⁻¹ + Vᵀ G V) − n₊(e)
+  ///
+  /// (E. V. Haynsworth's additivity for [K_base, (VᵀU)ᵀ; VᵀU, −e⁻¹], whose two Schur complements are K and
+  /// −e⁻¹ − Vᵀ G V.) Nothing when friction makes K unsymmetric or the solver does not tell.
+  std::optional<int> num_negative_eigenvalues() const;
 
   /// K_base⁻¹ of these (and of their negatives) is computed once per base.
   void keep_solutions_of(std::vector<double> reference, std::vector<double> dead);

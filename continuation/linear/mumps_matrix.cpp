@@ -96,6 +96,15 @@ void MumpsMatrix::order_multipliers_last(const BlockMatrix& a) {
   real_control(1) = 1e-10;  // -δ P is a good pivot, nothing smaller
 }
 
+double MumpsMatrix::factor_bytes(const BlockMatrix& a) {
+  set(a);
+  call(job_analyse);
+  is_analysed_ = true;
+  constexpr double mega = 1e6;
+  const double per_entry = 2 * sizeof(MUMPS_INT) + sizeof(double);
+  return mega * count(16) + per_entry * static_cast<double>(values_.size());
+}
+
 bool MumpsMatrix::factor() {
   if (!is_analysed_) call(job_analyse);
   is_analysed_ = true;

@@ -29,6 +29,8 @@ class MumpsMatrix {
   void set(const BlockMatrix& a);
   /// LDLᵀ of the matrix, analysed before when its pattern is new. False when it is numerically singular.
   bool factor();
+  /// Memory that a factorisation of A will take, its own copy of A included [bytes].
+  double factor_bytes(const BlockMatrix& a);
   /// Overwrites each of the columns of length n in x by the solution for it. Throws std::runtime_error.
   void solve(std::span<double> x, int columns);
 

@@ -166,6 +166,45 @@ TEST_P(SolverContract, LowRankUpdatesEqualNewFactorisations) {
   EXPECT_GT(factorised.num_factorisations(), 5u);
 }
 
+/// Negative eigenvalues of a tangent with more and more softening points, counted in the small matrix and in
+/// all.
+TEST_P(SolverContract, InertiaOfUpdatesEqualsThatOfTheWholeMatrix) {
+  const Structure structure(square_deck());
+  const Equilibrium equilibrium = structure.equilibrium();
+  LinearSystem updated(equilibrium, direct_solvers().choose(GetParam()), LinearSystem::Update::low_rank);
+  int most = 0;
+  for (int round = 0; round < 12; ++round) {
+    std::vector<Mat2> tangents;
+    for (std::size_t p = 0; p < equilibrium.num_active(); ++p) {
+      Mat2 d = equilibrium.point(p).intact_stiffness().asDiagonal();
+      const Vec2 e = random_.point(1);
+      if (random_.between(0, 12) < round)
+        d = random_.between(0, 1) < 0.2 ? Mat2(2 * d)
+                                        : Mat2(-random_.between(0, 3) * d(0, 0) * e * e.transpose());
+      tangents.push_back(d);
+    }
+    ASSERT_TRUE(updated.set_tangent(tangents));
+    const Eigen::MatrixXd k = dense_tangent(equilibrium, tangents);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> whole(k, Eigen::EigenvaluesOnly);
+    const auto expected = static_cast<int>((whole.eigenvalues().array() < 0).count());
+    const auto found = updated.num_negative_eigenvalues();
+    if (!found) GTEST_SKIP() << "the solver does not tell";
+    EXPECT_EQ(*found, expected) << "round " << round;
+    most = std::max(most, expected);
+  }
+  EXPECT_GE(most, 2);
+}
+
+TEST_P(SolverContract, MemoryIsPredictedWithoutFactorising) {
+  const Structure structure(square_deck());
+  const Equilibrium equilibrium = structure.equilibrium();
+  const std::unique_ptr<DirectSolver> solver = make();
+  const double stored = 36.0 * sizeof(double) * static_cast<double>(equilibrium.intact().num_stored()) / 2;
+  EXPECT_GT(solver->factor_bytes(equilibrium.intact()), stored);
+  EXPECT_LT(solver->factor_bytes(equilibrium.intact()), 1e3 * stored);
+  EXPECT_TRUE(solver->factor(equilibrium.intact()));
+}
+
 INSTANTIATE_TEST_SUITE_P(Registry, SolverContract, testing::ValuesIn(names_of(direct_solvers())),
                          [](const auto& chosen) { return chosen.param; });
 
