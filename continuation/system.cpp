@@ -20,6 +20,12 @@ System::System(const Equilibrium& equilibrium, const DirectSolverChoice& solver,
       physical_ = std::make_unique<LinearSystem>(equilibrium, solver, update);
       multipliers_.assign(equilibrium.num_active(), Vec2::Zero());
     }
+  for (std::size_t p = 0; p < equilibrium.num_active(); ++p) {
+    const InterfacePoint& point = equilibrium.point(p);
+    const double beta = point.law->shear_weight();
+    screen_.push_back({0, beta * beta, point.intact_stiffness()});
+  }
+  screen_intact_points();
   set_stage(0);
 }
 
@@ -101,6 +107,19 @@ std::vector<Vec2> System::openings(std::span<const double> d, double load_factor
 void System::set_history(std::vector<History> history) {
   history_ = std::move(history);
   remembered_.laws.reset();
+  screen_intact_points();
+}
+
+void System::screen_intact_points() {
+  constexpr double inside = 1 - 1e-9;  // at the bound itself the law decides
+  for (std::size_t p = 0; p < screen_.size(); ++p) {
+    const InterfacePoint& point = equilibrium_.point(p);
+    const History& h = history_[p];
+    const bool is_intact = !h.loading && !h.sliding && h.phase == 0 && h.slip == 0 && h.dissipated == 0 &&
+                           h.kappa <= point.law->initial_kappa(point.stiffness);
+    const double bound = is_intact ? inside * point.law->intact_bound(point.stiffness) : 0;
+    screen_[p].bound = bound * bound;
+  }
 }
 
 void System::set_frozen(bool frozen) {
@@ -128,6 +147,14 @@ LawValues System::laws(std::span<const double> d, double load_factor) const {
   const std::size_t n = equilibrium_.num_active();
   LawValues out{openings(d, load_factor), std::vector<Vec2>(n), std::vector<Mat2>(n)};
   for (std::size_t p = 0; p < n; ++p) {
+    const Vec2& q = out.opening[p];
+    const double normal = std::max(q.x(), 0.0);
+    if (const Screen& s = screen_[p]; normal * normal + s.shear * q.y() * q.y() < s.bound) {
+      out.traction[p] = s.stiffness.cwiseProduct(q);
+      out.tangent[p] = s.stiffness.asDiagonal();
+      ++num_screened_;
+      continue;
+    }
     const InterfacePoint& point = equilibrium_.point(p);
     const Response response = frozen_
                                   ? point.law->respond_frozen(out.opening[p], history_[p], point.stiffness)

@@ -2,6 +2,7 @@
 
 #include <Teuchos_RCP.hpp>
 #include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -95,6 +96,9 @@ class System {
   /// ∂R/∂λ, size n.
   void load_derivative(const LawValues& laws, std::span<double> out) const;
 
+  /// Answers of intact points for which no law was asked, so far.
+  std::int64_t num_screened() const { return num_screened_; }
+
   /// A number for a new tangent, and its placement in the linear system. False when it is singular.
   std::size_t new_stamp() { return ++stamps_; }
   bool use_tangent(std::size_t stamp, std::span<const Mat2> tangents);
@@ -139,6 +143,7 @@ class System {
   double stored(const State& state, const LawValues& laws) const;
 
  private:
+  void screen_intact_points();
   double block_forces(std::span<const double> d) const;
   std::vector<Vec2> openings(std::span<const double> d, double load_factor) const;
 
@@ -149,6 +154,14 @@ class System {
   std::vector<Mat2> path_tangent_;          ///< D̄ in use, only then
   std::vector<Vec2> multipliers_;
   std::vector<History> history_;
+  /// What the laws of intact points need not be asked for, side by side for one cheap test.
+  struct Screen {
+    double bound = 0;               ///< squared; 0 when the law must be asked [L²]
+    double shear = 0;               ///< β²
+    Vec2 stiffness = Vec2::Zero();  ///< D0
+  };
+  std::vector<Screen> screen_;
+  mutable std::int64_t num_screened_ = 0;
   bool frozen_ = false;
   double highest_level_ = 0;
   struct Remembered {

@@ -13,6 +13,18 @@ Schema<Units> units_schema() {
       .text("force", &P::force, {.fallback = "N", .text = "Unit of force."});
 }
 
+Schema<EigenvalueParameters> eigenvalue_schema() {
+  using P = EigenvalueParameters;
+  return Schema<P>("Lowest eigenvalues of the tangent stiffness, as columns mu_1, mu_2, ... of the curve.")
+      .integer("count", &P::count,
+               {.fallback = 0, .bounds = at_least(0), .text = "How many; 0 computes none."})
+      .integer("every", &P::every, {.fallback = 1, .bounds = at_least(1), .text = "Steps between them."})
+      .boolean("mass", &P::mass,
+               {.fallback = true,
+                .text = "K φ = μ M φ with the mass of density 1, which no unit of length changes; else K φ = "
+                        "μ φ."});
+}
+
 Schema<RecordParameters> record_schema() {
   using P = RecordParameters;
   return Schema<P>("What is kept beside the curve.")
@@ -28,7 +40,8 @@ Schema<RecordParameters> record_schema() {
       .boolean("condition", &P::condition,
                {.fallback = false,
                 .text = "Estimate the condition of the stiffness at the start (intact) and at the end; "
-                        "costs six factorisations."});
+                        "costs six factorisations."})
+      .section("eigenvalues", &P::eigenvalues, eigenvalue_schema());
 }
 
 Schema<Deck> make_schema() {

@@ -13,12 +13,20 @@
 
 namespace dda {
 
+/// Eigenvalues of the tangent stiffness that a deck asks for.
+struct EigenvalueParameters {
+  int count = 0;     ///< lowest eigenvalues per step; 0: none
+  int every = 1;     ///< steps between them
+  bool mass = true;  ///< K φ = μ M φ with M = ∫ TᵀT dV, else K φ = μ φ
+};
+
 /// The deck's `record` section: what is kept beside the curve.
 struct RecordParameters {
   int fields_every = 10;
   std::map<std::string, std::vector<double>> at;
   std::string folder;
   bool condition = false;
+  EigenvalueParameters eigenvalues;
 };
 
 /// A whole deck.

@@ -213,7 +213,7 @@ RestartData restart_data(const Simulation& simulation, const RunMemory& memory, 
   put(out, "peak", memory.peak);
   if (memory.peak_state) put(out, "peak_state", *memory.peak_state);
   const auto spent = static_cast<std::int64_t>(simulation.system().linear().num_factorisations());
-  out.numbers["run"] = {memory.largest_gap};
+  out.numbers["run"] = {memory.largest_gap, memory.first_stiffness};
   out.integers["run"] = {memory.last_step, memory.is_peak_stored, memory.num_factorisations + spent};
   out.texts["control"] = {to_yaml(simulation.deck().path.control.echo())};
   out.texts["deck.text"] = {deck.text};
@@ -248,6 +248,7 @@ RunMemory restore(const RestartData& data, const fs::path& folder, Simulation& s
                 .peak = take_measurement(data, "peak"),
                 .peak_state = {},
                 .is_peak_stored = run.at(1) != 0,
+                .first_stiffness = data.numbers.at("run").at(1),
                 .largest_gap = data.numbers.at("run").at(0)};
   if (data.numbers.contains("peak_state.d")) out.peak_state = take_state(data, "peak_state");
   out.num_factorisations =

@@ -17,6 +17,7 @@ struct RunMemory {
   std::optional<StoredState>
       peak_state;  ///< fields of the peak; `is_peak_stored` says whether run.h5 has them
   bool is_peak_stored = true;
+  double first_stiffness = 0;        ///< of the load against its displacement, at the start
   double largest_gap = 0;            ///< that iterated multipliers left in a step
   long long num_factorisations = 0;  ///< of the processes before this one
 };

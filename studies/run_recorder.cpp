@@ -12,6 +12,9 @@
 namespace dda {
 namespace {
 
+/// What a run may lose when it is killed or the machine goes down; a shorter run is sooner repeated [s].
+constexpr double bearable_loss = 1.0;
+
 Measures measures_of(const Simulation& simulation) {
   const Deck& deck = simulation.deck();
   const Loading& loading = simulation.loading();
@@ -30,11 +33,13 @@ ResultsFile::Texts texts_of(const DeckFile& deck, const std::string& effective) 
   return out;
 }
 
-CurveTable open_curve(const RunFolder& folder, const Measures& measures,
+CurveTable open_curve(const RunFolder& folder, const Measures& measures, const FailureIndicator& indicator,
                       const std::optional<RunMemory>& memory) {
   const auto file = folder.file("curve.csv");
-  if (!memory) return {file, measures.columns()};
-  return CurveTable::resume(file, measures.columns(), static_cast<std::size_t>(memory->last_step) + 1);
+  std::vector<Column> columns = measures.columns();
+  std::ranges::copy(indicator.columns(), std::back_inserter(columns));
+  if (!memory) return {file, columns};
+  return CurveTable::resume(file, columns, static_cast<std::size_t>(memory->last_step) + 1);
 }
 
 ResultsFile open_results(const RunFolder& folder, const Fields& fields, const ResultsFile::Texts& texts,
@@ -53,10 +58,11 @@ RunRecorder::RunRecorder(const RunFolder& folder, Simulation& simulation, const 
       effective_(std::move(effective)),
       timings_(timings),
       measures_(measures_of(simulation)),
+      indicator_(simulation, deck.deck.record.eigenvalues, memory ? memory->first_stiffness : 0),
       fields_(simulation.body(), simulation.deck(), simulation.equilibrium(), simulation.deck().units),
       memory_(memory.value_or(RunMemory{})),
       log_(folder.file("log.jsonl"), memory ? FileWriter::Mode::append : FileWriter::Mode::create),
-      curve_(open_curve(folder, measures_, memory)),
+      curve_(open_curve(folder, measures_, indicator_, memory)),
       results_(open_results(folder, fields_, texts_of(deck, effective_), memory)) {
   simulation.path().report_to([this](const std::string& event, const std::string& text) {
     log_.info(event, {{"step", memory_.last_step + 1}, {"text", text}});
@@ -78,7 +84,14 @@ void RunRecorder::start() {
       {{"version", provenance().version}, {"deck", deck_.path.string()}, {"overrides", deck_.overrides}});
   for (const std::string& notice : simulation_.notices()) log_.warning("notice", {{"text", notice}});
   memory_.start = memory_.peak = last_ = measures_.measure(simulation_.walker(), 0, "start", 0);
-  curve_.append(Measures::cells(last_));
+  append_row(last_);
+}
+
+void RunRecorder::append_row(const Measurement& now) {
+  std::vector<TableCell> cells = Measures::cells(now);
+  std::ranges::copy(indicator_.cells(now.step), std::back_inserter(cells));
+  memory_.first_stiffness = indicator_.first_stiffness();
+  curve_.append(cells);
 }
 
 StoredState RunRecorder::here() const {
@@ -97,13 +110,16 @@ void RunRecorder::record(const Point& point) {
   keep_peak(point, now);
   memory_.last_step = point.step;
   last_ = now;
-  curve_.append(Measures::cells(now));
+  append_row(now);
   log_step(point, now);
   trace_.push_back(trace_point(simulation_.walker(), measures_));
   if (!is_due(point)) return;
   store_here();
-  constexpr double pause = 1.0;  // what a killed run can lose [s]
-  if (timings_.total() - restart_written_ >= pause) write_restart_file();
+  if (timings_.total() - restart_written_ >= bearable_loss) write_restart_file();
+}
+
+Flush RunRecorder::durability() const {
+  return timings_.total() < bearable_loss ? Flush::to_system : Flush::to_disk;
 }
 
 /// The state of the highest load is held back until the load falls, so that only the peak itself is stored.
@@ -129,7 +145,8 @@ void RunRecorder::store_here() { store(here()); }
 
 void RunRecorder::write_restart_file() {
   const auto scope = timings_.measure("restart file");
-  write_restart(folder_.file("restart.h5"), restart_data(simulation_, memory_, deck_, effective_));
+  write_restart(folder_.file("restart.h5"), restart_data(simulation_, memory_, deck_, effective_),
+                durability());
   restart_written_ = timings_.total();
 }
 
@@ -170,7 +187,7 @@ nlohmann::ordered_json RunRecorder::finish(const Ending& ending) {
   }
   out["timings"] = to_json(timings_);
   out["profile"] = profile_of(timings_, simulation_);
-  write_whole(folder_.file("summary.json"), out.dump(2) + "\n");
+  write_whole(folder_.file("summary.json"), out.dump(2) + "\n", durability());
   return out;
 }
 

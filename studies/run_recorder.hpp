@@ -5,6 +5,7 @@
 #include "framework/output/log.hpp"
 #include "framework/output/progress.hpp"
 #include "framework/output/run_folder.hpp"
+#include "studies/failure_indicator.hpp"
 #include "studies/run_memory.hpp"
 #include "studies/simulation.hpp"
 #include "studies/trace.hpp"
@@ -40,7 +41,9 @@ class RunRecorder {
   void store(const StoredState& at);
   void store_here();
   void write_restart_file();
+  Flush durability() const;
   void log_step(const Point& point, const Measurement& now);
+  void append_row(const Measurement& now);
   bool is_due(const Point& point) const;
   StoredState here() const;
 
@@ -50,6 +53,7 @@ class RunRecorder {
   const std::string effective_;
   Timings& timings_;
   Measures measures_;
+  FailureIndicator indicator_;
   Fields fields_;
   RunMemory memory_;
   Log log_;

@@ -94,8 +94,8 @@ RestartData checked_data(const Hdf5File& file) {
 
 }  // namespace
 
-void write_restart(const std::filesystem::path& path, const RestartData& data) {
-  write_whole(path, bytes_of(data));
+void write_restart(const std::filesystem::path& path, const RestartData& data, Flush flush) {
+  write_whole(path, bytes_of(data), flush);
 }
 
 RestartData read_restart(const std::filesystem::path& path) {

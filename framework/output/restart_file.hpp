@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "framework/output/run_folder.hpp"
+
 namespace dda {
 
 /// Everything needed to continue a run, as named arrays; the names are the caller's.
@@ -17,9 +19,9 @@ struct RestartData {
   friend bool operator==(const RestartData&, const RestartData&) = default;
 };
 
-/// Writes the whole file or nothing (aside, flushed, renamed), with a format version and a checksum.
+/// Writes the whole file or nothing (aside, renamed), with a format version and a checksum.
 /// Throws OutputError (file, reason).
-void write_restart(const std::filesystem::path& path, const RestartData& data);
+void write_restart(const std::filesystem::path& path, const RestartData& data, Flush flush = Flush::to_disk);
 
 /// Reads the values back bit for bit. Throws InputError naming the file when it is missing, truncated,
 /// changed or not a restart file.

@@ -44,6 +44,7 @@ class DamageLaw final : public InterfaceLaw {
   double steepest_slope() const override;
   bool can_crack() const override { return true; }
   double initial_kappa(double k) const override { return n_.strength / k; }
+  double intact_bound(double k) const override { return initial_kappa(k); }
   double rupture_kappa(double) const override { return scale_ * shape_->end(); }
   double next_corner(const History& h, double k) const override;
   double equivalent_opening(const Vec2& q, const History& h, double k) const override;

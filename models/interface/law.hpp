@@ -61,6 +61,12 @@ class InterfaceLaw {
 
   /// κ at which an intact point of stiffness k reaches its strength [L]; infinite when it never does.
   virtual double initial_kappa(double k) const = 0;
+  /// A bound below which an intact point stays intact, so that it need not be asked [L]:
+  ///
+  ///     ⟨q_n⟩² + β² q_s² < bound²   ⇒   t = D0 q, nothing spent
+  ///
+  /// 0 where a law has none.
+  virtual double intact_bound(double) const { return 0; }
   /// κ at which the traction has vanished [L]; infinite when that is nowhere.
   virtual double rupture_kappa(double k) const = 0;
   /// κ of the next corner of the softening curve beyond the history's, at the latest that of rupture [L].

@@ -178,6 +178,23 @@ TEST_P(LawContract, IntactTractionIsThatOfTheIntactStiffness) {
   EXPECT_GT(intact, 100);
 }
 
+TEST_P(LawContract, IntactPointsWithinTheBoundNeedNotBeAsked) {
+  at_random_states([&](const LawCase& at, const Vec2& anywhere, const History&) {
+    const double bound = at.law->intact_bound(at.k), beta = at.law->shear_weight();
+    if (bound == 0) return;
+    const double size = std::hypot(std::max(anywhere.x(), 0.0), beta * anywhere.y());
+    const Vec2 q = size > 0 ? Vec2(random_.between(0, 0.999) * bound / size * anywhere) : anywhere;
+    History h;
+    h.kappa = random_.between(0, 1) * at.law->initial_kappa(at.k);
+    const Vec2 stiffness = at.law->intact_stiffness(at.k);
+    for (const Response& said : {at.law->respond(q, h, at.k), at.law->respond_frozen(q, h, at.k)}) {
+      EXPECT_LE((said.traction - stiffness.cwiseProduct(q)).norm(), 1e-15 * at.stiff() * q.norm());
+      EXPECT_LE((said.tangent - Mat2(stiffness.asDiagonal())).norm(), 1e-15 * at.stiff());
+    }
+    EXPECT_EQ(at.law->spending(q, h, at.k).value, 0);
+  });
+}
+
 TEST_P(LawContract, SofteningIsAsSteepAsTheLawSays) {
   for (int c = 0; c < cases; ++c) {
     const LawCase at = next_case();

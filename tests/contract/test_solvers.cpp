@@ -188,7 +188,7 @@ TEST_P(SolverContract, InertiaOfUpdatesEqualsThatOfTheWholeMatrix) {
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> whole(k, Eigen::EigenvaluesOnly);
     const auto expected = static_cast<int>((whole.eigenvalues().array() < 0).count());
     const auto found = updated.num_negative_eigenvalues();
-    if (!found) GTEST_SKIP() << "the solver does not tell";
+    if (!found) return EXPECT_EQ(GetParam(), "amesos2");  // the one solver that does not tell
     EXPECT_EQ(*found, expected) << "round " << round;
     most = std::max(most, expected);
   }

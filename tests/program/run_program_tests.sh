@@ -78,6 +78,22 @@ resume_under_another_control() {
   said "snaps back"
 }
 
+# The bar, once cracked: S = 1/(1 - E w_c/(ft L)) = 3, and one negative eigenvalue.
+eigenvalues() {
+  expect 0 "run with eigenvalues" "$program" run "$bar" --folder watched --quiet --profile --set record.eigenvalues.count=2
+  said "eigenvalues"
+  said "reduced iterations"
+  awk -F, '
+    NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; next }
+    { s = $at["current_stiffness"]; n = $at["negative_eigenvalues"]; mu = $at["mu_1"]; more = $at["mu_2"] }
+    NR == 2 && (s != 1 || n != 0 || mu <= 0) { exit 1 }
+    NR > 2 && ((s - 3)^2 > 1e-10 || n != 1 || mu >= 0 || more <= 0) { exit 1 }
+    END { if (NR < 5) exit 1 }' watched/curve.csv || complain "wrong eigenvalues or current stiffness"
+  expect 0 "eigenvalues at some steps" "$program" run "$bar" --folder seldom --quiet --set record.eigenvalues.count=1 \
+    --set record.eigenvalues.every=5
+  [ "$(grep -c ',nan,nan$' seldom/curve.csv)" -ge 4 ] || complain "eigenvalues at steps that were not asked for"
+}
+
 # The run is stopped by the signal as soon as its curve has some rows, then resumed to the same path.
 stop_and_resume() {
   local signal=$1 folder=$2
@@ -143,6 +159,6 @@ comparing() {
   exists overlay.svg
 }
 
-for part in ${PARTS:-whole_run condition folders resume_after_steps resume_under_another_control interrupted no_place_to_write command_line comparing}
+for part in ${PARTS:-whole_run condition eigenvalues folders resume_after_steps resume_under_another_control interrupted no_place_to_write command_line comparing}
 do $part; done
 exit $failed

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "models/kinematics/first_order.hpp"
+
+namespace dda {
+
+/// Lowest eigenpairs of K φ = μ M φ, K symmetric, M block-diagonal and positive definite.
+struct Eigenmodes {
+  std::vector<double> values;               ///< μ, ascending
+  std::vector<std::vector<double>> shapes;  ///< φ, of size n each, φᵀ M φ = 1
+};
+
+/// x = A⁻¹ b, both of size n.
+using InverseOperator = std::function<void(std::span<const double> b, std::span<double> x)>;
+
+/// What is asked for.
+struct EigenProblem {
+  InverseOperator solve;  ///< K⁻¹
+  /// (K + s M)⁻¹ for s > 0; empty where K + s M is not positive definite.
+  std::function<InverseOperator(double s)> shifted;
+  std::vector<Mat6> mass;                ///< M, one per node; identities for K φ = μ φ
+  int count = 6;                         ///< of eigenpairs
+  std::optional<int> num_negative = {};  ///< eigenvalues of K below zero, where they are known
+
+  std::size_t n() const { return block_unknowns * mass.size(); }
+};
+
+/// The `count` algebraically lowest pairs.
+///
+/// Shift-invert, (K + s M)⁻¹ M φ = ν φ, μ = 1/ν − s: first with s = 0 and the factorisation that is there,
+/// which gives the pairs nearest to zero. Negative eigenvalues that are missing among them are far from it,
+/// as those of cracks that soften steeply are: s grows until K + s M is positive definite, and the largest ν
+/// are theirs. Small problems are solved densely, others by Anasazi's block Krylov-Schur method, whose start
+/// does not depend on anything but n. Throws std::runtime_error when it does not converge.
+Eigenmodes lowest_eigenmodes(const EigenProblem& problem);
+
+/// The same by a dense factorisation of K⁻¹: n solutions, n² numbers.
+Eigenmodes dense_eigenmodes(const EigenProblem& problem);
+
+/// Modal assurance criterion, (φᵀ M ψ)² of two shapes with unit norm: 1 for the same mode.
+double modal_assurance(std::span<const double> a, std::span<const double> b, std::span<const Mat6> mass);
+
+}  // namespace dda

@@ -1,0 +1,192 @@
+// Eigenvalues of the stiffness: closed forms of chains of blocks, and Anasazi against a dense solver.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+
+#include "continuation/linear/linear_system.hpp"
+#include "continuation/stability/eigenmodes.hpp"
+#include "continuation/stability/krylov_schur.hpp"
+#include "models/mass.hpp"
+#include "verification/support.hpp"
+
+namespace dda::verification {
+namespace {
+
+constexpr double stiff = 1e5;  // ties in units of E t
+constexpr double young = 27500, poisson = 0.2, height = 100, thickness = 100;
+
+/// Blocks of the same length in a row, clamped on the left; all vertices tied by springs of 10⁵ E t, those on
+/// the line `cut` such that they can crack.
+std::string row_of_blocks(int blocks, double length, double cut = -1, double unit = 1) {
+  std::string regions;
+  for (int i = 0; i < blocks; ++i)
+    regions += fmt::format(
+        "    - {{material: concrete, vertices: [[{0:.17g}, 0], [{1:.17g}, 0], [{1:.17g}, {2:.17g}], "
+        "[{0:.17g}, "
+        "{2:.17g}]]}}\n",
+        unit * i * length / blocks, unit * (i + 1) * length / blocks, unit * height);
+  const double tie = stiff * young * thickness / unit;
+  const std::string joint = fmt::format("points: vertices, treatment: {{type: penalty, stiffness: {:.17g}}}",
+                                        2 * tie / (unit * unit * height * thickness));
+  const std::string curve = cut < 0
+                                ? ""
+                                : fmt::format("  curves: {{cut: [[{0:.17g}, 0], [{0:.17g}, {1:.17g}]]}}\n",
+                                              unit * cut, unit * height);
+  const std::string law =
+      cut < 0
+          ? ""
+          : fmt::format(
+                "  cut: {{{}, law: {{type: linear_softening, tensile_strength: 3, fracture_energy: 0.1}}}}\n",
+                joint);
+  return fmt::format(R"(
+scene:
+{0}  regions:
+{2}
+thickness: {3:.17g}
+plane: stress
+support_stiffness: {4}
+materials:
+  concrete: {{type: linear_elastic, young_modulus: {5:.17g}, poisson_ratio: {6}}}
+interfaces:
+  joint: {{between: [concrete, concrete], {7}}}
+{8}supports:
+  low: {{at: [0, 0], fix: xy}}
+  high: {{at: [0, {1:.17g}], fix: xy}}
+stages: [{{loads: [{{type: point_load, at: [{9:.17g}, 0], force: [0, -1]}}]}}]
+)",
+                     curve, unit * height, regions, unit * thickness, stiff, young / (unit * unit), poisson,
+                     joint, law, unit * length);
+}
+
+/// Of the structure as it is, or with nothing left of the joints that can crack.
+Eigenmodes modes_of(const Structure& structure, int count, bool with_mass, bool released = false) {
+  LinearSystem linear(structure.equilibrium, direct_solvers().choose("cholmod"),
+                      LinearSystem::Update::low_rank);
+  if (released) {
+    EXPECT_TRUE(linear.set_tangent(std::vector<Mat2>(structure.equilibrium.num_active(), Mat2::Zero())));
+  }
+  EigenProblem problem{.solve = [&](auto b, auto x) { linear.solve(b, x); },
+                       .shifted = {},
+                       .mass = unit_mass(structure.body),
+                       .count = count,
+                       .num_negative = linear.num_negative_eigenvalues()};
+  if (!with_mass) problem.mass.assign(structure.equilibrium.num_nodes(), Mat6::Identity());
+  return lowest_eigenmodes(problem);
+}
+
+/// λ_k = c² (6 n²/L²) (1 − cos θ)/(2 + cos θ), θ = (2k − 1) π/2n, c² = G or E/(1 − ν²); reference S2.
+std::vector<double> chain(int n, double length, int count) {
+  std::vector<double> out;
+  for (const double c2 : {young / (2 * (1 + poisson)), young / (1 - poisson * poisson)})
+    for (int k = 1; k <= n; ++k) {
+      const double cosine = std::cos((2 * k - 1) * M_PI / (2 * n));
+      out.push_back(c2 * 6 * n * n / (length * length) * (1 - cosine) / (2 + cosine));
+    }
+  std::ranges::sort(out);
+  out.resize(static_cast<std::size_t>(count));
+  return out;
+}
+
+TEST(Eigenmodes, ClampedBlock) {
+  const double l = 400, volume = l * height * thickness;
+  const Eigenmodes found = modes_of(Structure(row_of_blocks(1, l)), 2, false);
+  const double shear = young / (2 * (1 + poisson)) * volume / (1.25 + l * l / 4);
+  const double axial = young / (1 - poisson * poisson) * volume / (1 + l * l / 4);
+  EXPECT_NEAR(found.values[0], shear, 1e-4 * shear);
+  EXPECT_NEAR(found.values[1], axial, 1e-4 * axial);
+  EXPECT_NEAR(shear, 1145797.5, 0.1);
+  EXPECT_NEAR(axial, 2864511.7, 0.1);
+}
+
+TEST(Eigenmodes, ChainOfBlocks) {
+  const std::vector<double> expected = chain(4, 400, 4);
+  const Eigenmodes found = modes_of(Structure(row_of_blocks(4, 400)), 4, true);
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    EXPECT_NEAR(found.values[i], expected[i], 1e-3 * expected[i]);
+}
+
+/// What hangs on weak springs alone has three eigenvalues near zero, the rest is the chain of half the
+/// length.
+TEST(Eigenmodes, ChainAfterRelease) {
+  const Eigenmodes found = modes_of(Structure(row_of_blocks(4, 400, 200)), 5, true, true);
+  const std::vector<double> expected = chain(2, 200, 2);
+  for (int i = 0; i < 3; ++i)
+    EXPECT_LT(std::abs(found.values[static_cast<std::size_t>(i)]), 1e-5 * expected[0]);
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_NEAR(found.values[i + 3], expected[i], 1e-3 * expected[i]);
+}
+
+/// With the mass the unit of length does not matter: μ has the unit F/L⁴.
+TEST(Eigenmodes, MassMakesThemIndependentOfTheUnit) {
+  const Eigenmodes mm = modes_of(Structure(row_of_blocks(4, 400)), 4, true);
+  const Eigenmodes m = modes_of(Structure(row_of_blocks(4, 400, -1, 1e-3)), 4, true);
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(m.values[i] * 1e-12, mm.values[i], 1e-8 * mm.values[i]);
+}
+
+TEST(Eigenmodes, KrylovSchurEqualsDense) {
+  const Structure structure(R"(
+scene:
+  regions: [{material: concrete, vertices: [[0, 0], [400, 0], [400, 100], [0, 100]]}]
+  subdivision: {type: voronoi, blocks: 200, seed: 3}
+thickness: 100
+materials:
+  concrete: {type: linear_elastic, young_modulus: 27500, poisson_ratio: 0.2}
+interfaces:
+  any: {between: [concrete, concrete], law: {type: linear_softening, tensile_strength: 3, fracture_energy: 0.1}}
+supports:
+  left: {at: [0, 0], fix: xy}
+  right: {at: [400, 0], fix: y}
+stages: [{loads: [{type: point_load, at: [200, 100], force: [0, -1]}]}]
+)");
+  const Equilibrium& equilibrium = structure.equilibrium;
+  LinearSystem linear(equilibrium, direct_solvers().choose("cholmod"), LinearSystem::Update::low_rank);
+  std::vector<Mat2> tangents;
+  for (std::size_t p = 0; p < equilibrium.num_active(); ++p) {
+    const Vec2 stiffness = equilibrium.point(p).intact_stiffness();
+    const bool softens = p % 23 == 0 && p < 200;
+    tangents.push_back((softens ? Vec2(-2 * stiffness.x(), 0.1 * stiffness.y()) : stiffness).asDiagonal());
+  }
+  ASSERT_TRUE(linear.set_tangent(tangents));
+  const auto negative = linear.num_negative_eigenvalues();
+  ASSERT_TRUE(negative && *negative > 0);
+  for (const bool with_mass : {true, false}) {
+    EigenProblem problem{.solve = [&](auto b, auto x) { linear.solve(b, x); },
+                         .shifted = {},
+                         .mass = with_mass ? unit_mass(structure.body)
+                                           : std::vector<Mat6>(equilibrium.num_nodes(), Mat6::Identity()),
+                         .count = 6,
+                         .num_negative = negative};
+    const Eigen::MatrixXd k = dense(linear.matrix_with(tangents));
+    Eigen::MatrixXd m = Eigen::MatrixXd::Zero(k.rows(), k.rows());
+    for (std::size_t b = 0; b < problem.mass.size(); ++b)
+      m.block<6, 6>(6 * static_cast<Eigen::Index>(b), 6 * static_cast<Eigen::Index>(b)) = problem.mass[b];
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> all(k, m);
+    EXPECT_EQ((all.eigenvalues().array() < 0).count(), *negative);
+    const std::unique_ptr<DirectSolver> whole = direct_solvers().choose("cholmod").make();
+    int shifts = 0;
+    problem.shifted = [&](double shift) -> InverseOperator {
+      BlockMatrix matrix = linear.matrix_with(tangents);
+      for (std::size_t b = 0; b < problem.mass.size(); ++b)
+        matrix.add(BlockId{b}, BlockId{b}, shift * problem.mass[b]);
+      ++shifts;
+      if (!whole->factor(matrix) || whole->num_negative_pivots() != 0) return {};
+      return [&](auto b, auto x) {
+        std::ranges::copy(b, x.begin());
+        whole->solve(x, 1);
+      };
+    };
+    const Eigenmodes found = lowest_eigenmodes(problem);
+    EXPECT_GT(shifts, 0);
+    for (int i = 0; i < 6; ++i) {
+      const double expected = all.eigenvalues()[i], value = found.values[static_cast<std::size_t>(i)];
+      EXPECT_NEAR(value, expected, 1e-8 * std::abs(expected)) << "mode " << i;
+      const auto& shape = found.shapes[static_cast<std::size_t>(i)];
+      EXPECT_NEAR(modal_assurance(shape, shape, problem.mass), 1, 1e-8);
+      const Eigen::VectorXd column = all.eigenvectors().col(i);
+      EXPECT_NEAR(modal_assurance(shape, {column.data(), shape.size()}, problem.mass), 1, 1e-6);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace dda::verification
