@@ -1,6 +1,5 @@
 #include "continuation/reduced.hpp"
 
-#include <Eigen/LU>
 #include <cmath>
 
 namespace dda {
@@ -140,7 +139,9 @@ class CrackedPoints {
       right.middleRows<2>(2 * a) = x.middleRows<2>(at);
     }
     matrix.diagonal().array() += 1;
-    x.noalias() -= columns * matrix.partialPivLu().solve(right);
+    DenseLu lu;
+    lu.compute(std::move(matrix));  // a singular one gives a step that is no number
+    x.noalias() -= columns * lu.solve(std::move(right));
   }
 
   /// Gauge and energy spent, as the control adds them.

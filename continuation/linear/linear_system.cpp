@@ -176,9 +176,7 @@ bool LinearSystem::factor_small() {
       m.block<2, 2>(2 * static_cast<Eigen::Index>(a), 2 * static_cast<Eigen::Index>(b)) +=
           e * g_.block<2, 2>(2 * slot_[active_[a]], 2 * slot_[active_[b]]);
   }
-  small_.compute(m);
-  const auto pivots = small_.matrixLU().diagonal().cwiseAbs();
-  return std::isfinite(pivots.sum()) && pivots.minCoeff() > 0;
+  return small_.compute(std::move(m));
 }
 
 std::optional<int> LinearSystem::num_negative_eigenvalues() const {

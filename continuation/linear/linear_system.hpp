@@ -1,11 +1,11 @@
 #pragma once
 
-#include <Eigen/LU>
 #include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "continuation/linear/dense_lu.hpp"
 #include "continuation/linear/direct_solver.hpp"
 #include "continuation/linear/update_columns.hpp"
 #include "framework/output/timings.hpp"
@@ -62,8 +62,8 @@ class LinearSystem {
   ///
   ///     n₋(K) = n₋(K_base) + n₊(e⁻¹ + Vᵀ G V) − n₊(e)
   ///
-  /// (E. V. Haynsworth's additivity for [K_base, (VᵀU)ᵀ; VᵀU, −e⁻¹], whose two Schur complements are K and
-  /// −e⁻¹ − Vᵀ G V.) Nothing when friction makes K unsymmetric or the solver does not tell.
+  /// (Haynsworth's additivity of inertia for [K_base, (VᵀU)ᵀ; VᵀU, −e⁻¹], whose two Schur complements are K
+  /// and −e⁻¹ − Vᵀ G V.) Nothing when friction makes K unsymmetric or the solver does not tell.
   std::optional<int> num_negative_eigenvalues() const;
 
   /// K_base⁻¹ of these (and of their negatives) is computed once per base.
@@ -129,7 +129,7 @@ class LinearSystem {
   std::unique_ptr<UpdateColumns> columns_;  ///< Z
   Eigen::MatrixXd g_;                       ///< U K_base⁻¹ Uᵀ, at least 2 · updated square
   std::vector<std::size_t> active_;         ///< updated points with E ≠ 0 now
-  Eigen::PartialPivLU<Eigen::MatrixXd> small_;
+  DenseLu small_;                           ///< of 1 + E G
   Kept reference_, dead_;
   std::vector<Kept> gauges_;  ///< of along_columns
   std::size_t num_factorisations_ = 0, num_solves_ = 0;

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
+
 #include "continuation/tangent.hpp"
 #include "support/cracked.hpp"
 
