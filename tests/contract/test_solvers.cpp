@@ -188,7 +188,10 @@ TEST_P(SolverContract, InertiaOfUpdatesEqualsThatOfTheWholeMatrix) {
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> whole(k, Eigen::EigenvaluesOnly);
     const auto expected = static_cast<int>((whole.eigenvalues().array() < 0).count());
     const auto found = updated.num_negative_eigenvalues();
-    if (!found) return EXPECT_EQ(GetParam(), "amesos2");  // the one solver that does not tell
+    if (!found) {
+      EXPECT_EQ(GetParam(), "amesos2") << "the one solver that does not tell";
+      return;
+    }
     EXPECT_EQ(*found, expected) << "round " << round;
     most = std::max(most, expected);
   }
