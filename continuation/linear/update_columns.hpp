@@ -31,8 +31,9 @@ class UpdateColumns {
   }
   /// Whether a product with Z costs less than a solution with K.
   virtual bool product_is_cheap() const = 0;
-  /// Columns that are worth making at once, rather than a new K; and solutions with K that were computed.
+  /// Columns that are worth making at once; for more, a new K is cheaper.
   virtual std::size_t most_at_once() const = 0;
+  /// Solutions with K that were computed, half ones of products counted as one.
   std::size_t num_solves() const { return num_solves_; }
 
  protected:

@@ -73,7 +73,9 @@ ResultsFile::Sizes sizes_of(const Hdf5File& file) {
 
 std::string group_of(int step) { return fmt::format("/field/{:06}", step); }
 
-bool on_segments(FieldPlace place) { return place == FieldPlace::segment || place == FieldPlace::segment_end; }
+bool on_segments(FieldPlace place) {
+  return place == FieldPlace::segment || place == FieldPlace::segment_end;
+}
 
 ResultsFile::FieldEntry entry_of(const StoredField& field, int step) {
   const std::string group = group_of(step) + (on_segments(field.place) ? "/segments/" : "/");
