@@ -65,9 +65,10 @@ inline void put(const std::filesystem::path& path, const std::string& text) {
 }
 
 /// Runs `work` in a process of its own, which says after each piece how many are done, and kills it after
-/// `microseconds`. Returns the last number it said.
+/// `microseconds`, counted from the start or from the first piece. Returns the last number it said.
+enum class From { start, first_piece };
 template <class Work>
-int kill_after(useconds_t microseconds, const Work& work) {
+int kill_after(useconds_t microseconds, const Work& work, From from = From::start) {
   int ends[2];
   if (pipe(ends) != 0) return -1;
   const pid_t child = fork();
@@ -76,10 +77,11 @@ int kill_after(useconds_t microseconds, const Work& work) {
     _exit(0);
   }
   close(ends[1]);
+  int last = 0, done = 0;
+  if (from == From::first_piece && ::read(ends[0], &done, sizeof done) == sizeof done) last = done;
   usleep(microseconds);
   kill(child, SIGKILL);
   waitpid(child, nullptr, 0);
-  int last = 0, done = 0;
   while (::read(ends[0], &done, sizeof done) == sizeof done) last = done;
   close(ends[0]);
   return last;

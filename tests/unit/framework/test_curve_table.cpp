@@ -102,13 +102,14 @@ TEST(CurveTable, FullDiskKeepsWholeRows) {
 
 TEST(CurveTable, AKilledWriterLeavesItsRows) {
   const Scratch scratch;
-  const int stored = test::kill_after(20000, [&](const auto& say) {
+  const auto write = [&](const auto& say) {
     CurveTable table(scratch / "c.csv", columns);
     for (int i = 1; i < 20000; ++i) {
       table.append(row(i, i, "load"));
       if (i < 8000) say(i);
     }
-  });
+  };
+  const int stored = test::kill_after(20000, write, test::From::first_piece);
   const CsvTable table = read_csv(scratch / "c.csv");
   EXPECT_GE(table.num_rows(), static_cast<std::size_t>(stored));
   EXPECT_GT(stored, 0);
