@@ -75,8 +75,9 @@ class Outcome:
 
     @property
     def refusal(self):
-        """What the program said when it refused."""
-        return next((line.strip() for line in self.said.splitlines() if TOO_LARGE in line), "")
+        """What the program said when it refused; where the run's folder was does not matter."""
+        said = next((line.strip() for line in self.said.splitlines() if TOO_LARGE in line), "")
+        return said.replace(f"{self.folder}/", "")
 
     @property
     def reached(self):
