@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <stdexcept>
 
 #include "continuation/stability/eigenmodes.hpp"
 #include "models/mass.hpp"
@@ -98,8 +99,12 @@ void FailureIndicator::append_eigenvalues(std::vector<TableCell>& out) {
     if (whole->num_negative() >= 0) problem.num_negative = whole->num_negative();
     problem.solve = [&](auto b, auto x) { whole->solve(b, x); };
   }
-  out.emplace_back(static_cast<double>(problem.num_negative.value_or(0)));
-  for (const double value : lowest_eigenmodes(problem).values) out.emplace_back(value);
+  out.emplace_back(problem.num_negative ? *problem.num_negative : unknown);
+  try {
+    for (const double value : lowest_eigenmodes(problem).values) out.emplace_back(value);
+  } catch (const std::runtime_error&) {  // what the path has come to does not depend on them
+    out.resize(2);
+  }
   out.resize(columns, unknown);
 }
 

@@ -20,7 +20,8 @@ namespace dda {
 ///                             and u grows, infinite where u turns back, positive while both fall
 ///
 /// Friction makes K* unsymmetric: the eigenvalues are then those of its symmetric part. Columns of steps
-/// without eigenvalues hold nan. Source: Pearce et al. (2000), section 6.
+/// without eigenvalues hold nan, as do those where they do not converge. Source: Pearce et al. (2000),
+/// section 6.
 class FailureIndicator {
  public:
   /// `first_stiffness` is ṗ/u̇ at the start of a run that is continued, 0 for a new one.

@@ -47,6 +47,11 @@ Simulation::Simulation(const Deck& deck, Timings& timings) : deck_(deck), timing
     if (choice.name() == "relative_displacement" && gauges_.first_opening.empty())
       gauges_.first_opening = name;
   }
+  if (deck.record.eigenvalues.count > 0 && equilibrium_->num_unknown_multipliers() > 0)
+    throw InputError(
+        deck.where,
+        "record.eigenvalues: with the unknown multipliers of 'lagrange' the stiffness has eigenvalues that "
+        "are not the structure's; use another treatment");
   deck.path.control.make(gauges_);  // a control that names no known gauge is found before anything is solved
   landings();
   legs();

@@ -89,6 +89,10 @@ eigenvalues() {
     NR == 2 && (s != 1 || n != 0 || mu <= 0) { exit 1 }
     NR > 2 && ((s - 3)^2 > 1e-10 || n != 1 || mu >= 0 || more <= 0) { exit 1 }
     END { if (NR < 5) exit 1 }' watched/curve.csv || complain "wrong eigenvalues or current stiffness"
+  expect 2 "eigenvalues with unknown multipliers" "$program" run "$bar" --folder tied --quiet \
+    --set record.eigenvalues.count=2 --set interfaces.crack.treatment=lagrange
+  said "use another treatment"
+  is_absent tied
   expect 0 "eigenvalues at some steps" "$program" run "$bar" --folder seldom --quiet --set record.eigenvalues.count=1 \
     --set record.eigenvalues.every=5
   [ "$(grep -c ',nan,nan$' seldom/curve.csv)" -ge 4 ] || complain "eigenvalues at steps that were not asked for"
