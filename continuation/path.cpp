@@ -103,6 +103,9 @@ Point Path::keep(Candidate candidate, const std::string& control) {
     memory_.last_quantum = quantum;
   walker_.accept(std::move(candidate));
   out.step = walker_.effort().accepted;
+  judge(out);
+  choose_branch(out);
+  memory_.surplus = walker_.here().surplus().value_or(0);
   return out;
 }
 

@@ -38,6 +38,12 @@ struct Point {
   double jump_energy = 0;           ///< released on the way here where no equilibrium path led [FL]
   std::vector<std::string> landed;  ///< "cmod=0.1", "peak?" …: why fields should be kept here
   bool is_highest = false;          ///< the largest load so far
+  /// Negative eigenvalues of the stiffness, every point on its damage surface loading: 0 where the
+  /// equilibrium is stable under dead load. Nothing where friction makes the stiffness unsymmetric.
+  std::optional<int> num_negative;
+  /// Those that are left under the control: 0 where it is stable if what the control prescribes is held.
+  std::optional<int> num_negative_under_control;
+  bool switched = false;  ///< the path leaves it by another branch than it would by itself
 };
 
 /// Why and how a path ended.
@@ -60,6 +66,7 @@ struct PathMemory {
   double driver = 0;        ///< what the driver remembers
   int leg = 0;              ///< which leg is being followed
   int leg_start = 0;        ///< accepted steps before it
+  int surplus = 0;          ///< negative eigenvalues with which a branch may be left (Candidate::surplus)
 };
 
 /// The equilibrium path of the last stage as a range: `for (const Point& p : path)`.
@@ -89,6 +96,8 @@ class Path {
   }
   /// The load gauge of the path.
   const Functional& load_gauge() const { return load_; }
+  /// Stability of the equilibrium at which the walker stands.
+  void judge(Point& point) const;
 
   class Iterator {
    public:
@@ -146,6 +155,10 @@ class Path {
   std::optional<Point> rupture();
   std::string turning_point();
   bool is_mechanism(const State& state) const;
+
+  // Branches.
+  std::optional<Candidate> first_unstable(const Candidate& beyond, double amount, const Move& move);
+  void choose_branch(Point& point);
 
   // Sizes and ends.
   double first_amount() const;

@@ -69,6 +69,16 @@ Schema<PathParameters> path_schema() {
               {.fallback = "staged", .text = "What is prescribed along the path."})
       .section("step", &P::step, step_schema())
       .section("stop", &P::stop, stop_schema())
+      .boolean(
+          "stability", &P::stability,
+          {.fallback = true,
+           .text = "Count the negative eigenvalues of the stiffness at every step: columns of the curve, "
+                   "and bifurcations among the events of the summary."})
+      .one_of(
+          "branch", &P::branch, {{"follow", Branching::follow}, {"switch", Branching::to_lowest}},
+          {.fallback = Branching::follow,
+           .text = "At a bifurcation go on along the same branch, or switch to the one on which the load "
+                   "falls fastest; the branch not taken is then followed as well, in a folder of its own."})
       .text("load_gauge", &P::load_gauge,
             {.fallback = "",
              .text = "Gauge whose peak counts; if empty the load factor times the loads' resultant, or the "

@@ -22,11 +22,18 @@ struct StopRules {
   int steps = 1000;
 };
 
+/// What the path does where it may branch.
+enum class Branching {
+  follow,    ///< goes on as it came
+  to_lowest  ///< takes the branch on which the load falls fastest
+};
+
 /// The deck's `path` section.
 struct PathParameters : StepperParameters {
   DriverChoice control;
   StepSizes step;
   StopRules stop;
+  Branching branch = Branching::follow;
   std::string load_gauge;
   double peak_tolerance = 1e-4;
   DirectSolverChoice linear;

@@ -139,6 +139,11 @@ std::optional<Point> Path::controlled_step(const Move& move) {
       amount *= 0.5;
       continue;
     }
+    if (auto unstable = first_unstable(*candidate, amount, move)) {
+      Point point = keep(std::move(*unstable), move.control);
+      point.landed.emplace_back("bifurcation");
+      return point;
+    }
     const double strength = releases_at_once_ ? share_to_strength(*candidate) : 1;
     if (const auto crossing = first_crossing(*candidate); crossing && crossing->share <= strength) {
       if (auto point = land(*candidate, *crossing, move.control)) return point;

@@ -69,17 +69,38 @@ double System::relative_gap(const LawValues& laws) const {
   return unit > 0 ? gap / unit : 0;
 }
 
-bool System::use_path_tangent(const LawValues& laws) {
-  if (!physical_) return use_tangent(new_stamp(), laws.tangent);
-  path_tangent_ = laws.tangent;
-  for (std::size_t p = 0; p < path_tangent_.size(); ++p) {
+std::vector<Mat2> System::path_tangents(const LawValues& laws) const {
+  std::vector<Mat2> out = laws.tangent;
+  for (std::size_t p = 0; p < out.size(); ++p) {
     const InterfacePoint& point = equilibrium_.point(p);
     if (point.multiplier != Multiplier::iterated) continue;
     const Vec2 soft = point.trial_stiffness(), stiff = point.physical_stiffness / point.stiffness * soft;
     const Mat2 compliance = (stiff.cwiseInverse() - soft.cwiseInverse()).asDiagonal();
-    path_tangent_[p] = laws.tangent[p] * (Mat2::Identity() + compliance * laws.tangent[p]).inverse();
+    out[p] = laws.tangent[p] * (Mat2::Identity() + compliance * laws.tangent[p]).inverse();
   }
+  return out;
+}
+
+bool System::use_path_tangent(const LawValues& laws) {
+  if (!physical_) return use_tangent(new_stamp(), laws.tangent);
+  path_tangent_ = path_tangents(laws);
   return physical_->set_tangent(path_tangent_);
+}
+
+BlockMatrix System::path_stiffness(const LawValues& laws, bool is_physical) const {
+  std::vector<Mat2> tangents = path_tangents(laws);
+  for (Mat2& d : tangents) d = 0.5 * (d + d.transpose()).eval();
+  BlockMatrix out = linear_.matrix_with(tangents);
+  if (!is_physical) return out;
+  for (std::size_t p = 0; p < tangents.size(); ++p)
+    if (laws.is_released(p)) add_stress_energy(out, equilibrium_.point(p));
+  return out;
+}
+
+bool System::drops_stresses(const LawValues& laws) const {
+  for (std::size_t p = 0; p < laws.tangent.size(); ++p)
+    if (laws.is_released(p) && equilibrium_.point(p).has_stresses()) return true;
+  return false;
 }
 
 Vec2 System::opening_rate(std::size_t p, std::span<const double> d) const {

@@ -31,6 +31,9 @@ struct LawValues {
   std::vector<Vec2> opening;   ///< q
   std::vector<Vec2> traction;  ///< t
   std::vector<Mat2> tangent;   ///< D
+
+  /// Whether nothing is left of a point: no traction, and none that would answer.
+  bool is_released(std::size_t p) const { return traction[p].isZero(0) && tangent[p].isZero(0); }
 };
 
 /// Which inner product a v · w an arc length measures steps with: displacements with rotations and strains
@@ -75,6 +78,13 @@ class System {
   /// The stiffness by which the path goes on: K, but with the physical stiffness p̄ of joints whose k is only
   /// a device of the iteration, D̄ = D (1 + (P̄⁻¹ − P⁻¹) D)⁻¹. False when it is singular.
   bool use_path_tangent(const LawValues& laws);
+  /// D̄ of every active point.
+  std::vector<Mat2> path_tangents(const LawValues& laws) const;
+  /// The symmetric part of that stiffness as a matrix; as K* on request, without what consistent joints
+  /// subtract at points of which nothing is left.
+  BlockMatrix path_stiffness(const LawValues& laws, bool is_physical) const;
+  /// Whether the two differ.
+  bool drops_stresses(const LawValues& laws) const;
   LinearSystem& path_linear() { return physical_ ? *physical_ : linear_; }
   const LinearSystem& path_linear() const { return physical_ ? *physical_ : linear_; }
   /// Rate of q at a point when d moves by `d` under the path tangent in use.

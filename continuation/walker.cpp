@@ -17,7 +17,8 @@ void Walker::begin_stage(std::size_t stage) {
   system_.set_stage(stage);
   here_.state.load_factor = 0;
   here_.load = value(system_.loading().load);
-  leaving_ = leaving_tangent(system_, here_.state, arriving_tangent(system_, here_.state));
+  fill_arriving(here_);
+  leaving_ = leaving_tangent(system_, here_.state, here_.arriving);
 }
 
 Attempt Walker::attempt(Control& control, double step, const State& guess) {
@@ -54,6 +55,13 @@ void Walker::fill_energies(Candidate& candidate) {
   candidate.load = system_.loading().load.value(at.d, at.load_factor);
 }
 
+void Walker::fill_arriving(Candidate& candidate) {
+  candidate.arriving = arriving_tangent(system_, candidate.state);
+  if (!parameters_.stability || candidate.arriving.d.empty()) return;
+  const auto scope = system_.timings().measure("stability");
+  candidate.num_negative = system_.path_linear().num_negative_eigenvalues();
+}
+
 Candidate Walker::evaluate(const Attempt& attempt) {
   Candidate out{.state = attempt.state,
                 .history = system_.next_history(attempt.state.d, attempt.state.load_factor),
@@ -64,7 +72,7 @@ Candidate Walker::evaluate(const Attempt& attempt) {
                 .gap = attempt.gap};
   const std::vector<History> before = system_.history();
   system_.set_history(out.history);
-  out.arriving = arriving_tangent(system_, out.state);
+  fill_arriving(out);
   fill_energies(out);
   const double dissipated = out.dissipated - here_.dissipated;
   const bool smooth = dissipated > 0 && leaving_.dissipates && out.arriving.dissipates;
@@ -80,7 +88,7 @@ void Walker::accept(Candidate candidate) {
   system_.set_history(here_.history);
   system_.set_multipliers(here_.state.multipliers);
   system_.remember_force_level(here_.state.d);
-  if (here_.arriving.d.empty()) here_.arriving = arriving_tangent(system_, here_.state);
+  if (here_.arriving.d.empty()) fill_arriving(here_);
   leaving_ = leaving_tangent(system_, here_.state, here_.arriving);
   ++effort_.accepted;
 }
@@ -116,6 +124,11 @@ void Walker::turn_back() {
   for (double& value : leaving_.d) value *= -1;
   for (auto* rates : {&leaving_.opening, &leaving_.multipliers})
     for (Vec2& rate : *rates) rate *= -1;
+}
+
+void Walker::turn_to(Tangent leaving, std::vector<History> flags) {
+  system_.set_history(std::move(flags));
+  leaving_ = std::move(leaving);
 }
 
 void Walker::restore(Candidate at, std::vector<History> history, const Effort& effort, Tangent leaving) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdlib>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,7 +34,16 @@ struct Candidate {
   int newton_iterations = 0;
   double residual = 0;  ///< relative to the force level
   int multiplier_iterations = 0;
-  double gap = 0;  ///< relative, of iterated multipliers
+  double gap = 0;                        ///< relative, of iterated multipliers
+  std::optional<int> num_negative = {};  ///< eigenvalues of K below zero, every point on its surface loading
+
+  /// Those that are left where the load factor yields so that the path can go on: 0 on a path without
+  /// branches. A limit point changes the number of negative eigenvalues and the sign of the load factor's
+  /// rate together, a bifurcation the former alone.
+  std::optional<int> surplus() const {
+    if (!num_negative) return {};
+    return std::abs(*num_negative - (arriving.load_factor < 0 ? 1 : 0));
+  }
 };
 
 /// Stands on an equilibrium of the path, tries steps from it, and moves when one is kept.
@@ -72,6 +83,8 @@ class Walker {
   void unload();
   /// Goes on in the opposite direction.
   void turn_back();
+  /// Goes on by another tangent, with the history's flags that belong to it.
+  void turn_to(Tangent leaving, std::vector<History> flags);
 
   /// Starts the next stage at the present state with load factor 0.
   void begin_stage(std::size_t stage);
@@ -81,6 +94,8 @@ class Walker {
 
  private:
   void fill_energies(Candidate& candidate);
+  /// The tangent with the flags of the system's history, and the inertia of its stiffness.
+  void fill_arriving(Candidate& candidate);
 
   System& system_;
   StepperParameters parameters_;

@@ -31,11 +31,11 @@ void add_joint(BlockMatrix& matrix, const InterfacePoint& point, const Vec2& p) 
   });
 }
 
-/// Adds −W P⁻¹ of the mean traction's rows: the energy that a consistent joint subtracts.
-void subtract_stress_energy(BlockMatrix& matrix, const InterfacePoint& point) {
+/// Adds a multiple of the energy that a consistent joint subtracts, ½ W {σ}n·P⁻¹{σ}n.
+void add_stress_energy(BlockMatrix& matrix, const InterfacePoint& point, double factor) {
+  if (!point.has_stresses()) return;
   const PointRows& rows = point.rows;
-  if (rows.first_stress.isZero() && rows.second_stress.isZero()) return;
-  const Vec2 p = -point.weight * point.trial_stiffness().cwiseInverse();
+  const Vec2 p = factor * point.weight * point.trial_stiffness().cwiseInverse();
   const Mat26 first = p.asDiagonal() * rows.first_stress, second = p.asDiagonal() * rows.second_stress;
   matrix.add(point.first, point.first, rows.first_stress.transpose() * first);
   matrix.add(point.second, point.second, rows.second_stress.transpose() * second);
@@ -52,6 +52,10 @@ void subtract_multiplier_energy(BlockMatrix& matrix, const InterfacePoint& point
 }
 
 }  // namespace
+
+void add_stress_energy(BlockMatrix& matrix, const InterfacePoint& point) {
+  add_stress_energy(matrix, point, 1);
+}
 
 Equilibrium::Equilibrium(const Body& body, const ModelParameters& model)
     : num_blocks_(body.assembly.num_blocks()), intact_(0, {}) {
@@ -92,7 +96,7 @@ void Equilibrium::assemble(const Body& body, const ModelParameters& model,
   }
   for (const Spring& spring : springs) add_spring(spring);
   for (const InterfacePoint& point : set_.points) {
-    subtract_stress_energy(intact_, point);
+    add_stress_energy(intact_, point, -1);
     subtract_multiplier_energy(intact_, point);
     add_joint(intact_, point, point.weight * point.intact_stiffness());
   }

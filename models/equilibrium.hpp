@@ -105,6 +105,10 @@ class Equilibrium {
   std::vector<BlockId> watched() const;
   /// The springs that loads drive.
   const std::vector<Spring>& driven_springs() const { return driven_; }
+  /// The springs that hold the structure.
+  const std::vector<Spring>& supports() const { return supports_; }
+  /// Of the weak springs at each centroid: p_w for u0 and v0 [F/L], p_w · area for r0 [FL].
+  double weak_stiffness() const { return weak_stiffness_; }
 
  private:
   void assemble(const Body& body, const ModelParameters& model, const std::vector<Spring>& springs);
@@ -122,5 +126,8 @@ class Equilibrium {
   std::vector<double> block_size_;
   std::vector<Mat3> strain_stiffness_;
 };
+
+/// K += W Sᵀ P⁻¹ S, S d = {σ}n: gives back what a consistent joint subtracts, once nothing is left of it.
+void add_stress_energy(BlockMatrix& matrix, const InterfacePoint& point);
 
 }  // namespace dda

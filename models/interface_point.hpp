@@ -43,6 +43,8 @@ struct InterfacePoint {
   }
   /// diag D0: of the joint as long as nothing has cracked [F/L³].
   Vec2 intact_stiffness() const { return law->intact_stiffness(stiffness); }
+  /// Whether the stresses of the blocks enter q, as in a consistent joint.
+  bool has_stresses() const { return !rows.first_stress.isZero() || !rows.second_stress.isZero(); }
   /// Whether the point is asked at run time: it can crack, or its multiplier is iterated.
   bool is_active() const { return law->can_crack() || multiplier == Multiplier::iterated; }
 

@@ -18,7 +18,19 @@ Schema<EigenvalueParameters> eigenvalue_schema() {
   return Schema<P>("Lowest eigenvalues of the tangent stiffness, as columns mu_1, mu_2, ... of the curve.")
       .integer("count", &P::count,
                {.fallback = 0, .bounds = at_least(0), .text = "How many; 0 computes none."})
-      .integer("every", &P::every, {.fallback = 1, .bounds = at_least(1), .text = "Steps between them."})
+      .integer("every", &P::every,
+               {.fallback = 1,
+                .bounds = at_least(0),
+                .text = "Steps between them; 0 computes them at the start and at the events of `at` only."})
+      .list("at", &P::at,
+            name_of<EventKind>({{"first_crack", EventKind::first_crack},
+                                {"limit_point", EventKind::limit_point},
+                                {"turning_point", EventKind::turning_point},
+                                {"bifurcation", EventKind::bifurcation},
+                                {"landing", EventKind::landing},
+                                {"release", EventKind::release},
+                                {"end", EventKind::end}}),
+            {.fallback = {{}}, .text = "Events at which they are computed as well."})
       .boolean("mass", &P::mass,
                {.fallback = true,
                 .text = "K φ = μ M φ with the mass of density 1, which no unit of length changes; else K φ = "
@@ -41,6 +53,10 @@ Schema<RecordParameters> record_schema() {
                {.fallback = false,
                 .text = "Estimate the condition of the stiffness at the start (intact) and at the end; "
                         "costs six factorisations."})
+      .boolean("stiffness", &P::stiffness,
+               {.fallback = false,
+                .text = "The stiffness at the start and at the end by contribution, in stiffness.txt and "
+                        "stiffness.json; for assemblies of at most 10 blocks."})
       .section("eigenvalues", &P::eigenvalues, eigenvalue_schema());
 }
 

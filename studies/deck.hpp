@@ -10,14 +10,16 @@
 #include "framework/units.hpp"
 #include "meshing/scene.hpp"
 #include "models/parameters.hpp"
+#include "studies/path_events.hpp"
 
 namespace dda {
 
 /// Eigenvalues of the tangent stiffness that a deck asks for.
 struct EigenvalueParameters {
-  int count = 0;     ///< lowest eigenvalues per step; 0: none
-  int every = 1;     ///< steps between them
-  bool mass = true;  ///< K φ = μ M φ with M = ∫ TᵀT dV, else K φ = μ φ
+  int count = 0;              ///< lowest eigenvalues per step; 0: none
+  int every = 1;              ///< steps between them; 0: only at the events
+  std::vector<EventKind> at;  ///< events at which they are computed as well
+  bool mass = true;           ///< K φ = μ M φ with M = ∫ TᵀT dV, else K φ = μ φ
 };
 
 /// The deck's `record` section: what is kept beside the curve.
@@ -26,6 +28,7 @@ struct RecordParameters {
   std::map<std::string, std::vector<double>> at;
   std::string folder;
   bool condition = false;
+  bool stiffness = false;
   EigenvalueParameters eigenvalues;
 };
 

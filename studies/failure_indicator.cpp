@@ -1,11 +1,12 @@
 #include "studies/failure_indicator.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
 
-#include "continuation/stability/eigenmodes.hpp"
+#include "continuation/stability/stiffness_modes.hpp"
 #include "models/mass.hpp"
 #include "studies/measures.hpp"
 
@@ -14,29 +15,17 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// Factorises a symmetric matrix that no update of the path's own gives.
-class WholeMatrix {
- public:
-  WholeMatrix(const DirectSolverChoice& choice, const BlockMatrix& k) : solver_(choice.make()) {
-    is_regular_ = solver_->factor(k);
-  }
-  bool is_regular() const { return is_regular_; }
-  int num_negative() const { return solver_->num_negative_pivots(); }
-  void solve(std::span<const double> b, std::span<double> x) {
-    std::ranges::copy(b, x.begin());
-    solver_->solve(x, 1);
-  }
-
- private:
-  std::unique_ptr<DirectSolver> solver_;
-  bool is_regular_ = false;
-};
+TableCell count_cell(const std::optional<int>& count) {
+  return count ? TableCell{std::int64_t{*count}} : TableCell{unknown};
+}
 
 }  // namespace
 
-FailureIndicator::FailureIndicator(Simulation& simulation, const EigenvalueParameters& parameters,
-                                   double first_stiffness)
-    : simulation_(simulation), parameters_(parameters), first_stiffness_(first_stiffness) {
+FailureIndicator::FailureIndicator(Simulation& simulation, IndicatorMemory memory)
+    : simulation_(simulation),
+      parameters_(simulation.deck().record.eigenvalues),
+      memory_(std::move(memory)),
+      tracker_(memory_.modes) {
   if (parameters_.count == 0) return;
   mass_.assign(simulation.equilibrium().num_nodes(), Mat6::Identity());
   if (parameters_.mass) std::ranges::copy(unit_mass(simulation.body()), mass_.begin());
@@ -44,11 +33,16 @@ FailureIndicator::FailureIndicator(Simulation& simulation, const EigenvalueParam
 
 std::vector<Column> FailureIndicator::columns() const {
   std::vector<Column> out{{"current_stiffness", ""}};
+  if (simulation_.deck().path.stability) {
+    out.push_back({"negative_eigenvalues", ""});
+    out.push_back({"negative_under_control", ""});
+  }
   if (parameters_.count == 0) return out;
-  out.push_back({"negative_eigenvalues", ""});
   constexpr Dimension per_mass{1, -4}, raw = dimension::stiffness;
   const std::string unit = unit_of(parameters_.mass ? per_mass : raw, simulation_.deck().units);
   for (int i = 1; i <= parameters_.count; ++i) out.push_back({"mu_" + std::to_string(i), unit});
+  for (int i = 1; i <= parameters_.count; ++i) out.push_back({"mu_ratio_" + std::to_string(i), ""});
+  out.push_back({"rigid_modes", ""});
   return out;
 }
 
@@ -62,50 +56,97 @@ double FailureIndicator::path_stiffness() const {
   return leaving.rate(loading.load) / rate;
 }
 
-std::vector<TableCell> FailureIndicator::cells(int step) {
+bool FailureIndicator::is_due(const IndicatorNow& now) const {
+  if (!tracker_.has_started()) return true;  // what all ratios refer to
+  if (parameters_.every > 0 && now.step % parameters_.every == 0) return true;
+  return std::ranges::any_of(parameters_.at, [&](const auto& event) { return now.events.contains(event); });
+}
+
+std::vector<TableCell> FailureIndicator::cells(const IndicatorNow& now) {
   const double stiffness = path_stiffness();
-  if (first_stiffness_ == 0) first_stiffness_ = stiffness;
-  std::vector<TableCell> out{stiffness / first_stiffness_};
-  if (parameters_.count == 0) return out;
-  if (step % parameters_.every == 0) {
-    append_eigenvalues(out);
-  } else {
-    out.resize(2 + static_cast<std::size_t>(parameters_.count), unknown);
+  if (memory_.first_stiffness == 0) memory_.first_stiffness = stiffness;
+  std::vector<TableCell> out{stiffness / memory_.first_stiffness};
+  if (simulation_.deck().path.stability) {
+    out.push_back(count_cell(now.num_negative));
+    out.push_back(count_cell(now.num_negative_under_control));
   }
+  shapes_.clear();
+  if (parameters_.count > 0 && is_due(now)) append_eigenvalues(out);
+  out.resize(columns().size(), unknown);
   return out;
 }
 
-void FailureIndicator::append_eigenvalues(std::vector<TableCell>& out) {
+Eigenmodes FailureIndicator::modes(int count) {
   System& system = simulation_.system();
-  const auto scope = system.timings().measure("eigenvalues");
-  const State& here = simulation_.walker().state();
-  const std::size_t columns = 2 + static_cast<std::size_t>(parameters_.count);
-  EigenProblem problem{.solve = {}, .shifted = {}, .mass = mass_, .count = parameters_.count};
-  std::optional<WholeMatrix> whole;
-  problem.shifted = [&](double s) -> InverseOperator {
-    BlockMatrix k = system.stiffness(here);
-    for (std::size_t b = 0; b < mass_.size(); ++b) k.add(BlockId{b}, BlockId{b}, s * mass_[b]);
-    whole.emplace(simulation_.deck().path.linear, k);
-    if (!whole->is_regular() || whole->num_negative() != 0) return {};
-    return [&](auto b, auto x) { whole->solve(b, x); };
-  };
-  if (system.use_path_tangent(*system.laws_at(here.d, here.load_factor)))
-    problem.num_negative = system.path_linear().num_negative_eigenvalues();
-  if (problem.num_negative) {
-    problem.solve = [&](auto b, auto x) { system.path_linear().solve(b, x); };
-  } else {
-    whole.emplace(simulation_.deck().path.linear, system.stiffness(here));
-    if (!whole->is_regular()) return out.resize(columns, unknown);
-    if (whole->num_negative() >= 0) problem.num_negative = whole->num_negative();
-    problem.solve = [&](auto b, auto x) { whole->solve(b, x); };
-  }
-  out.emplace_back(problem.num_negative ? *problem.num_negative : unknown);
+  const Candidate& here = simulation_.walker().here();
+  const std::vector<History> leaving = system.history();
+  system.set_history(here.history);  // with every point that loaded up to here on its surface
+  Eigenmodes out;
   try {
-    for (const double value : lowest_eigenmodes(problem).values) out.emplace_back(value);
+    const ModeRequest wanted{.count = count, .mass = mass_};
+    if (auto found = stiffness_modes(system, here.state, simulation_.deck().path.linear, wanted))
+      out = std::move(found->modes);
   } catch (const std::runtime_error&) {  // what the path has come to does not depend on them
-    out.resize(2);
   }
-  out.resize(columns, unknown);
+  system.set_history(leaving);
+  return out;
+}
+
+/// μ/μ₀ of the tracked modes; nan of one that is not among those found.
+std::vector<double> FailureIndicator::ratios(const Eigenmodes& found) {
+  std::vector<double> out;
+  const std::vector<int> places = tracker_.follow(found, mass_);
+  for (std::size_t i = 0; i < places.size(); ++i)
+    out.push_back(places[i] < 0
+                      ? unknown
+                      : found.values[static_cast<std::size_t>(places[i])] / tracker_.known().first_values[i]);
+  memory_.modes = tracker_.known();
+  return out;
+}
+
+/// Whether only weak springs oppose a mode, as far as rounding lets tell.
+bool FailureIndicator::is_rigid(const Eigenmodes& found, std::size_t mode) const {
+  const Equilibrium& equilibrium = simulation_.equilibrium();
+  const std::vector<double>& shape = found.shapes[mode];
+  double weak = 0;
+  for (std::size_t b = 0; b < equilibrium.num_blocks(); ++b) {
+    const Eigen::Map<const Vec6> at(shape.data() + block_unknowns * b);
+    const double size = equilibrium.block_size()[b];
+    weak += equilibrium.weak_stiffness() * (at.head<2>().squaredNorm() + size * size * at[2] * at[2]);
+  }
+  std::vector<double> terms(shape.size(), 0.0);
+  equilibrium.intact().multiply_add_absolute(shape, terms);
+  double absolute = 0;
+  for (std::size_t i = 0; i < shape.size(); ++i) absolute += terms[i] * std::abs(shape[i]);
+  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon(), clearly = 10;
+  return std::abs(found.values[mode]) <= clearly * weak + rounding * absolute;
+}
+
+void FailureIndicator::append_eigenvalues(std::vector<TableCell>& out) {
+  const auto scope = simulation_.system().timings().measure("eigenvalues");
+  Eigenmodes found = modes(parameters_.count + memory_.spare_modes);
+  if (found.values.empty()) return;
+  if (!tracker_.has_started()) tracker_.start(found);
+  std::vector<double> of_first = ratios(found);
+  const bool is_lost = std::ranges::any_of(of_first, [](double ratio) { return std::isnan(ratio); });
+  constexpr int of_one_fragment = 3;  // rigid motions that may have come below it
+  if (is_lost && memory_.spare_modes == 0) {
+    memory_.spare_modes = of_one_fragment;
+    if (Eigenmodes more = modes(parameters_.count + memory_.spare_modes); !more.values.empty()) {
+      found = std::move(more);
+      of_first = ratios(found);
+    }
+  }
+  const std::size_t count = std::min(found.values.size(), static_cast<std::size_t>(parameters_.count));
+  std::int64_t rigid = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(parameters_.count); ++i)
+    out.emplace_back(i < count ? found.values[i] : unknown);
+  of_first.resize(static_cast<std::size_t>(parameters_.count), unknown);
+  for (const double ratio : of_first) out.emplace_back(ratio);
+  for (std::size_t i = 0; i < count; ++i) rigid += is_rigid(found, i);
+  out.emplace_back(rigid);
+  found.shapes.resize(count);
+  shapes_ = std::move(found.shapes);
 }
 
 }  // namespace dda

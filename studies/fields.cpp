@@ -1,6 +1,7 @@
 #include "studies/fields.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "models/loading.hpp"
@@ -124,6 +125,19 @@ void Fields::add_blocks(const State& state, Snapshot& out) const {
   out.fields.push_back(std::move(stress));
 }
 
+/// A shape has no size of its own: its largest displacement becomes 1.
+StoredField Fields::mode_of_blocks(const std::vector<double>& shape, std::size_t number) const {
+  StoredField out = displacement_of_blocks({shape, 0});
+  out.name = "mode_" + std::to_string(number);
+  out.unit = "";
+  double largest = 0;
+  for (std::size_t i = 0; i + 1 < out.values.size(); i += 2)
+    largest = std::max(largest, std::hypot(out.values[i], out.values[i + 1]));
+  if (largest > 0)
+    for (double& value : out.values) value /= largest;
+  return out;
+}
+
 void Fields::add_points(const StoredState& at, Snapshot& out) const {
   Interface here = interface_at(at);
   const std::string stress = label(dimension::stress, units_);
@@ -140,6 +154,7 @@ Snapshot Fields::snapshot(const StoredState& at) const {
                .numbers = {{"load_factor", at.state.load_factor}},
                .fields = {}};
   add_blocks(at.state, out);
+  for (std::size_t i = 0; i < at.modes.size(); ++i) out.fields.push_back(mode_of_blocks(at.modes[i], i + 1));
   if (!segments_.empty()) add_points(at, out);
   return out;
 }

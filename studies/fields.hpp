@@ -15,11 +15,13 @@ struct StoredState {
   int step = 0;
   State state;
   std::vector<History> history;
+  std::vector<std::vector<double>> modes = {};  ///< shapes φ, where they were computed
 };
 
 /// Turns a state into the fields of `run.h5`.
 ///
 ///     blocks     displacement (vertices), strain ε, stress C ε + σ0(λ)
+///     modes      φ_1, φ_2, … as displacements (vertices), the largest of each 1
 ///     points     jump g = [u] (n, s),  opening w = q − P⁻¹ t,  traction t,  damage
 ///
 /// Interface points are the active ones (they can crack, or iterate a multiplier); each owns an equal piece
@@ -48,6 +50,7 @@ class Fields {
   void add_blocks(const State& state, Snapshot& out) const;
   void add_points(const StoredState& at, Snapshot& out) const;
   StoredField displacement_of_blocks(const State& state) const;
+  StoredField mode_of_blocks(const std::vector<double>& shape, std::size_t number) const;
   StoredField displacement_of_segments(const State& state) const;
 
   const Body& body_;

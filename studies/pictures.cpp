@@ -6,9 +6,12 @@
 #include <cmath>
 
 #include "framework/output/svg/drawing.hpp"
+#include "studies/stability_pictures.hpp"
 
 namespace dda {
 namespace {
+
+namespace fs = std::filesystem;
 
 std::string with_unit(const std::string& name, const std::string& unit) {
   return unit.empty() ? name : fmt::format("{} [{}]", name, unit);
@@ -22,7 +25,7 @@ svg::Panel panel(const CsvTable& curve, const Measures& measures, const RunMemor
                  .y_label = with_unit("load", measures.load_unit()),
                  .series = {},
                  .markers = {}};
-  out.series.push_back({"", curve.numbers(column.name), curve.numbers("load")});
+  out.series = by_stability(curve, column.name, "load");
   if (memory.peak.step > 0)
     out.markers.push_back({memory.peak.values[gauge], memory.peak.load,
                            fmt::format("limit point, {:.4g} {}", memory.peak.load, measures.load_unit())});
@@ -38,11 +41,24 @@ svg::Panel energy_panel(const CsvTable& curve, const Measures& measures) {
           .markers = {}};
 }
 
+/// The branch that was not taken.
+void add_primary(const fs::path& file, const std::string& gauge, svg::Panel& panel) {
+  if (!fs::exists(file)) return;
+  const CsvTable primary = read_csv(file);
+  constexpr int black = 6;
+  panel.series.insert(panel.series.begin(), {.name = "without switching",
+                                             .x = primary.numbers(gauge),
+                                             .y = primary.numbers("load"),
+                                             .colour = black});
+}
+
 svg::Figure curves(const RunFolder& folder, const Measures& measures, const RunMemory& memory) {
   const CsvTable curve = read_csv(folder.file("curve.csv"));
   svg::Figure out;
-  for (const std::size_t gauge : measures.displacements())
+  for (const std::size_t gauge : measures.displacements()) {
     out.panels.push_back(panel(curve, measures, memory, gauge));
+    add_primary(folder.file("primary") / "curve.csv", measures.names()[gauge].name, out.panels.back());
+  }
   if (out.panels.empty()) out.panels.push_back(energy_panel(curve, measures));
   return out;
 }

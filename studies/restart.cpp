@@ -29,6 +29,15 @@ std::vector<Vec2> vectors(const Numbers& flat) {
   return out;
 }
 
+/// Shapes of one size, cut out of one array.
+std::vector<Numbers> shapes(const Numbers& flat, std::size_t size) {
+  std::vector<Numbers> out;
+  for (std::size_t i = 0; i + size <= flat.size(); i += size)
+    out.emplace_back(flat.begin() + static_cast<std::ptrdiff_t>(i),
+                     flat.begin() + static_cast<std::ptrdiff_t>(i + size));
+  return out;
+}
+
 /// Numbers that a point's history is written as.
 constexpr std::size_t history_numbers = 15;
 
@@ -59,6 +68,7 @@ void put(RestartData& data, const std::string& name, const StoredState& at) {
   data.numbers[name + ".multipliers"] = flat(at.state.multipliers);
   Numbers& history = data.numbers[name + ".history"];
   for (const History& h : at.history) append(h, history);
+  data.numbers[name + ".modes"] = flat(at.modes);
   data.integers[name + ".step"] = {at.step};
 }
 
@@ -70,6 +80,7 @@ StoredState take_state(const RestartData& data, const std::string& name) {
   const Numbers& history = data.numbers.at(name + ".history");
   for (std::size_t i = 0; i + history_numbers <= history.size(); i += history_numbers)
     out.history.push_back(history_from(history.data() + i));
+  out.modes = shapes(data.numbers.at(name + ".modes"), out.state.d.size());
   return out;
 }
 
@@ -98,7 +109,7 @@ Measurement take_measurement(const RestartData& data, const std::string& name) {
 void put(RestartData& data, const PathMemory& m) {
   data.numbers["path"] = {m.peak_load,   m.step,  m.largest_displacement, m.jump_energy, m.last_quantum,
                           m.unaccounted, m.driver};
-  data.integers["path.counts"] = {m.direction, m.leg, m.leg_start};
+  data.integers["path.counts"] = {m.direction, m.leg, m.leg_start, m.surplus};
   data.texts["path.step_control"] = {m.step_control};
 }
 
@@ -114,7 +125,8 @@ PathMemory take_path(const RestartData& data) {
           .unaccounted = n.at(5),
           .driver = n.at(6),
           .leg = static_cast<int>(data.integers.at("path.counts").at(1)),
-          .leg_start = static_cast<int>(data.integers.at("path.counts").at(2))};
+          .leg_start = static_cast<int>(data.integers.at("path.counts").at(2)),
+          .surplus = static_cast<int>(data.integers.at("path.counts").at(3))};
 }
 
 void put(RestartData& data, const Tangent& leaving) {
@@ -143,8 +155,14 @@ void put(RestartData& data, const std::string& name, const LinearSystem& linear)
 void put(RestartData& data, const Walker& walker) {
   const Candidate& here = walker.here();
   put(data, "here", StoredState{walker.effort().accepted, here.state, walker.system().history()});
-  data.numbers["walker"] = {here.dissipated, here.stored,   here.work,
-                            here.load,       here.residual, walker.system().highest_force_level()};
+  data.numbers["walker"] = {here.dissipated,
+                            here.stored,
+                            here.work,
+                            here.load,
+                            here.residual,
+                            walker.system().highest_force_level(),
+                            here.arriving.load_factor};
+  if (here.num_negative) data.integers["num_negative"] = {*here.num_negative};
   put(data, walker.leaving());
   const Effort& effort = walker.effort();
   data.integers["effort"] = {effort.accepted,
@@ -190,14 +208,19 @@ void restore_walker(const RestartData& data, Walker& walker) {
     restore_linear(data, "path_linear", walker.system().path_linear());
   StoredState here = take_state(data, "here");
   const Numbers& n = data.numbers.at("walker");
-  const Candidate at{.state = here.state,
-                     .history = here.history,
-                     .arriving = {},
-                     .dissipated = n.at(0),
-                     .stored = n.at(1),
-                     .work = n.at(2),
-                     .load = n.at(3),
-                     .residual = n.at(4)};
+  Tangent arriving;
+  arriving.load_factor = n.at(6);
+  Candidate at{.state = here.state,
+               .history = here.history,
+               .arriving = arriving,
+               .dissipated = n.at(0),
+               .stored = n.at(1),
+               .work = n.at(2),
+               .load = n.at(3),
+               .residual = n.at(4),
+               .num_negative = {}};
+  if (const auto found = data.integers.find("num_negative"); found != data.integers.end())
+    at.num_negative = static_cast<int>(found->second.at(0));
   walker.system().restore_force_level(n.at(5));
   walker.restore(at, here.history, take_effort(data), take_leaving(data));
 }
@@ -213,8 +236,13 @@ RestartData restart_data(const Simulation& simulation, const RunMemory& memory, 
   put(out, "peak", memory.peak);
   if (memory.peak_state) put(out, "peak_state", *memory.peak_state);
   const auto spent = static_cast<std::int64_t>(simulation.system().linear().num_factorisations());
-  out.numbers["run"] = {memory.largest_gap, memory.first_stiffness};
-  out.integers["run"] = {memory.last_step, memory.is_peak_stored, memory.num_factorisations + spent};
+  out.numbers["run"] = {memory.largest_gap, memory.indicator.first_stiffness};
+  out.numbers["modes.first_values"] = memory.indicator.modes.first_values;
+  out.numbers["modes.shapes"] = flat(memory.indicator.modes.shapes);
+  out.texts["events"] = {memory.events.dump()};
+  out.texts["stiffness"] = {memory.stiffness.numbers.dump(), memory.stiffness.text};
+  out.integers["run"] = {memory.last_step, memory.is_peak_stored, memory.num_factorisations + spent,
+                         memory.indicator.spare_modes};
   out.texts["control"] = {to_yaml(simulation.deck().path.control.echo())};
   out.texts["deck.text"] = {deck.text};
   out.texts["deck.path"] = {fs::absolute(deck.path).string()};
@@ -248,7 +276,13 @@ RunMemory restore(const RestartData& data, const fs::path& folder, Simulation& s
                 .peak = take_measurement(data, "peak"),
                 .peak_state = {},
                 .is_peak_stored = run.at(1) != 0,
-                .first_stiffness = data.numbers.at("run").at(1),
+                .indicator = {data.numbers.at("run").at(1),
+                              {data.numbers.at("modes.first_values"),
+                               shapes(data.numbers.at("modes.shapes"), simulation.walker().state().d.size())},
+                              static_cast<int>(run.at(3))},
+                .events = nlohmann::ordered_json::parse(data.texts.at("events").at(0)),
+                .stiffness = {nlohmann::ordered_json::parse(data.texts.at("stiffness").at(0)),
+                              data.texts.at("stiffness").at(1)},
                 .largest_gap = data.numbers.at("run").at(0)};
   if (data.numbers.contains("peak_state.d")) out.peak_state = take_state(data, "peak_state");
   out.num_factorisations =

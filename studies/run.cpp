@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 
 #include "framework/output/interrupt.hpp"
@@ -41,24 +42,33 @@ void begin(std::optional<MpiSession>& mpi, Timings& timings) {
   mpi.emplace();
 }
 
-/// Follows the path to its end; `obstacle` says why it cannot even begin.
-RunResult follow(Simulation& simulation, const RunFolder& folder, RunRecorder& recorder, Timings& timings,
-                 const std::string& obstacle, bool quiet) {
-  Ending ending{Ending::Kind::stopped_early, obstacle};
-  if (obstacle.empty()) {
-    Progress progress = Progress::for_stream(stderr, quiet);
-    Path& path = simulation.path();
-    path.interrupt_when(interrupted);
-    const auto scope = timings.measure("path");
-    for (const Point& point : path) {
-      recorder.record(point);
-      progress.show(recorder.progress());
-    }
-    ending = path.ending();
-    progress.finish();
+/// Follows the branch that the path has left by switching, in a folder inside that of the run.
+void follow_primary(const DeckFile& deck, const RunFolder& folder, std::optional<MpiSession>& mpi) {
+  std::vector<std::string> overrides = deck.overrides;
+  overrides.emplace_back("path.branch=follow");
+  const RunOptions options{.folder = folder.file("primary"), .overwrite = true, .quiet = true};
+  run_deck(deck_from_text(deck.text, deck.path, overrides), options, mpi);
+}
+
+bool has_switched(const RunMemory& memory) {
+  return std::ranges::any_of(memory.events, [](const auto& event) { return event.contains("switched"); });
+}
+
+/// Follows the path to its end.
+Ending follow(Simulation& simulation, RunRecorder& recorder, bool quiet) {
+  Progress progress = Progress::for_stream(stderr, quiet);
+  Path& path = simulation.path();
+  path.interrupt_when(interrupted);
+  for (const Point& point : path) {
+    recorder.record(point);
+    progress.show(recorder.progress());
   }
-  RunResult out{folder.path(), ending, recorder.finish(ending), recorder.measures(), recorder.trace()};
-  return out;
+  progress.finish();
+  return path.ending();
+}
+
+RunResult conclude(const RunFolder& folder, RunRecorder& recorder, const Ending& ending) {
+  return {folder.path(), ending, recorder.finish(ending), recorder.measures(), recorder.trace()};
 }
 
 /// The files that a continued run goes on with.
@@ -74,7 +84,8 @@ void copy_run(const fs::path& from, const RunFolder& to) {
 
 /// The conclusions of a run that goes on are not those of the whole.
 void remove_conclusions(const RunFolder& folder) {
-  for (const char* name : {"summary.json", "curve.svg", "deformed.svg"}) {
+  for (const char* name : {"summary.json", "curve.svg", "deformed.svg", "eigenvalues.svg", "modes.svg",
+                           "stiffness.txt", "stiffness.json"}) {
     std::error_code ignored;
     fs::remove(folder.file(name), ignored);
   }
@@ -96,7 +107,13 @@ RunResult run_deck(const DeckFile& deck, const RunOptions& options, std::optiona
   simulation.walker().effort().accepted = 0;  // steps are counted along the path
   simulation.begin_path();
   RunRecorder recorder(folder, simulation, deck, effective, timings);
-  return follow(simulation, folder, recorder, timings, obstacle, options.quiet);
+  Ending ending{Ending::Kind::stopped_early, obstacle};
+  if (obstacle.empty()) {
+    const auto scope = timings.measure("path");
+    ending = follow(simulation, recorder, options.quiet);
+    if (has_switched(recorder.memory()) && !interrupted()) follow_primary(deck, folder, mpi);
+  }
+  return conclude(folder, recorder, ending);
 }
 
 RunResult resume_run(const fs::path& existing, const std::vector<std::string>& overrides,
@@ -118,7 +135,10 @@ RunResult resume_run(const fs::path& existing, const std::vector<std::string>& o
   const std::string effective = effective_deck(deck);
   write_decks(folder, deck, effective);
   RunRecorder recorder(folder, simulation, deck, effective, timings, memory);
-  return follow(simulation, folder, recorder, timings, "", options.quiet);
+  const auto scope = timings.measure("path");
+  const Ending ending = follow(simulation, recorder, options.quiet);
+  if (has_switched(recorder.memory()) && !interrupted()) follow_primary(deck, folder, mpi);
+  return conclude(folder, recorder, ending);
 }
 
 std::string last_line(const RunResult& result) {

@@ -4,8 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "studies/failure_indicator.hpp"
 #include "studies/fields.hpp"
 #include "studies/measures.hpp"
+#include "studies/stiffness_record.hpp"
 
 namespace dda {
 
@@ -17,7 +19,9 @@ struct RunMemory {
   std::optional<StoredState>
       peak_state;  ///< fields of the peak; `is_peak_stored` says whether run.h5 has them
   bool is_peak_stored = true;
-  double first_stiffness = 0;        ///< of the load against its displacement, at the start
+  IndicatorMemory indicator;
+  nlohmann::ordered_json events = nlohmann::ordered_json::array();  ///< located so far, see PathEvents
+  StiffnessRecord stiffness = {};                                   ///< of the start, where it is asked for
   double largest_gap = 0;            ///< that iterated multipliers left in a step
   long long num_factorisations = 0;  ///< of the processes before this one
 };

@@ -7,10 +7,13 @@
 #include "studies/pictures.hpp"
 #include "studies/profile.hpp"
 #include "studies/restart.hpp"
+#include "studies/stability_pictures.hpp"
 #include "studies/summary.hpp"
 
 namespace dda {
 namespace {
+
+namespace fs = std::filesystem;
 
 /// What a run may lose when it is killed or the machine goes down; a shorter run is sooner repeated [s].
 constexpr double bearable_loss = 1.0;
@@ -58,9 +61,10 @@ RunRecorder::RunRecorder(const RunFolder& folder, Simulation& simulation, const 
       effective_(std::move(effective)),
       timings_(timings),
       measures_(measures_of(simulation)),
-      indicator_(simulation, deck.deck.record.eigenvalues, memory ? memory->first_stiffness : 0),
+      indicator_(simulation, memory ? memory->indicator : IndicatorMemory{}),
       fields_(simulation.body(), simulation.deck(), simulation.equilibrium(), simulation.deck().units),
       memory_(memory.value_or(RunMemory{})),
+      events_(measures_, simulation.walker(), memory_.last_step, memory_.events),
       log_(folder.file("log.jsonl"), memory ? FileWriter::Mode::append : FileWriter::Mode::create),
       curve_(open_curve(folder, measures_, indicator_, memory)),
       results_(open_results(folder, fields_, texts_of(deck, effective_), memory)) {
@@ -84,33 +88,56 @@ void RunRecorder::start() {
       {{"version", provenance().version}, {"deck", deck_.path.string()}, {"overrides", deck_.overrides}});
   for (const std::string& notice : simulation_.notices()) log_.warning("notice", {{"text", notice}});
   memory_.start = memory_.peak = last_ = measures_.measure(simulation_.walker(), 0, "start", 0);
-  append_row(last_);
+  Point point;
+  simulation_.path().judge(point);
+  append_row(last_, point);
+  if (simulation_.deck().record.eigenvalues.count > 0) store_here();
+  if (simulation_.deck().record.stiffness) memory_.stiffness = stiffness_record(simulation_);
 }
 
-void RunRecorder::append_row(const Measurement& now) {
+/// At the start, which a continued run remembers, and at the end.
+void RunRecorder::write_stiffness() const {
+  const StiffnessRecord end = stiffness_record(simulation_);
+  const auto& [numbers, text] = memory_.stiffness;
+  write_whole(folder_.file("stiffness.txt"), "Start\n" + text + "\nEnd\n" + end.text, Flush::to_system);
+  const nlohmann::ordered_json both{{"start", numbers}, {"end", end.numbers}};
+  write_whole(folder_.file("stiffness.json"), both.dump() + "\n", Flush::to_system);
+}
+
+void RunRecorder::append_row(const Measurement& now, const Point& point) {
   std::vector<TableCell> cells = Measures::cells(now);
-  std::ranges::copy(indicator_.cells(now.step), std::back_inserter(cells));
-  memory_.first_stiffness = indicator_.first_stiffness();
+  const auto of_indicator =
+      indicator_.cells({now.step, events_here_, point.num_negative, point.num_negative_under_control});
+  std::ranges::copy(of_indicator, std::back_inserter(cells));
+  memory_.indicator = indicator_.memory();
   curve_.append(cells);
 }
 
 StoredState RunRecorder::here() const {
-  return {memory_.last_step, simulation_.walker().state(), simulation_.system().history()};
+  return {memory_.last_step, simulation_.walker().state(), simulation_.system().history(),
+          indicator_.shapes()};
 }
 
+/// Modes that were computed because of an event are kept, those of every step with the fields only.
 bool RunRecorder::is_due(const Point& point) const {
-  const int every = simulation_.deck().record.fields_every;
-  return !point.landed.empty() || (every > 0 && point.step % every == 0);
+  const RecordParameters& record = simulation_.deck().record;
+  const bool of_event = std::ranges::any_of(record.eigenvalues.at,
+                                            [&](EventKind event) { return events_here_.contains(event); });
+  return !point.landed.empty() || (record.eigenvalues.count > 0 && of_event) ||
+         (record.fields_every > 0 && point.step % record.fields_every == 0);
 }
 
 void RunRecorder::record(const Point& point) {
   const auto scope = timings_.measure("output");
   const Measurement now =
       measures_.measure(simulation_.walker(), point.step, point.control, point.newton_iterations);
-  keep_peak(point, now);
   memory_.last_step = point.step;
   last_ = now;
-  append_row(now);
+  events_here_ =
+      events_.add(point, simulation_.walker(), simulation_.path().ending().kind != Ending::Kind::running);
+  memory_.events = events_.list();
+  append_row(now, point);
+  keep_peak(point, now);
   log_step(point, now);
   trace_.push_back(trace_point(simulation_.walker(), measures_));
   if (!is_due(point)) return;
@@ -126,7 +153,7 @@ Flush RunRecorder::durability() const {
 void RunRecorder::keep_peak(const Point& point, const Measurement& now) {
   if (point.is_highest) {
     memory_.peak = now;
-    memory_.peak_state = {point.step, simulation_.walker().state(), simulation_.system().history()};
+    memory_.peak_state = here();
     memory_.is_peak_stored = false;
   } else if (!memory_.is_peak_stored) {
     store(*memory_.peak_state);
@@ -177,6 +204,9 @@ nlohmann::ordered_json RunRecorder::finish(const Ending& ending) {
     write_restart_file();
     const auto inner = timings_.measure("figures");
     write_pictures(folder_, fields_, measures_, memory_, here());
+    if (deck_.deck.record.eigenvalues.count > 0)
+      write_stability_pictures(folder_, results_, fields_, measures_);
+    if (deck_.deck.record.stiffness) write_stiffness();
   }
   log_.info("ended", {{"status", status_of(ending)}, {"reason", ending.reason}});
   out = summarise(simulation_, memory_, measures_, ending);
@@ -184,6 +214,13 @@ nlohmann::ordered_json RunRecorder::finish(const Ending& ending) {
   if (deck_.deck.record.condition) {
     const auto scope = timings_.measure("stiffness quality");
     out["stiffness"] = stiffness_quality(simulation_);
+  }
+  if (const auto primary = folder_.file("primary") / "summary.json"; fs::exists(primary)) {
+    const auto other = nlohmann::ordered_json::parse(read_whole(primary));
+    out["without_switching"] = {{"folder", "primary"},
+                                {"status", other["status"]},
+                                {"peak", other["peak"]},
+                                {"dissipated_energy", other["dissipated_energy"]}};
   }
   out["timings"] = to_json(timings_);
   out["profile"] = profile_of(timings_, simulation_);

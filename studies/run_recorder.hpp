@@ -41,9 +41,10 @@ class RunRecorder {
   void store(const StoredState& at);
   void store_here();
   void write_restart_file();
+  void write_stiffness() const;
   Flush durability() const;
   void log_step(const Point& point, const Measurement& now);
-  void append_row(const Measurement& now);
+  void append_row(const Measurement& now, const Point& point);
   bool is_due(const Point& point) const;
   StoredState here() const;
 
@@ -56,6 +57,8 @@ class RunRecorder {
   FailureIndicator indicator_;
   Fields fields_;
   RunMemory memory_;
+  PathEvents events_;
+  std::set<EventKind> events_here_;
   Log log_;
   CurveTable curve_;
   ResultsFile results_;

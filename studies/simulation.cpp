@@ -5,6 +5,7 @@
 #include "continuation/dead_load.hpp"
 #include "continuation/linear/matrix_quality.hpp"
 #include "framework/suggestion.hpp"
+#include "studies/stiffness_record.hpp"
 
 namespace dda {
 namespace {
@@ -52,6 +53,12 @@ Simulation::Simulation(const Deck& deck, Timings& timings) : deck_(deck), timing
         deck.where,
         "record.eigenvalues: with the unknown multipliers of 'lagrange' the stiffness has eigenvalues that "
         "are not the structure's; use another treatment");
+  if (deck.record.stiffness && (equilibrium_->num_blocks() > StiffnessRecord::most_blocks ||
+                                equilibrium_->num_unknown_multipliers() > 0))
+    throw InputError(deck.where,
+                     fmt::format("record.stiffness: for at most {} blocks, and not with the unknown "
+                                 "multipliers of 'lagrange'",
+                                 StiffnessRecord::most_blocks));
   deck.path.control.make(gauges_);  // a control that names no known gauge is found before anything is solved
   landings();
   legs();

@@ -98,6 +98,10 @@ Json summarise(const Simulation& simulation, const RunMemory& memory, const Meas
     out["largest_gap"] = memory.largest_gap;
   }
   out["peak"] = peak_of(memory, measures);
+  out["external_work"] = end.work;
+  out["stored_energy"] = end.stored;
+  out["dissipated_energy"] = end.dissipated;
+  out["events"] = memory.events;
   out["energy_balance_error"] = energy_balance_error(memory.start, end, jump_energy);
   out["energy_balance_scatter"] =
       end.work == 0 ? 0.0 : simulation.path().memory().unaccounted / std::abs(end.work);

@@ -6,6 +6,8 @@
 #include <functional>
 #include <utility>
 
+#include "continuation/linear/dense_inertia.hpp"
+
 namespace dda {
 
 namespace {
@@ -203,9 +205,9 @@ std::optional<int> LinearSystem::num_negative_eigenvalues() const {
     for (std::size_t b = 0; b < e.size(); ++b)
       small(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b)) =
           v[a].second.dot(g_.block<2, 2>(v[a].first, v[b].first) * v[b].second) + (a == b ? 1 / e[a] : 0);
-  if (r == 0) return out;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> all(small, Eigen::EigenvaluesOnly);
-  return out + static_cast<int>((all.eigenvalues().array() > 0).count());
+  const auto positive = num_positive_eigenvalues(std::move(small));
+  if (!positive) return {};
+  return out + *positive;
 }
 
 void LinearSystem::keep_solutions_of(std::vector<double> reference, std::vector<double> dead) {

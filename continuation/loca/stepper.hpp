@@ -31,6 +31,7 @@ struct MultiplierParameters {
 struct StepperParameters {
   NewtonParameters newton;
   MultiplierParameters multipliers;
+  bool stability = true;  ///< count the negative eigenvalues of every equilibrium that is tried
   Node nox, loca;
 };
 

@@ -29,6 +29,8 @@ class Driver {
   virtual Move next(Walker& walker) = 0;
   /// Why this driver cannot go along this direction although equilibria do; "" when it can.
   virtual std::string obstacle(const Tangent&) { return {}; }
+  /// Rate, along a direction, of what is prescribed; positive where the control goes on.
+  virtual double prescribed_rate(const Tangent&) const { return 1; }
   /// What stays while points are released at once; nothing = their own opening.
   virtual std::optional<Functional> held_in_release() const { return {}; }
   /// Load increments with everything beyond its strength released, in units of the load at the first crack; 0

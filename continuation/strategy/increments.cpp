@@ -15,6 +15,7 @@ class LoadIncrements final : public Driver {
 
   Move next(Walker& walker) override { return event_move(walker); }
   double load_increment() const override { return increment_; }
+  double prescribed_rate(const Tangent& along) const override { return along.load_factor; }
 
  private:
   double increment_;

@@ -32,6 +32,9 @@ class GaugeDriver final : public Driver {
                : fmt::format("'{}' snaps back here: {} control cannot follow; use `staged` or `arc_length`",
                              name_, control_);
   }
+  double prescribed_rate(const Tangent& along) const override {
+    return direction_ == 0 ? 1 : along.rate(gauge_) * direction_;
+  }
   std::optional<Functional> held_in_release() const override { return gauge_; }
   double memory() const override { return direction_; }
   void restore(double direction) override { direction_ = direction; }

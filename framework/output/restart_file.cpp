@@ -13,7 +13,7 @@ namespace dda {
 namespace {
 
 constexpr const char* format_name = "ddapath restart";
-constexpr std::int64_t format_version = 2;
+constexpr std::int64_t format_version = 3;
 
 /// 64-bit FNV-1a over names, sizes and bytes. Source: Fowler, Noll, Vo, RFC draft-eastlake-fnv.
 class Checksum {

@@ -229,6 +229,20 @@ std::vector<int> ResultsFile::steps() const {
   return numbers;
 }
 
+bool ResultsFile::has(int step, const std::string& field) const {
+  const auto entry = std::ranges::find(steps_, step, &StepEntry::step);
+  return entry != steps_.end() &&
+         std::ranges::find(entry->fields, field, &FieldEntry::name) != entry->fields.end();
+}
+
+std::vector<double> ResultsFile::numbers(int step, const std::string& field) const {
+  try {
+    return Hdf5File::open(path_, Hdf5File::Access::read).numbers(group_of(step) + "/" + field);
+  } catch (const Hdf5Error& error) {
+    throw OutputError(fmt::format("cannot read '{}' again: {}", path_.string(), error.what()));
+  }
+}
+
 void ResultsFile::write_xdmf() const {
   // It can be made again from run.h5, so a power failure need not be waited for.
   write_whole(fs::path(path_).replace_extension(".xdmf"),

@@ -71,6 +71,9 @@ class ResultsFile {
   void set_patience(std::chrono::milliseconds patience) { patience_ = patience; }
   const std::filesystem::path& path() const { return path_; }
   std::vector<int> steps() const;
+  /// Whether a stored step has a field, and its numbers, row-major and three wide where two were given.
+  bool has(int step, const std::string& field) const;
+  std::vector<double> numbers(int step, const std::string& field) const;
 
   /// What run.xdmf says about one field and one step.
   struct FieldEntry {

@@ -53,7 +53,7 @@ def cases(file):
 def as_namespace(value):
     if isinstance(value, dict):
         return SimpleNamespace(**{name.replace(" ", "_"): as_namespace(item) for name, item in value.items()})
-    return value
+    return [as_namespace(item) for item in value] if isinstance(value, list) else value
 
 
 def rows(file):

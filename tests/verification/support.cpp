@@ -27,7 +27,10 @@ Traced traced(const Simulation& simulation, const Point& point) {
              .dissipated = here.dissipated,
              .stored = here.stored,
              .work = here.work,
-             .gauges = {}};
+             .gauges = {},
+             .negative = point.num_negative.value_or(-1),
+             .negative_under_control = point.num_negative_under_control.value_or(-1),
+             .switched = point.switched};
   for (const NamedGauge& gauge : simulation.gauges().gauges)
     out.gauges[gauge.name] = simulation.walker().value(gauge.functional);
   return out;

@@ -26,9 +26,11 @@ struct Structure {
 struct Traced {
   std::string control;
   State state;
-  double load = 0;                              ///< load gauge
-  double dissipated = 0, stored = 0, work = 0;  ///< [F L]
-  std::map<std::string, double> gauges;         ///< by deck name
+  double load = 0;                                 ///< load gauge
+  double dissipated = 0, stored = 0, work = 0;     ///< [F L]
+  std::map<std::string, double> gauges;            ///< by deck name
+  int negative = -1, negative_under_control = -1;  ///< eigenvalues, −1 when unknown
+  bool switched = false;
 };
 
 /// A path followed to its end.

@@ -11,7 +11,7 @@ namespace dda::svg {
 namespace {
 
 constexpr double small = 10, normal = 11.5, large = 14;  // font sizes [px]
-constexpr double margin = 16, most_width = 680, most_height = 460, bar_width = 14;
+constexpr double margin = 16, bar_width = 14;
 constexpr double least_height = 120;  // a colour bar needs that much
 
 /// Values and what they look like.
@@ -30,19 +30,23 @@ struct Scale {
 /// From the plane to the picture: equal scale, y upwards, centred in a frame.
 class View {
  public:
-  View(const Range& x, const Range& y) : x_(x), y_(y) {
+  View(const Range& x, const Range& y, const Drawing& drawing) : x_(x), y_(y) {
     const double width = std::max(x.high - x.low, 1e-300), height = std::max(y.high - y.low, 1e-300);
-    scale_ = std::min(most_width / width, most_height / height);
+    scale_ = std::min(drawing.width / width, drawing.height / height);
     frame_ = {margin, margin, std::max(width * scale_, 2 * least_height),
               std::max(height * scale_, least_height)};
   }
 
   const Box& frame() const { return frame_; }
   void move_down(double more) { frame_.y += more; }
+  double across(const Vec2& point) const {
+    return frame_.x + frame_.width / 2 + scale_ * (point.x() - x_.low - (x_.high - x_.low) / 2);
+  }
+  double down(const Vec2& point) const {
+    return frame_.y + frame_.height / 2 - scale_ * (point.y() - y_.low - (y_.high - y_.low) / 2);
+  }
   std::string place(const Vec2& point) const {
-    const double x = frame_.x + frame_.width / 2 + scale_ * (point.x() - x_.low - (x_.high - x_.low) / 2);
-    const double y = frame_.y + frame_.height / 2 - scale_ * (point.y() - y_.low - (y_.high - y_.low) / 2);
-    return coordinate(x) + " " + coordinate(y);
+    return coordinate(across(point)) + " " + coordinate(down(point));
   }
 
  private:
@@ -62,7 +66,8 @@ View view_of(const Drawing& drawing) {
     include(stroke.start);
     include(stroke.end);
   }
-  return {x, y};
+  for (const Note& note : drawing.notes) include(note.at);
+  return {x, y, drawing};
 }
 
 template <class Shape>
@@ -154,7 +159,8 @@ std::string to_svg(const Drawing& drawing) {
   View view = view_of(drawing);
   const Scale fill = scale_of(drawing.polygons, drawing.polygon_label, ColourMap::viridis);
   const Scale line = scale_of(drawing.strokes, drawing.stroke_label, ColourMap::crack);
-  view.move_down((drawing.title.empty() ? 0 : large + 10) + (fill.shown() || line.shown() ? 14 : 0));
+  view.move_down((drawing.title.empty() ? 0 : large + 10) + (fill.shown() || line.shown() ? 14 : 0) +
+                 (drawing.notes.empty() ? 0 : 2 * small));
   const Box& frame = view.frame();
   double right = frame.right();
   for (const Scale* scale : {&fill, &line}) {
@@ -164,6 +170,8 @@ std::string to_svg(const Drawing& drawing) {
               {large, Anchor::start, true});
   paint_polygons(canvas, view, drawing, fill);
   paint_strokes(canvas, view, drawing, line);
+  for (const Note& note : drawing.notes)
+    canvas.text(view.across(note.at), view.down(note.at), note.text, {small, Anchor::middle});
   if (drawing.polygons.empty() && drawing.strokes.empty()) {
     canvas.text(frame.x + frame.width / 2, frame.y + frame.height / 2, "nothing to draw",
                 {normal, Anchor::middle});

@@ -20,6 +20,12 @@ struct Stroke {
   double width = 1.5;
 };
 
+/// A short text centred at a place.
+struct Note {
+  Vec2 at;
+  std::string text;
+};
+
 /// A plane picture at equal scale in x and y: filled polygons below, coloured segments above.
 /// An empty label means no colour bar: polygons are then pale grey, strokes dark red.
 struct Drawing {
@@ -28,6 +34,8 @@ struct Drawing {
   std::string polygon_label;  ///< quantity and unit, such as "σ_xx [MPa]"
   std::vector<Stroke> strokes;
   std::string stroke_label;
+  std::vector<Note> notes = {};
+  double width = 680, height = 460;  ///< room for the picture [px]
 };
 
 /// The drawing as a self-contained SVG text on white: polygons in viridis, strokes from dark red to yellow.

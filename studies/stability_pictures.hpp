@@ -1,0 +1,22 @@
+#pragma once
+
+#include "framework/output/results_file.hpp"
+#include "framework/output/run_folder.hpp"
+#include "framework/output/svg/plot.hpp"
+#include "studies/fields.hpp"
+#include "studies/measures.hpp"
+
+namespace dda {
+
+/// A curve in pieces by its stability: solid where it is stable under dead load, dashed where it is so only
+/// while the control holds what it prescribes, dashed in another colour where it is not even then. One series
+/// where the curve does not tell. The columns are those of curve.csv.
+std::vector<svg::Series> by_stability(const CsvTable& curve, const std::string& x, const std::string& y);
+
+/// Of a run with eigenvalues: eigenvalues.svg, μ/μ₀ of the tracked modes and the current stiffness over the
+/// path; and, up to `most_blocks` blocks, modes.svg, the shapes at the stored stages (rows) and modes
+/// (columns).
+void write_stability_pictures(const RunFolder& folder, const ResultsFile& results, const Fields& fields,
+                              const Measures& measures);
+
+}  // namespace dda
