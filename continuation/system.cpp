@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "continuation/mpi_session.hpp"
+#include "models/stiffness_parts.hpp"
 
 namespace dda {
 
@@ -69,14 +70,32 @@ double System::relative_gap(const LawValues& laws) const {
   return unit > 0 ? gap / unit : 0;
 }
 
+namespace {
+
+/// D̄ = D (1 + (P̄⁻¹ − P⁻¹) D)⁻¹: the joint's own stiffness p̄ in place of the k that carries its multiplier.
+Mat2 with_own_stiffness(const Mat2& d, const InterfacePoint& point) {
+  const Vec2 soft = point.trial_stiffness(), stiff = point.physical_stiffness / point.stiffness * soft;
+  const Mat2 compliance = (stiff.cwiseInverse() - soft.cwiseInverse()).asDiagonal();
+  return d * (Mat2::Identity() + compliance * d).inverse();
+}
+
+}  // namespace
+
 std::vector<Mat2> System::path_tangents(const LawValues& laws) const {
   std::vector<Mat2> out = laws.tangent;
-  for (std::size_t p = 0; p < out.size(); ++p) {
+  for (std::size_t p = 0; p < out.size(); ++p)
+    if (const InterfacePoint& point = equilibrium_.point(p); point.multiplier == Multiplier::iterated)
+      out[p] = with_own_stiffness(out[p], point);
+  return out;
+}
+
+std::vector<Mat2> System::all_tangents(const LawValues& laws, bool is_physical) const {
+  std::vector<Mat2> out = laws.tangent;
+  for (std::size_t p = 0; p < equilibrium_.num_points(); ++p) {
     const InterfacePoint& point = equilibrium_.point(p);
-    if (point.multiplier != Multiplier::iterated) continue;
-    const Vec2 soft = point.trial_stiffness(), stiff = point.physical_stiffness / point.stiffness * soft;
-    const Mat2 compliance = (stiff.cwiseInverse() - soft.cwiseInverse()).asDiagonal();
-    out[p] = laws.tangent[p] * (Mat2::Identity() + compliance * laws.tangent[p]).inverse();
+    if (p >= out.size()) out.emplace_back(point.intact_stiffness().asDiagonal());
+    if (is_physical && point.multiplier != Multiplier::none) out[p] = with_own_stiffness(out[p], point);
+    out[p] = 0.5 * (out[p] + out[p].transpose()).eval();
   }
   return out;
 }
@@ -87,20 +106,18 @@ bool System::use_path_tangent(const LawValues& laws) {
   return physical_->set_tangent(path_tangent_);
 }
 
-BlockMatrix System::path_stiffness(const LawValues& laws, bool is_physical) const {
-  std::vector<Mat2> tangents = path_tangents(laws);
-  for (Mat2& d : tangents) d = 0.5 * (d + d.transpose()).eval();
-  BlockMatrix out = linear_.matrix_with(tangents);
-  if (!is_physical) return out;
-  for (std::size_t p = 0; p < tangents.size(); ++p)
+BlockMatrix System::physical_stiffness(const LawValues& laws) const {
+  BlockMatrix out = block_stiffness(equilibrium_, all_tangents(laws, true));
+  for (std::size_t p = 0; p < laws.tangent.size(); ++p)
     if (laws.is_released(p)) add_stress_energy(out, equilibrium_.point(p));
   return out;
 }
 
-bool System::drops_stresses(const LawValues& laws) const {
+bool System::is_path_physical(const LawValues& laws) const {
+  if (equilibrium_.num_unknown_multipliers() > 0) return false;
   for (std::size_t p = 0; p < laws.tangent.size(); ++p)
-    if (laws.is_released(p) && equilibrium_.point(p).has_stresses()) return true;
-  return false;
+    if (laws.is_released(p) && equilibrium_.point(p).has_stresses()) return false;
+  return true;
 }
 
 Vec2 System::opening_rate(std::size_t p, std::span<const double> d) const {

@@ -78,13 +78,13 @@ class System {
   /// The stiffness by which the path goes on: K, but with the physical stiffness p̄ of joints whose k is only
   /// a device of the iteration, D̄ = D (1 + (P̄⁻¹ − P⁻¹) D)⁻¹. False when it is singular.
   bool use_path_tangent(const LawValues& laws);
-  /// D̄ of every active point.
-  std::vector<Mat2> path_tangents(const LawValues& laws) const;
-  /// The symmetric part of that stiffness as a matrix; as K* on request, without what consistent joints
-  /// subtract at points of which nothing is left.
-  BlockMatrix path_stiffness(const LawValues& laws, bool is_physical) const;
-  /// Whether the two differ.
-  bool drops_stresses(const LawValues& laws) const;
+  /// Tangents of all points, bonds among them, symmetric; with each joint's own stiffness p̄ on request.
+  std::vector<Mat2> all_tangents(const LawValues& laws, bool is_physical) const;
+  /// K*, of the blocks alone: the joints' own stiffness, and nothing left of released points, neither what
+  /// consistent ones subtract.
+  BlockMatrix physical_stiffness(const LawValues& laws) const;
+  /// Whether the path's tangent is that matrix.
+  bool is_path_physical(const LawValues& laws) const;
   LinearSystem& path_linear() { return physical_ ? *physical_ : linear_; }
   const LinearSystem& path_linear() const { return physical_ ? *physical_ : linear_; }
   /// Rate of q at a point when d moves by `d` under the path tangent in use.
@@ -154,6 +154,7 @@ class System {
 
  private:
   void screen_intact_points();
+  std::vector<Mat2> path_tangents(const LawValues& laws) const;
   double block_forces(std::span<const double> d) const;
   std::vector<Vec2> openings(std::span<const double> d, double load_factor) const;
 

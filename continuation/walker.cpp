@@ -60,6 +60,9 @@ void Walker::fill_arriving(Candidate& candidate) {
   if (!parameters_.stability || candidate.arriving.d.empty()) return;
   const auto scope = system_.timings().measure("stability");
   candidate.num_negative = system_.path_linear().num_negative_eigenvalues();
+  // Every unknown multiplier makes the saddle point one more.
+  if (candidate.num_negative)
+    *candidate.num_negative -= static_cast<int>(system_.equilibrium().num_unknown_multipliers());
 }
 
 Candidate Walker::evaluate(const Attempt& attempt) {

@@ -1,49 +1,98 @@
 #include "models/stiffness_parts.hpp"
 
-#include <cassert>
+#include <functional>
 
 namespace dda {
 namespace {
 
 using Matrix = Eigen::MatrixXd;
+/// Adds a 6 × 6 matrix to the block (i, j).
+using Sink = std::function<void(BlockId, BlockId, const Mat6&)>;
 
-Eigen::Index row(BlockId block) { return static_cast<Eigen::Index>(block_unknowns * block.value()); }
-
-/// [a]ᵀ D [b] of both blocks of a point.
-void add_rows(Matrix& to, const InterfacePoint& point, const Mat2& d, const PointRows& rows) {
-  const std::pair<BlockId, Mat26> parts[] = {{point.first, rows.first}, {point.second, rows.second}};
-  for (const auto& [a, left] : parts)
-    for (const auto& [b, right] : parts) to.block<6, 6>(row(a), row(b)) += left.transpose() * d * right;
+void add_strain(const Equilibrium& equilibrium, const Sink& add) {
+  for (std::size_t b = 0; b < equilibrium.num_blocks(); ++b) {
+    Mat6 k = Mat6::Zero();
+    k.block<3, 3>(3, 3) = equilibrium.strain_stiffness()[b];
+    add(BlockId{b}, BlockId{b}, k);
+  }
 }
 
-void add_spring(Matrix& to, const Spring& spring) {
-  for (const auto& [a, left] : spring.displacement.rows)
-    for (const auto& [b, right] : spring.displacement.rows)
-      to.block<6, 6>(row(a), row(b)) += spring.stiffness * left * right.transpose();
+void add_weak_springs(const Equilibrium& equilibrium, const Sink& add) {
+  for (std::size_t b = 0; b < equilibrium.num_blocks(); ++b) {
+    const double size = equilibrium.block_size()[b];
+    Mat6 k = Mat6::Zero();
+    k.diagonal().head<3>() = equilibrium.weak_stiffness() * Vec3(1, 1, size * size);
+    add(BlockId{b}, BlockId{b}, k);
+  }
+}
+
+void add_springs(const std::vector<Spring>& springs, const Sink& add) {
+  for (const Spring& spring : springs)
+    for (const auto& [a, left] : spring.displacement.rows)
+      for (const auto& [b, right] : spring.displacement.rows)
+        add(a, b, spring.stiffness * left * right.transpose());
+}
+
+/// [a]ᵀ D [b] of both blocks of a point.
+void add_rows(const InterfacePoint& point, const Mat2& d, const PointRows& rows, const Sink& add) {
+  const std::pair<BlockId, Mat26> parts[] = {{point.first, rows.first}, {point.second, rows.second}};
+  for (const auto& [a, left] : parts)
+    for (const auto& [b, right] : parts) add(a, b, left.transpose() * d * right);
+}
+
+void add_contacts(const Equilibrium& equilibrium, std::span<const Mat2> tangents, const Sink& add) {
+  for (std::size_t p = 0; p < equilibrium.num_points(); ++p) {
+    const InterfacePoint& point = equilibrium.point(p);
+    add_rows(point, point.weight * tangents[p], point.rows, add);
+    if (!point.has_stresses()) continue;
+    const Vec2 subtracted = -point.weight * point.trial_stiffness().cwiseInverse();
+    add_rows(point, subtracted.asDiagonal(),
+             {.first = point.rows.first_stress, .second = point.rows.second_stress}, add);
+  }
+}
+
+Matrix dense(const Equilibrium& equilibrium, const std::function<void(const Sink&)>& contribution) {
+  const auto n = static_cast<Eigen::Index>(block_unknowns * equilibrium.num_blocks());
+  Matrix out = Matrix::Zero(n, n);
+  contribution([&](BlockId i, BlockId j, const Mat6& k) {
+    out.block<6, 6>(static_cast<Eigen::Index>(6 * i.value()), static_cast<Eigen::Index>(6 * j.value())) += k;
+  });
+  return out;
+}
+
+std::vector<std::pair<BlockId, BlockId>> coupled_blocks(const Equilibrium& equilibrium) {
+  std::vector<std::pair<BlockId, BlockId>> out;
+  for (std::size_t p = 0; p < equilibrium.num_points(); ++p)
+    out.emplace_back(equilibrium.point(p).first, equilibrium.point(p).second);
+  for (const auto* springs : {&equilibrium.supports(), &equilibrium.driven_springs()})
+    for (const Spring& spring : *springs)
+      for (const auto& [a, left] : spring.displacement.rows)
+        for (const auto& [b, right] : spring.displacement.rows)
+          if (a < b) out.emplace_back(a, b);
+  return out;
 }
 
 }  // namespace
 
 StiffnessParts stiffness_parts(const Equilibrium& equilibrium, std::span<const Mat2> tangents) {
-  assert(equilibrium.num_unknown_multipliers() == 0);
-  const auto n = static_cast<Eigen::Index>(equilibrium.num_unknowns());
-  StiffnessParts out{Matrix::Zero(n, n), Matrix::Zero(n, n), Matrix::Zero(n, n), Matrix::Zero(n, n)};
-  for (std::size_t b = 0; b < equilibrium.num_blocks(); ++b) {
-    const Eigen::Index at = row(BlockId{b});
-    const double size = equilibrium.block_size()[b];
-    out.strain.block<3, 3>(at + 3, at + 3) += equilibrium.strain_stiffness()[b];
-    out.weak.diagonal().segment<3>(at) += equilibrium.weak_stiffness() * Vec3(1, 1, size * size);
-  }
-  for (std::size_t p = 0; p < equilibrium.num_points(); ++p) {
-    const InterfacePoint& point = equilibrium.point(p);
-    const Mat2 d = p < tangents.size() ? tangents[p] : Mat2(point.intact_stiffness().asDiagonal());
-    add_rows(out.contact, point, point.weight * d, point.rows);
-    const Vec2 subtracted = -point.weight * point.trial_stiffness().cwiseInverse();
-    add_rows(out.contact, point, subtracted.asDiagonal(),
-             {.first = point.rows.first_stress, .second = point.rows.second_stress});
-  }
-  for (const Spring& spring : equilibrium.supports()) add_spring(out.support, spring);
-  for (const Spring& spring : equilibrium.driven_springs()) add_spring(out.support, spring);
+  return {.strain = dense(equilibrium, [&](const Sink& add) { add_strain(equilibrium, add); }),
+          .contact = dense(equilibrium, [&](const Sink& add) { add_contacts(equilibrium, tangents, add); }),
+          .support = dense(equilibrium,
+                           [&](const Sink& add) {
+                             add_springs(equilibrium.supports(), add);
+                             add_springs(equilibrium.driven_springs(), add);
+                           }),
+          .weak = dense(equilibrium, [&](const Sink& add) { add_weak_springs(equilibrium, add); })};
+}
+
+BlockMatrix block_stiffness(const Equilibrium& equilibrium, std::span<const Mat2> tangents) {
+  BlockMatrix out(equilibrium.num_blocks(), coupled_blocks(equilibrium));
+  const Sink add = [&](BlockId i, BlockId j, const Mat6& k) { out.add(i, j, k); };
+  add_strain(equilibrium, add);
+  add_weak_springs(equilibrium, add);
+  add_springs(equilibrium.supports(), add);
+  add_springs(equilibrium.driven_springs(), add);
+  add_contacts(equilibrium, tangents, add);
   return out;
 }
 

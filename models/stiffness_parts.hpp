@@ -21,7 +21,10 @@ struct StiffnessParts {
   Eigen::MatrixXd sum() const { return strain + contact + support + weak; }
 };
 
-/// With these tangents D of the active points, 2 × 2 each. Unknown multipliers must not be there.
+/// With these tangents D of all points, 2 × 2 each; unknowns of the blocks alone, n = 6 · blocks.
 StiffnessParts stiffness_parts(const Equilibrium& equilibrium, std::span<const Mat2> tangents);
+
+/// Their sum as a sparse matrix.
+BlockMatrix block_stiffness(const Equilibrium& equilibrium, std::span<const Mat2> tangents);
 
 }  // namespace dda

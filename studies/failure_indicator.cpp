@@ -27,8 +27,8 @@ FailureIndicator::FailureIndicator(Simulation& simulation, IndicatorMemory memor
       memory_(std::move(memory)),
       tracker_(memory_.modes) {
   if (parameters_.count == 0) return;
-  mass_.assign(simulation.equilibrium().num_nodes(), Mat6::Identity());
-  if (parameters_.mass) std::ranges::copy(unit_mass(simulation.body()), mass_.begin());
+  mass_.assign(simulation.equilibrium().num_blocks(), Mat6::Identity());
+  if (parameters_.mass) mass_ = unit_mass(simulation.body());
 }
 
 std::vector<Column> FailureIndicator::columns() const {
@@ -114,10 +114,12 @@ bool FailureIndicator::is_rigid(const Eigenmodes& found, std::size_t mode) const
     const double size = equilibrium.block_size()[b];
     weak += equilibrium.weak_stiffness() * (at.head<2>().squaredNorm() + size * size * at[2] * at[2]);
   }
-  std::vector<double> terms(shape.size(), 0.0);
-  equilibrium.intact().multiply_add_absolute(shape, terms);
+  std::vector<double> whole = shape;
+  whole.resize(equilibrium.num_unknowns(), 0.0);
+  std::vector<double> terms(whole.size(), 0.0);
+  equilibrium.intact().multiply_add_absolute(whole, terms);
   double absolute = 0;
-  for (std::size_t i = 0; i < shape.size(); ++i) absolute += terms[i] * std::abs(shape[i]);
+  for (std::size_t i = 0; i < whole.size(); ++i) absolute += terms[i] * std::abs(whole[i]);
   constexpr double rounding = 4 * std::numeric_limits<double>::epsilon(), clearly = 10;
   return std::abs(found.values[mode]) <= clearly * weak + rounding * absolute;
 }

@@ -29,12 +29,14 @@ std::vector<Vec2> vectors(const Numbers& flat) {
   return out;
 }
 
-/// Shapes of one size, cut out of one array.
-std::vector<Numbers> shapes(const Numbers& flat, std::size_t size) {
+/// `count` shapes of one size, cut out of one array.
+std::vector<Numbers> shapes(const Numbers& flat, std::size_t count) {
   std::vector<Numbers> out;
-  for (std::size_t i = 0; i + size <= flat.size(); i += size)
-    out.emplace_back(flat.begin() + static_cast<std::ptrdiff_t>(i),
-                     flat.begin() + static_cast<std::ptrdiff_t>(i + size));
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto size = static_cast<std::ptrdiff_t>(flat.size() / count),
+               begin = static_cast<std::ptrdiff_t>(i) * size;
+    out.emplace_back(flat.begin() + begin, flat.begin() + begin + size);
+  }
   return out;
 }
 
@@ -69,7 +71,7 @@ void put(RestartData& data, const std::string& name, const StoredState& at) {
   Numbers& history = data.numbers[name + ".history"];
   for (const History& h : at.history) append(h, history);
   data.numbers[name + ".modes"] = flat(at.modes);
-  data.integers[name + ".step"] = {at.step};
+  data.integers[name + ".step"] = {at.step, static_cast<std::int64_t>(at.modes.size())};
 }
 
 StoredState take_state(const RestartData& data, const std::string& name) {
@@ -80,7 +82,8 @@ StoredState take_state(const RestartData& data, const std::string& name) {
   const Numbers& history = data.numbers.at(name + ".history");
   for (std::size_t i = 0; i + history_numbers <= history.size(); i += history_numbers)
     out.history.push_back(history_from(history.data() + i));
-  out.modes = shapes(data.numbers.at(name + ".modes"), out.state.d.size());
+  out.modes = shapes(data.numbers.at(name + ".modes"),
+                     static_cast<std::size_t>(data.integers.at(name + ".step").at(1)));
   return out;
 }
 
@@ -271,19 +274,20 @@ RunMemory restore(const RestartData& data, const fs::path& folder, Simulation& s
     path.driver = path.step = 0;
   simulation.path().restore(path);
   const Integers& run = data.integers.at("run");
-  RunMemory out{.last_step = static_cast<int>(run.at(0)),
-                .start = take_measurement(data, "start"),
-                .peak = take_measurement(data, "peak"),
-                .peak_state = {},
-                .is_peak_stored = run.at(1) != 0,
-                .indicator = {data.numbers.at("run").at(1),
-                              {data.numbers.at("modes.first_values"),
-                               shapes(data.numbers.at("modes.shapes"), simulation.walker().state().d.size())},
-                              static_cast<int>(run.at(3))},
-                .events = nlohmann::ordered_json::parse(data.texts.at("events").at(0)),
-                .stiffness = {nlohmann::ordered_json::parse(data.texts.at("stiffness").at(0)),
-                              data.texts.at("stiffness").at(1)},
-                .largest_gap = data.numbers.at("run").at(0)};
+  RunMemory out{
+      .last_step = static_cast<int>(run.at(0)),
+      .start = take_measurement(data, "start"),
+      .peak = take_measurement(data, "peak"),
+      .peak_state = {},
+      .is_peak_stored = run.at(1) != 0,
+      .indicator = {data.numbers.at("run").at(1),
+                    {data.numbers.at("modes.first_values"),
+                     shapes(data.numbers.at("modes.shapes"), data.numbers.at("modes.first_values").size())},
+                    static_cast<int>(run.at(3))},
+      .events = nlohmann::ordered_json::parse(data.texts.at("events").at(0)),
+      .stiffness = {nlohmann::ordered_json::parse(data.texts.at("stiffness").at(0)),
+                    data.texts.at("stiffness").at(1)},
+      .largest_gap = data.numbers.at("run").at(0)};
   if (data.numbers.contains("peak_state.d")) out.peak_state = take_state(data, "peak_state");
   out.num_factorisations =
       run.at(2) - static_cast<std::int64_t>(simulation.system().linear().num_factorisations());

@@ -48,17 +48,15 @@ Simulation::Simulation(const Deck& deck, Timings& timings) : deck_(deck), timing
     if (choice.name() == "relative_displacement" && gauges_.first_opening.empty())
       gauges_.first_opening = name;
   }
-  if (deck.record.eigenvalues.count > 0 && equilibrium_->num_unknown_multipliers() > 0)
-    throw InputError(
-        deck.where,
-        "record.eigenvalues: with the unknown multipliers of 'lagrange' the stiffness has eigenvalues that "
-        "are not the structure's; use another treatment");
-  if (deck.record.stiffness && (equilibrium_->num_blocks() > StiffnessRecord::most_blocks ||
-                                equilibrium_->num_unknown_multipliers() > 0))
+  if (deck.path.branch == Branching::to_lowest && equilibrium_->num_unknown_multipliers() > 0)
+    throw InputError(deck.path.where,
+                     "path.branch: switch is not available with the unknown multipliers of "
+                     "'lagrange'; use another treatment");
+  if (deck.record.stiffness && equilibrium_->num_blocks() > StiffnessRecord::most_blocks)
     throw InputError(deck.where,
-                     fmt::format("record.stiffness: for at most {} blocks, and not with the unknown "
-                                 "multipliers of 'lagrange'",
-                                 StiffnessRecord::most_blocks));
+                     fmt::format("record.stiffness: the structure has {} blocks; at most {} can be "
+                                 "written by contribution",
+                                 equilibrium_->num_blocks(), StiffnessRecord::most_blocks));
   deck.path.control.make(gauges_);  // a control that names no known gauge is found before anything is solved
   landings();
   legs();

@@ -69,8 +69,8 @@ StiffnessRecord stiffness_record(const Simulation& simulation) {
   const State& here = simulation.walker().state();
   const LawValues laws = system.laws(here.d, here.load_factor);
   StiffnessRecord out{.numbers = Json::object(), .text = {}};
-  add(out, "algorithmic", stiffness_parts(simulation.equilibrium(), laws.tangent));
-  add(out, "physical", stiffness_parts(simulation.equilibrium(), system.path_tangents(laws)));
+  add(out, "algorithmic", stiffness_parts(simulation.equilibrium(), system.all_tangents(laws, false)));
+  add(out, "physical", stiffness_parts(simulation.equilibrium(), system.all_tangents(laws, true)));
   return out;
 }
 

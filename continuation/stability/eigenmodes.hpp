@@ -35,8 +35,9 @@ struct EigenProblem {
 /// Shift-invert, (K + s M)⁻¹ M φ = ν φ, μ = 1/ν − s: first with s = 0 and the factorisation that is there,
 /// which gives the pairs nearest to zero. Negative eigenvalues that are missing among them are far from it,
 /// as those of cracks that soften steeply are: s grows until K + s M is positive definite, and the largest ν
-/// are theirs. Small problems are solved densely, others by Anasazi's block Krylov-Schur method, whose start
-/// does not depend on anything but n. Throws std::runtime_error when it does not converge.
+/// are theirs. Modes that only weak springs oppose would leave the others few digits of K⁻¹: they are found
+/// with a small s. Small problems are solved densely, others by Anasazi's block Krylov-Schur method, whose
+/// start does not depend on anything but n. Throws std::runtime_error when it does not converge.
 Eigenmodes lowest_eigenmodes(const EigenProblem& problem);
 
 /// The same by a dense factorisation of K⁻¹: n solutions, n² numbers.

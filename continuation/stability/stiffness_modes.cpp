@@ -32,8 +32,10 @@ class WholeMatrix {
 std::optional<StiffnessModes> stiffness_modes(System& system, const State& state,
                                               const DirectSolverChoice& solver, const ModeRequest& wanted) {
   const auto laws = system.laws_at(state.d, state.load_factor);
-  const bool is_whole = wanted.is_physical && system.drops_stresses(*laws);
-  const auto matrix = [&] { return system.path_stiffness(*laws, wanted.is_physical); };
+  const bool is_whole = wanted.is_physical && !system.is_path_physical(*laws);
+  const auto matrix = [&] {
+    return wanted.is_physical ? system.physical_stiffness(*laws) : system.stiffness(state);
+  };
   EigenProblem problem{.solve = {}, .shifted = {}, .mass = wanted.mass, .count = wanted.count};
   std::optional<WholeMatrix> whole, shifted;
   problem.shifted = [&](double s) -> InverseOperator {

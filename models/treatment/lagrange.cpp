@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "models/treatment/spring_joint.hpp"
 
 namespace dda {
@@ -24,6 +26,10 @@ class Lagrange final : public SpringJoint {
 
   Multiplier multiplier() const override { return Multiplier::unknown; }
   double perturbation() const override { return perturbation_; }
+  double physical_stiffness(const SideFaces& side) const override {
+    constexpr double closed = 1e6;  // stiff enough to be a tie, soft enough for eigenvalues to keep their digits
+    return std::max(stiffness(side), closed * spring_unit(side));
+  }
 
  private:
   double perturbation_;

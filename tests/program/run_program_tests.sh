@@ -89,13 +89,19 @@ eigenvalues() {
     NR == 2 && (s != 1 || n != 0 || mu <= 0) { exit 1 }
     NR > 2 && ((s - 3)^2 > 1e-10 || n != 1 || mu >= 0 || more <= 0) { exit 1 }
     END { if (NR < 5) exit 1 }' watched/curve.csv || complain "wrong eigenvalues or current stiffness"
-  expect 2 "eigenvalues with unknown multipliers" "$program" run "$bar" --folder tied --quiet \
-    --set record.eigenvalues.count=2 --set interfaces.crack.treatment=lagrange
+  expect 2 "branches with unknown multipliers" "$program" run "$bar" --folder tied --quiet --set path.branch=switch \
+    --set interfaces.crack.treatment=lagrange
   said "use another treatment"
   is_absent tied
-  expect 0 "eigenvalues at some steps" "$program" run "$bar" --folder seldom --quiet --set record.eigenvalues.count=1 \
-    --set record.eigenvalues.every=5
-  [ "$(grep -c ',nan,nan$' seldom/curve.csv)" -ge 4 ] || complain "eigenvalues at steps that were not asked for"
+  expect 2 "an event that there is not" "$program" run "$bar" --folder tied --quiet \
+    --set 'record.eigenvalues.at=[limit_pont]'
+  said "did you mean 'limit_point'"
+  expect 0 "eigenvalues at events" "$program" run "$bar" --folder seldom --quiet --set record.eigenvalues.count=1 \
+    --set record.eigenvalues.every=0 --set 'record.eigenvalues.at=[limit_point, end]'
+  [ "$(grep -c ',nan,nan,nan$' seldom/curve.csv)" -eq $(($(wc -l < seldom/curve.csv) - 4)) ] ||
+    complain "eigenvalues at steps that were not asked for"
+  for file in eigenvalues.svg modes.svg; do [ -s seldom/$file ] || complain "no $file"; done
+  grep -q '"kind": "limit_point"' seldom/summary.json || complain "the limit point is not among the events"
 }
 
 # The run is stopped by the signal as soon as its curve has some rows, then resumed to the same path.

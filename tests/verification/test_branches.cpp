@@ -52,6 +52,15 @@ TEST_P(EqualCracks, PathLocalisesWhenItSwitches) {
 
 INSTANTIATE_TEST_SUITE_P(Chains, EqualCracks, testing::Values(2, 3, 5));
 
+/// A saddle point has a negative eigenvalue more for every multiplier; they do not count.
+TEST(Branches, MultipliersDoNotCount) {
+  Chain chain = chain_of(2, "{stop: {load_below: 0.1}}");
+  chain.treatment = "lagrange";
+  const Trace trace = follow(chain.deck());
+  EXPECT_EQ(trace.points[1].negative, 2);
+  EXPECT_EQ(trace.points[1].negative_under_control, 1);
+}
+
 /// The other controls know the same branches; what they prescribe decides what is stable under them.
 TEST(Branches, ElongationControlIsStableOnTheLocalisedBranchOnly) {
   for (const bool switches : {false, true}) {
