@@ -79,14 +79,20 @@ Scale scale_of(const std::vector<Shape>& shapes, const std::string& label, Colou
 
 bool finite(const Vec2& point) { return point.allFinite(); }
 
+/// Polygons of one paint are one path.
 void paint_polygons(Canvas& canvas, const View& view, const Drawing& drawing, const Scale& scale) {
+  std::string all;
   for (const Fill& fill : drawing.polygons) {
     if (fill.outline.empty() || !std::all_of(fill.outline.begin(), fill.outline.end(), finite)) continue;
     std::string data;
     for (const Vec2& vertex : fill.outline) data += (data.empty() ? "M" : "L") + view.place(vertex);
-    const std::string paint = scale.shown() ? scale.colour_of(fill.value) : "#eeeeee";
-    canvas.path(data + "Z", paint, {scale.shown() ? "#00000040" : "#a0a0a0", 0.4});
+    data += 'Z';
+    if (scale.shown())
+      canvas.path(data, scale.colour_of(fill.value), {"#00000040", 0.4});
+    else
+      all += data;
   }
+  canvas.path(all, "#eeeeee", {"#a0a0a0", 0.4});
 }
 
 void paint_strokes(Canvas& canvas, const View& view, const Drawing& drawing, const Scale& scale) {
