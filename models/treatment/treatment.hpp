@@ -55,8 +55,8 @@ class Treatment {
   virtual Multiplier multiplier() const { return Multiplier::none; }
   /// δ of the block −δ P that keeps redundant multipliers determined; 0 without unknown multipliers.
   virtual double perturbation() const { return 0; }
-  /// Stiffness p̄ of the joint in the physical tangent [F/L³]: that of the trial spring unless it is only a
-  /// device of the iteration.
+  /// Stiffness p̄ of the joint in the physical tangent [F/L³]: that of the trial spring unless it only carries
+  /// a multiplier.
   virtual double physical_stiffness(const SideFaces& side) const { return stiffness(side); }
   /// Weights (w_i, w_j) of the two stresses in {σ}n; zero when stresses do not enter.
   virtual Vec2 stress_weights(const SideFaces& side) const = 0;
