@@ -1,7 +1,7 @@
 #include <charconv>
 #include <optional>
 
-#include "framework/node.hpp"
+#include "framework/settings.hpp"
 
 namespace dda {
 
@@ -57,7 +57,46 @@ Node& descend(Node& node, const std::string& name, const Position& where) {
   return *node.find(name);
 }
 
+const Node* child(const Node& node, const std::string& name) {
+  if (!node.is_sequence()) return node.find(name);
+  const auto index = as_index(name);
+  return index && *index < node.items.size() ? &node.items[*index] : nullptr;
+}
+
+void collect(const Node& node, const std::string& name, const std::string& prefix,
+             std::vector<std::string>& found) {
+  for (std::size_t i = 0; i < node.items.size(); ++i)
+    collect(node.items[i], name, prefix + std::to_string(i) + ".", found);
+  for (const NodeEntry& entry : node.entries) {
+    if (entry.key == name) found.push_back(prefix + entry.key);
+    collect(entry.value, name, prefix + entry.key + ".", found);
+  }
+}
+
 }  // namespace
+
+void set_value(Node& root, const std::string& path, Node value, const Position& where) {
+  Node* target = &root;
+  for (const std::string& name : split(path)) target = &descend(*target, name, where);
+  *target = std::move(value);
+}
+
+const Node* find_value(const Node& root, const std::string& path) {
+  const Node* node = &root;
+  for (const std::string& name : split(path))
+    if (node) node = child(*node, name);
+  return node;
+}
+
+std::string assignment(const std::string& path, const Node& value) {
+  return path + "=" + to_flow_yaml(value);
+}
+
+std::vector<std::string> paths_to(const Node& root, const std::string& name) {
+  std::vector<std::string> found;
+  collect(root, name, "", found);
+  return found;
+}
 
 void set_value(Node& root, const std::string& assignment, const std::string& origin) {
   const auto equals = assignment.find('=');
@@ -68,9 +107,7 @@ void set_value(Node& root, const std::string& assignment, const std::string& ori
   Node value;
   if (text.find_first_not_of(" \t\r\n") != std::string::npos) value = parse_yaml(text, where.file);
   place(value, where);
-  Node* target = &root;
-  for (const std::string& name : split(path)) target = &descend(*target, name, where);
-  *target = std::move(value);
+  set_value(root, path, std::move(value), where);
 }
 
 }  // namespace dda

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "framework/node.hpp"
+#include "framework/settings.hpp"
 
 namespace dda {
 
@@ -49,14 +49,15 @@ std::string scalar_text(const std::string& text, bool quoted) {
   return quoted || !is_plain(text) ? quote(text) : text;
 }
 
-/// One line: "null", "3", "[1, 2]", "[[0, 0], [1, 0]]", "{}".
+/// One line: "null", "3", "[1, 2]", "[[0, 0], [1, 0]]", "{}", "{a: 1, b: [2, 3]}".
 std::string inline_text(const Node& node) {
   if (node.is_null()) return "null";
   if (node.is_scalar()) return scalar_text(node.text, node.quoted);
-  if (node.is_map()) return "{}";
   std::string text;
   for (const Node& item : node.items) text += (text.empty() ? "" : ", ") + inline_text(item);
-  return "[" + text + "]";
+  for (const auto& [key, where, value] : node.entries)
+    text += (text.empty() ? "" : ", ") + scalar_text(key, false) + ": " + inline_text(value);
+  return node.is_map() ? "{" + text + "}" : "[" + text + "]";
 }
 
 bool holds_map(const Node& node) {
@@ -96,5 +97,7 @@ std::string block(const Node& node, std::size_t indent) {
 std::string to_yaml(const Node& node) {
   return fits_one_line(node) ? inline_text(node) + "\n" : block(node, 0);
 }
+
+std::string to_flow_yaml(const Node& node) { return node.is_null() ? "" : inline_text(node); }
 
 }  // namespace dda

@@ -6,6 +6,7 @@
 #include "models/loading.hpp"
 #include "studies/commands.hpp"
 #include "studies/memory_prediction.hpp"
+#include "studies/sweep.hpp"
 
 namespace dda {
 namespace {
@@ -88,9 +89,23 @@ void print_loading(const Simulation& simulation) {
   line("control", simulation.deck().path.control.name());
 }
 
+/// The decks of a sweep are read, not meshed: there may be hundreds.
+int check_sweep(const CommandLine& command) {
+  const Sweep sweep = read_sweep(command.deck, command.overrides);
+  fmt::print("{} is a valid sweep{}\n", command.deck.string(), sweep.title.empty() ? "" : ": " + sweep.title);
+  line("cases",
+       fmt::format("{}, the first: {}", sweep.cases.size(), settings_text(sweep, sweep.cases.front())));
+  const std::vector<SweptKey> keys = sweep.keys();
+  for (std::size_t k = 0; k < keys.size(); ++k)
+    line("varied", fmt::format("{}: {} values{}", keys[k].name, keys[k].values.size(),
+                               sweep.key_units[k].empty() ? "" : " [" + sweep.key_units[k] + "]"));
+  return 0;
+}
+
 }  // namespace
 
 int command_check(const CommandLine& command) {
+  if (is_sweep(command.deck, command.overrides)) return check_sweep(command);
   const DeckFile file = read_deck(command.deck, command.overrides);
   Timings timings;
   const MpiSession mpi;

@@ -31,6 +31,7 @@ class Grammar {
     app_.set_version_flag("--version", "ddapath " + provenance().version);
     app_.require_subcommand(1);
     add_solving();
+    add_many();
     add_looking();
   }
 
@@ -67,7 +68,12 @@ class Grammar {
   void add_profile(CLI::App* sub) {
     sub->add_flag("--profile", line_.run.profile, "Print time, calls and work that was skipped, by phase");
   }
+  void add_jobs(CLI::App* sub) {
+    sub->add_option("--jobs", line_.jobs, "Runs of a sweep at a time; one per processor if not given")
+        ->check(CLI::PositiveNumber);
+  }
   void add_solving();
+  void add_many();
   void add_looking();
 
   CLI::App app_;
@@ -76,17 +82,31 @@ class Grammar {
 };
 
 void Grammar::add_solving() {
-  CLI::App* run = add("run", "Follow the equilibrium path of a deck into a run folder", command_run);
+  CLI::App* run = add(
+      "run", "Follow the equilibrium path of a deck into a run folder; a sweep as `sweep` does", command_run);
   add_deck(run);
   add_output(run);
+  add_jobs(run);
   add_profile(run);
   CLI::App* resume =
-      add("resume", "Continue an interrupted run, or a finished one under another control or stopping rule",
+      add("resume",
+          "Continue an interrupted run or sweep, or a finished run under another control or stopping rule",
           command_resume);
   resume->add_option("run", line_.runs, "The run folder")->required()->expected(1);
   add_set(resume);
   add_output(resume);
+  add_jobs(resume);
   add_profile(resume);
+}
+
+void Grammar::add_many() {
+  CLI::App* sweep = add(
+      "sweep", "Run a deck for every combination of what its section `sweep` varies; again: what is missing",
+      command_sweep);
+  add_deck(sweep);
+  add_output(sweep);
+  add_jobs(sweep);
+  sweep->add_flag("--dry-run", line_.dry_run, "Print the cases and a line for GNU parallel, and run nothing");
   CLI::App* compare =
       add("compare", "Run a deck under several controls and compare the paths", command_compare);
   add_deck(compare);

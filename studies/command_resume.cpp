@@ -19,6 +19,7 @@ bool has_reached_goal(const std::filesystem::path& folder) {
 
 int command_resume(const CommandLine& line) {
   const std::filesystem::path& folder = line.runs.front();
+  if (std::filesystem::exists(folder / "sweep.json")) return resume_sweep(line);
   if (line.overrides.empty() && has_reached_goal(folder)) {
     fmt::print("{}: goal_reached before; `--set` another stopping rule or control to go on\n",
                folder.string());

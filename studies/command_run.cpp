@@ -3,10 +3,12 @@
 #include "studies/commands.hpp"
 #include "studies/profile.hpp"
 #include "studies/summary.hpp"
+#include "studies/sweep.hpp"
 
 namespace dda {
 
 int command_run(const CommandLine& line) {
+  if (is_sweep(line.deck, line.overrides)) return command_sweep(line);
   const DeckFile deck = read_deck(line.deck, line.overrides);
   std::optional<MpiSession> mpi;
   const RunResult result = run_deck(deck, line.run, mpi);

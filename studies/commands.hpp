@@ -10,12 +10,14 @@ namespace dda {
 
 /// What the program's commands take from the command line.
 struct CommandLine {
-  std::filesystem::path deck;                ///< run, check, compare
+  std::filesystem::path deck;                ///< run, sweep, check, compare
   std::vector<std::filesystem::path> runs;   ///< plot, and the one of resume
   std::vector<std::string> overrides;        ///< --set
   std::vector<std::string> controls;         ///< compare
   std::string topic;                         ///< explain
   std::filesystem::path out = "curves.svg";  ///< plot
+  int jobs = 0;                              ///< runs of a sweep at a time; 0: one per processor
+  bool dry_run = false;                      ///< sweep
   bool json = false;
   RunOptions run;
 };
@@ -27,5 +29,9 @@ int command_check(const CommandLine& line);
 int command_explain(const CommandLine& line);
 int command_plot(const CommandLine& line);
 int command_compare(const CommandLine& line);
+int command_sweep(const CommandLine& line);
+
+/// Does again what `dda sweep` was told when it made the folder `line.runs.front()`.
+int resume_sweep(const CommandLine& line);
 
 }  // namespace dda

@@ -66,7 +66,21 @@ Schema<Deck> make_schema() {
       .section("units", &Deck::units, units_schema())
       .section("scene", &Deck::scene, scene_schema());
   add_model(schema);
-  return schema.section("path", &Deck::path, path_schema()).section("record", &Deck::record, record_schema());
+  return schema.section("path", &Deck::path, path_schema())
+      .section("record", &Deck::record, record_schema())
+      .value(
+          "sweep", &Deck::sweep, anything_kind(),
+          {.text =
+               "Makes the deck many runs: keys with the values they take. `dda explain sweep` shows how."});
+}
+
+void refuse_sweep(const Node& root) {
+  const Node* sweep = root.find("sweep");
+  if (sweep && !sweep->is_null())
+    throw InputError(
+        sweep->where,
+        "sweep: this is a deck of many runs, for `dda sweep` or `dda run`; `--set sweep=` leaves "
+        "the deck alone");
 }
 
 }  // namespace
@@ -85,6 +99,7 @@ DeckFile deck_from_text(const std::string& text, const std::filesystem::path& pa
   DeckFile out{.path = path, .text = text, .overrides = overrides, .deck = {}};
   Node root = parse_yaml(text, path.string());
   for (const std::string& assignment : overrides) set_value(root, assignment);
+  refuse_sweep(root);
   out.deck = deck_schema().read(root);
   return out;
 }

@@ -39,6 +39,7 @@ struct Deck : ModelParameters {
   Scene scene;
   PathParameters path;
   RecordParameters record;
+  std::optional<Node> sweep;  ///< of a file that describes many runs, see studies/sweep.hpp; none in one run
 };
 
 /// The one declaration of a deck: reading, explain, JSON schema and effective deck come from it.

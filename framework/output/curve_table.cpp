@@ -54,6 +54,12 @@ std::size_t end_of_record(const std::string& text, std::size_t begin) {
 
 }  // namespace
 
+std::string csv_line(std::span<const TableCell> row) {
+  std::string line;
+  for (std::size_t i = 0; i < row.size(); ++i) line += (i == 0 ? "" : ",") + text_of(row[i]);
+  return line + '\n';
+}
+
 CurveTable::CurveTable(const fs::path& path, std::vector<Column> columns)
     : file_(path, FileWriter::Mode::create), columns_(std::move(columns)) {
   file_.write(header_of(columns_));
@@ -84,9 +90,7 @@ void CurveTable::append(std::span<const TableCell> row) {
   if (row.size() != columns_.size()) {
     throw std::invalid_argument(fmt::format("{} cells for {} columns", row.size(), columns_.size()));
   }
-  std::string line;
-  for (std::size_t i = 0; i < row.size(); ++i) line += (i == 0 ? "" : ",") + text_of(row[i]);
-  file_.write(line + '\n');
+  file_.write(csv_line(row));
   ++num_rows_;
 }
 

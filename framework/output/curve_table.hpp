@@ -20,6 +20,10 @@ struct Column {
 
 using TableCell = std::variant<double, std::int64_t, std::string>;
 
+/// One line of CSV, newline included: cells quoted where they must be, numbers in the shortest form that
+/// reads back exactly.
+std::string csv_line(std::span<const TableCell> row);
+
 /// `curve.csv`: one flushed row per accepted step, so that a run can be watched and killed at any time.
 ///
 /// Plain CSV with one header line; numbers in the shortest form that reads back exactly. The units stand in

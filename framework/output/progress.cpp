@@ -31,6 +31,8 @@ std::size_t length(std::string_view text) {
       std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
+}  // namespace
+
 std::string clipped(const std::string& text, std::size_t width) {
   std::string result;
   std::size_t used = 0;
@@ -41,7 +43,11 @@ std::string clipped(const std::string& text, std::size_t width) {
   return result;
 }
 
-}  // namespace
+std::size_t line_width(std::FILE* stream) {
+  winsize size{};
+  const bool is_terminal = ioctl(fileno(stream), TIOCGWINSZ, &size) == 0 && size.ws_col >= 2;
+  return (is_terminal ? size.ws_col : default_width) - 1u;  // the last column would wrap on some terminals
+}
 
 std::string progress_line(const ProgressPoint& point, std::size_t width) {
   std::string front = head(point);
@@ -69,18 +75,12 @@ Progress::Progress(std::FILE* stream, Style style) : stream_(stream), style_(sty
 
 Progress::~Progress() { finish(); }
 
-std::size_t Progress::width() const {
-  winsize size{};
-  if (ioctl(fileno(stream_), TIOCGWINSZ, &size) != 0 || size.ws_col < 2) return default_width;
-  return size.ws_col - 1u;  // a character in the last column would wrap on some terminals
-}
-
 void Progress::show(const ProgressPoint& point) {
   if (style_ == Style::quiet) return;
   if (style_ == Style::lines) {
     fmt::print(stream_, "{}\n", progress_line(point, 160));
   } else {
-    const std::string line = progress_line(point, width());
+    const std::string line = progress_line(point, line_width(stream_));
     const std::size_t now = length(line);
     fmt::print(stream_, "\r{}{}", line, std::string(shown_ > now ? shown_ - now : 0, ' '));
     shown_ = now;

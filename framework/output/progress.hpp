@@ -23,6 +23,12 @@ struct ProgressPoint {
 /// One line for a step of at most `width` characters: what does not fit is left out, gauges first.
 std::string progress_line(const ProgressPoint& point, std::size_t width);
 
+/// The text cut to so many characters on the screen.
+std::string clipped(const std::string& text, std::size_t width);
+
+/// Characters that a line of a terminal takes; 79 of what is no terminal.
+std::size_t line_width(std::FILE* stream);
+
 /// Shows a run while it goes: one line that renews itself on a terminal, plain lines elsewhere, nothing when
 /// quiet.
 class Progress {
@@ -43,8 +49,6 @@ class Progress {
   void finish();
 
  private:
-  std::size_t width() const;
-
   std::FILE* stream_;
   Style style_;
   std::size_t shown_ = 0;  ///< characters of the live line now on the terminal

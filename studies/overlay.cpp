@@ -1,0 +1,65 @@
+#include "studies/overlay.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "framework/node.hpp"
+#include "framework/output/run_folder.hpp"
+#include "framework/units.hpp"
+
+namespace dda {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string length_unit_of(const fs::path& folder) {
+  const Node deck = read_yaml(folder / "effective_deck.yaml");
+  const Node* units = deck.find("units");
+  const Node* length = units ? units->find("length") : nullptr;
+  return length ? length->text : Units{}.length;
+}
+
+}  // namespace
+
+RunCurve read_run_curve(const fs::path& folder) {
+  const fs::path file = folder / "curve.units.json";
+  const auto units = nlohmann::ordered_json::parse(read_whole(file), nullptr, false);
+  if (!units.is_object()) throw InputError(Position{file.string()}, "is not a list of units");
+  RunCurve out{(folder / "").lexically_normal().parent_path().filename().string(),
+               read_csv(folder / "curve.csv"),
+               length_unit_of(folder),
+               units.value("load", ""),
+               {}};
+  for (const std::string& column : out.curve.names())
+    if (units.value(column, "") == out.length_unit) out.displacements.push_back(column);
+  return out;
+}
+
+bool have_same_units(const RunCurve& a, const RunCurve& b) {
+  return a.length_unit == b.length_unit && a.load_unit == b.load_unit;
+}
+
+std::vector<std::string> common_displacements(const std::vector<RunCurve>& runs) {
+  std::vector<std::string> out = runs.front().displacements;
+  for (const RunCurve& run : runs)
+    std::erase_if(out, [&](const std::string& name) {
+      return std::ranges::find(run.displacements, name) == run.displacements.end();
+    });
+  return out;
+}
+
+svg::Panel overlay(const std::vector<RunCurve>& runs, const std::string& gauge) {
+  const RunCurve& first = runs.front();
+  svg::Panel out{.title = gauge,
+                 .x_label = fmt::format("{} [{}]", gauge, first.length_unit),
+                 .y_label = first.load_unit.empty() ? "load" : fmt::format("load [{}]", first.load_unit),
+                 .series = {},
+                 .markers = {}};
+  for (const RunCurve& run : runs)
+    out.series.push_back({run.name, run.curve.numbers(gauge), run.curve.numbers("load")});
+  return out;
+}
+
+}  // namespace dda

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "framework/output/curve_table.hpp"
+#include "framework/output/svg/plot.hpp"
+
+namespace dda {
+
+/// What a run folder says about its curve.
+struct RunCurve {
+  std::string name;  ///< in the legend
+  CsvTable curve;
+  std::string length_unit, load_unit;
+  std::vector<std::string> displacements;  ///< columns in units of length
+};
+
+/// Named after its folder. Throws InputError when a file is missing or wrong.
+RunCurve read_run_curve(const std::filesystem::path& folder);
+
+bool have_same_units(const RunCurve& a, const RunCurve& b);
+
+/// The displacement gauges that all of them have, in the order of the first.
+std::vector<std::string> common_displacements(const std::vector<RunCurve>& runs);
+
+/// Load against a gauge that all of them have, in the units of the first.
+svg::Panel overlay(const std::vector<RunCurve>& runs, const std::string& gauge);
+
+}  // namespace dda

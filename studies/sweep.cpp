@@ -1,0 +1,262 @@
+#include "studies/sweep.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "framework/dimension_of.hpp"
+#include "framework/output/run_folder.hpp"
+#include "framework/settings.hpp"
+#include "studies/deck.hpp"
+
+namespace dda {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* section = "sweep";
+constexpr const char* deck_key = "deck";
+constexpr const char* seed_key = "seed";
+
+bool concerns_section(const std::string& assignment) {
+  const bool begins = assignment.starts_with("sweep.") || assignment.starts_with("sweep=");
+  return begins && assignment.find('=') != std::string::npos;
+}
+
+/// `sweep.some.key=values` is the entry `some.key` of the section: there a dotted path is one name.
+void set_in_section(Node& root, const std::string& text) {
+  const auto equals = text.find('=');
+  const std::string key = text.substr(0, equals), prefix = std::string(section) + ".";
+  Node scratch = Node::map();
+  set_value(scratch, "value" + text.substr(equals), "--set " + key + ":");
+  if (!key.starts_with(prefix)) return root.set(section, scratch.entries.front().value);
+  if (!root.find(section) || !root.find(section)->is_map()) root.set(section, Node::map());
+  root.find(section)->set(key.substr(prefix.size()), scratch.entries.front().value);
+}
+
+Node without(const Node& map, const std::string& key) {
+  Node out = map;
+  std::erase_if(out.entries, [&](const NodeEntry& entry) { return entry.key == key; });
+  return out;
+}
+
+/// The decks that cases start from, each read once, with the overrides of the command line.
+class Decks {
+ public:
+  Decks(const fs::path& file, const Node& root, const std::vector<std::string>& overrides)
+      : file_(file), overrides_(overrides) {
+    Node own = without(root, section);
+    set_all(own);
+    roots_.emplace(file, std::move(own));
+  }
+
+  fs::path path(const Node& name) const {
+    return name.is_null() ? file_ : (file_.parent_path() / name.text).lexically_normal();
+  }
+  bool is_own(const fs::path& path) const { return path == file_; }
+
+  const Node& root(const Node& name) {
+    const fs::path wanted = path(name);
+    const auto known = roots_.find(wanted);
+    return known != roots_.end() ? known->second : read(wanted, name);
+  }
+
+ private:
+  const Node& read(const fs::path& wanted, const Node& name) {
+    if (!name.is_scalar()) throw InputError(name.where, "deck: expected the name of a file");
+    if (!fs::exists(wanted))
+      throw InputError(name.where, fmt::format("deck: no such file '{}' (looked for {})", name.text,
+                                               fs::absolute(wanted).lexically_normal().string()));
+    Node root = read_yaml(wanted);
+    set_all(root);
+    if (const Node* inner = root.find(section); inner && !inner->is_null())
+      throw InputError(name.where, fmt::format("deck: '{}' is a sweep itself", name.text));
+    return roots_.emplace(wanted, std::move(root)).first->second;
+  }
+
+  void set_all(Node& root) const {
+    for (const std::string& text : overrides_) set_value(root, text);
+  }
+
+  fs::path file_;
+  std::vector<std::string> overrides_;
+  std::map<fs::path, Node> roots_;
+};
+
+/// Makes the cases of a sweep; one wrong key is one finding, in however many cases it stands.
+class SweepReader {
+ public:
+  SweepReader(const fs::path& file, const std::vector<std::string>& overrides) {
+    sweep_.file = file;
+    sweep_.text = read_whole(file);
+    sweep_.overrides = overrides;
+    root_ = parse_yaml(sweep_.text, file.string());
+    for (const std::string& text : overrides)
+      (concerns_section(text) ? section_overrides_ : deck_overrides_).push_back(text);
+    for (const std::string& text : section_overrides_) set_in_section(root_, text);
+  }
+
+  Sweep read() {
+    const Node* entries = root_.find(section);
+    if (!entries || entries->is_null())
+      throw InputError(Position{sweep_.file.string()},
+                       "has no section `sweep`; `dda explain sweep` says what stands in it");
+    Node varied = *entries;
+    if (const Node* deck = entries->find(deck_key); deck && deck->is_scalar()) {
+      base_ = *deck;
+      varied = without(varied, deck_key);
+    }
+    sweep_.axes = read_axes(varied);
+    keys_ = sweep_.keys();
+    sweep_.key_units.resize(keys_.size());
+    has_decks_ = !base_.is_null() || std::ranges::find(keys_, deck_key, &SweptKey::name) != keys_.end();
+    refuse_second_deck();
+    Decks decks(sweep_.file, root_, deck_overrides_);
+    for (const auto& places : cases_of(sweep_.axes)) add_case(places, decks);
+    findings_.throw_if_any();
+    if (sweep_.title.empty()) sweep_.title = title_of(root_);
+    return std::move(sweep_);
+  }
+
+ private:
+  /// A file that names its decks may have a title beside the sweep, and nothing else.
+  void refuse_second_deck() {
+    if (!has_decks_) return;
+    for (const NodeEntry& entry : root_.entries)
+      if (entry.key != section && entry.key != "title")
+        findings_.add(entry.where,
+                      fmt::format("'{}' belongs to a deck, and the sweep names decks of its own; "
+                                  "remove one of them",
+                                  entry.key));
+    findings_.throw_if_any();
+  }
+
+  static std::string title_of(const Node& root) {
+    const Node* title = root.find("title");
+    return title ? title->text : "";
+  }
+
+  void add_case(const std::vector<std::size_t>& places, Decks& decks) {
+    SweepCase one;
+    for (std::size_t a = 0; a < places.size(); ++a)
+      for (const SweptKey& key : sweep_.axes[a].keys) one.values.push_back(key.values[places[a]]);
+    try {
+      fill(one, decks);
+    } catch (const InputError& error) {
+      for (const Finding& finding : error.findings())
+        if (seen_.insert(to_string(finding.where) + finding.what).second)
+          findings_.add(finding.where, finding.what);
+    }
+    sweep_.cases.push_back(std::move(one));
+  }
+
+  void fill(SweepCase& one, Decks& decks) {
+    Node name = base_;
+    for (std::size_t k = 0; k < keys_.size(); ++k)
+      if (keys_[k].name == deck_key) name = one.values[k];
+    Node root = decks.root(name);
+    one.deck = decks.path(name);
+    if (decks.is_own(one.deck)) one.overrides.push_back(assignment(section, Node{}));
+    std::ranges::copy(deck_overrides_, std::back_inserter(one.overrides));
+    for (std::size_t k = 0; k < keys_.size(); ++k) {
+      if (keys_[k].name == deck_key || keys_[k].name == seed_key) continue;
+      one.overrides.push_back(assignment(keys_[k].name, one.values[k]));
+      set_value(root, keys_[k].name, one.values[k], keys_[k].where);
+    }
+    for (std::size_t k = 0; k < keys_.size(); ++k)
+      if (keys_[k].name == seed_key) set_seeds(one, root, k);
+    conclude(one, root);
+  }
+
+  void set_seeds(SweepCase& one, Node& root, std::size_t k) {
+    const Node effective = deck_schema().echo(deck_schema().read(root));
+    one.seeds = paths_to(effective, seed_key);
+    if (one.seeds.empty())
+      throw InputError(keys_[k].where, fmt::format("seed: {} has no key of that name", one.deck.string()));
+    for (const std::string& path : one.seeds) {
+      const auto [target, value] = seed_setting(root, effective, path, one.values[k]);
+      one.overrides.push_back(assignment(target, value));
+      set_value(root, target, value, keys_[k].where);
+    }
+  }
+
+  /// Where a deck has `subdivision: voronoi`, or nothing, the seed has no map to stand in: it is made.
+  static std::pair<std::string, Node> seed_setting(const Node& root, const Node& effective,
+                                                   const std::string& path, const Node& value) {
+    const std::string above = path.substr(0, path.rfind('.'));
+    const Node* given = find_value(root, above);
+    const Node* whole = find_value(effective, above);
+    const Node* type = whole ? whole->find("type") : nullptr;
+    if (!type || (given && given->is_map())) return {path, value};
+    Node made = Node::map();
+    made.where = value.where;
+    made.set("type", *type);
+    made.set(seed_key, value);
+    return {above, made};
+  }
+
+  void conclude(SweepCase& one, const Node& root) {
+    const Deck deck = deck_schema().read(root);
+    const Node effective = deck_schema().echo(deck);
+    one.effective = to_yaml(effective);
+    if (!sweep_.cases.empty()) return;
+    sweep_.units = deck.units;
+    for (std::size_t k = 0; k < keys_.size(); ++k) {
+      const Dimension dimension = dimension_of(deck_schema(), effective, keys_[k].name);
+      if (dimension != dimension::none) sweep_.key_units[k] = label(dimension, deck.units);
+    }
+  }
+
+  Sweep sweep_;
+  Node root_;
+  Node base_;  ///< the deck of all cases, null when it is the file itself
+  std::vector<SweptKey> keys_;
+  std::vector<std::string> section_overrides_, deck_overrides_;
+  bool has_decks_ = false;
+  std::set<std::string> seen_;
+  Findings findings_;
+};
+
+/// The shortest end of a dotted key that no other key shares.
+std::string short_name(const std::string& name, const std::vector<SweptKey>& keys) {
+  for (auto dot = name.rfind('.'); dot != std::string::npos && dot > 0; dot = name.rfind('.', dot - 1)) {
+    const std::string end = name.substr(dot);
+    const auto sharing =
+        std::ranges::count_if(keys, [&](const SweptKey& key) { return ("." + key.name).ends_with(end); });
+    if (sharing == 1) return end.substr(1);
+  }
+  return name;
+}
+
+}  // namespace
+
+std::vector<SweptKey> Sweep::keys() const {
+  std::vector<SweptKey> out;
+  for (const Axis& axis : axes) std::ranges::copy(axis.keys, std::back_inserter(out));
+  return out;
+}
+
+bool is_sweep(const fs::path& file, const std::vector<std::string>& overrides) {
+  Node root = parse_yaml(read_whole(file), file.string());
+  for (const std::string& text : overrides)
+    if (concerns_section(text)) set_in_section(root, text);
+  const Node* found = root.find(section);
+  return found && !found->is_null();
+}
+
+Sweep read_sweep(const fs::path& file, const std::vector<std::string>& overrides) {
+  return SweepReader(file, overrides).read();
+}
+
+std::string settings_text(const Sweep& sweep, const SweepCase& one) {
+  const std::vector<SweptKey> keys = sweep.keys();
+  std::string out;
+  for (std::size_t k = 0; k < keys.size(); ++k)
+    out += fmt::format("{}{}={}", k > 0 ? ", " : "", short_name(keys[k].name, keys),
+                       to_flow_yaml(one.values[k]));
+  return out;
+}
+
+}  // namespace dda
