@@ -38,7 +38,8 @@ class RangeReader {
     if (range_.word == "log") return logarithmic();
     const bool is_integer = read_as<std::int64_t>(range_.from) && read_as<std::int64_t>(range_.to) &&
                             (range_.word.empty() || read_as<std::int64_t>(range_.number));
-    if (!is_integer && range_.word.empty())
+    const double from = number(range_.from), to = number(range_.to);
+    if (!is_integer && range_.word.empty() && from <= to)
       fail("a range of numbers that are no integers needs a step, as in 0.1..1 step 0.1");
     return linear(is_integer);
   }
@@ -114,9 +115,7 @@ class RangeReader {
 
 }  // namespace
 
-bool is_range(const Node& node) {
-  return node.is_scalar() && !node.quoted && node.text.find("..") != std::string::npos;
-}
+bool is_range(const Node& node) { return node.is_scalar() && node.text.find("..") != std::string::npos; }
 
 std::vector<Node> read_range(const Node& node, std::size_t at_most) {
   return RangeReader(node, at_most).read();

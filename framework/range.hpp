@@ -6,7 +6,7 @@
 
 namespace dda {
 
-/// Whether a scalar is meant as a range: unquoted, with `..` in it.
+/// Whether a node is meant as a range: a text with `..` in it.
 bool is_range(const Node& node);
 
 /// The values of `1..20`, `0.1..1 step 0.1` or `0.05..10 log 8`, each at the range's position.

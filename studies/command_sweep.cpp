@@ -18,9 +18,11 @@ namespace dda {
 namespace {
 
 namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
 
 /// Between two looks at the processes; a small part of the shortest run.
 constexpr auto pause = std::chrono::milliseconds(10);
+constexpr auto between_files = std::chrono::milliseconds(500);
 
 int num_jobs(const CommandLine& line) {
   return line.jobs > 0 ? line.jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
@@ -45,14 +47,16 @@ class Sweeping {
 
   void run() {
     const InterruptGuard guard;
-    write_sweep_files(sweep_, folder_, states_);
+    write();
     while (!is_over()) {
       if (interrupted() && !is_stopping_) stop();
       const bool has_changed = take_ended() || start_next();
+      if (is_due()) write();
       progress_.show(states_);
       if (!has_changed) std::this_thread::sleep_for(pause);
     }
-    was_interrupted_ = interrupted();
+    was_interrupted_ = interrupted() && std::ranges::any_of(states_, is_unfinished);
+    write();
     write_sweep_figure(sweep_, folder_, states_);
   }
 
@@ -60,6 +64,19 @@ class Sweeping {
   bool was_interrupted() const { return was_interrupted_; }
 
  private:
+  static bool is_unfinished(const CaseState& state) {
+    return state.status == CaseStatus::pending || state.status == CaseStatus::interrupted;
+  }
+
+  /// With hundreds of short runs writing after each of them would take a good part of the time.
+  bool is_due() const { return has_news_ && Clock::now() - written_at_ >= between_files; }
+
+  void write() {
+    write_sweep_files(sweep_, folder_, states_);
+    written_at_ = Clock::now();
+    has_news_ = false;
+  }
+
   bool is_over() const {
     return processes_.size() == 0 && (is_stopping_ || interrupted() || next() == states_.size());
   }
@@ -103,7 +120,7 @@ class Sweeping {
     if (!ended) return false;
     states_[ended->id] = outcome(*ended);
     progress_.ended(ended->id, states_[ended->id]);
-    write_sweep_files(sweep_, folder_, states_);
+    has_news_ = true;
     return true;
   }
 
@@ -129,7 +146,8 @@ class Sweeping {
   SweepProgress progress_;
   Processes processes_;
   std::size_t next_ = 0;
-  bool is_stopping_ = false, was_interrupted_ = false;
+  Clock::time_point written_at_;
+  bool has_news_ = false, is_stopping_ = false, was_interrupted_ = false;
 };
 
 /// 130 interrupted, 4 a run broke, 2 a run refused its deck, 3 a run stopped early, 0 all reached their
@@ -185,7 +203,7 @@ int dry_run(const Sweep& sweep, const std::string& parallel, const std::vector<C
 }  // namespace
 
 int command_sweep(const CommandLine& line) {
-  const auto start = std::chrono::steady_clock::now();
+  const auto start = Clock::now();
   if (line.run.profile) throw InputError(Position{"--profile"}, "is for one run, not for a sweep");
   const Sweep sweep = read_sweep(line.deck, line.overrides);
   const fs::path folder = folder_of(line);
@@ -201,7 +219,7 @@ int command_sweep(const CommandLine& line) {
   if (!line.run.quiet) announce(sweep, parallel, earlier, states);
   Sweeping sweeping(sweep, folder, std::move(states), line);
   sweeping.run();
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
   fmt::print("{}: {}, {}\n", folder.string(), count_text(sweeping.states()), duration_text(seconds));
   return exit_code_of(sweeping.states(), sweeping.was_interrupted());
 }
@@ -213,6 +231,7 @@ int resume_sweep(const CommandLine& line) {
     throw InputError(Position{file.string()}, "names no file");
   CommandLine again = line;
   again.deck = fs::proximate(before["file"].get<std::string>());
+  if (!fs::exists(again.deck)) again.deck = line.runs.front() / "sweep.yaml";
   again.overrides = before.value("overrides", std::vector<std::string>{});
   std::ranges::copy(line.overrides, std::back_inserter(again.overrides));
   if (!line.run.folder.empty())

@@ -31,7 +31,8 @@ int command_plot(const CommandLine& line);
 int command_compare(const CommandLine& line);
 int command_sweep(const CommandLine& line);
 
-/// Does again what `dda sweep` was told when it made the folder `line.runs.front()`.
+/// Does again what `dda sweep` was told when it made the folder `line.runs.front()`, with the copy of its
+/// file there where the file itself is gone.
 int resume_sweep(const CommandLine& line);
 
 }  // namespace dda

@@ -31,24 +31,16 @@ std::string line_of(const Words& words) {
   return out;
 }
 
-/// What each case is told, but for the values: `same` when that is so of all of them.
+/// Whether every case is told the same, but for the values: only seeds may stand at different places.
 bool are_alike(const Sweep& sweep) {
   const SweepCase& first = sweep.cases.front();
-  return std::ranges::all_of(sweep.cases, [&](const SweepCase& one) {
-    return one.seeds == first.seeds && one.overrides.size() == first.overrides.size();
-  });
+  return std::ranges::all_of(sweep.cases, [&](const SweepCase& one) { return one.seeds == first.seeds; });
 }
 
 /// One command with the places of parallel's words in it.
 class Template {
  public:
   Template(const Sweep& sweep, const fs::path& folder) : sweep_(sweep), folder_(folder) {}
-
-  /// Nothing where a value is written in another way than by itself, as in `{type: voronoi, seed: 3}`.
-  bool is_right() const {
-    return std::ranges::all_of(sweep_.cases,
-                               [&](const SweepCase& one) { return overrides(one) == one.overrides; });
-  }
 
   std::string line(int jobs) const {
     Words words{"parallel", "-j", std::to_string(jobs), "--will-cite", program_file(), "run"};
@@ -58,7 +50,7 @@ class Template {
         line_of(words) + " " + (has_decks ? place(deck) : inner(sweep_.cases.front().deck.string()));
     const auto digits = case_folder(sweep_, 0).filename().string().size();
     out += " --quiet --folder " + inner((folder_ / "cases").string() + "/") +
-           fmt::format("'{{= $_=sprintf(\"%0{}d\",seq()) =}}'", digits);
+           fmt::format("'{{=1 $_=sprintf(\"%0{}d\",seq()) =}}'", digits);
     for (const std::string& text : fixed()) out += " --set " + inner(text);
     for (const auto& [path, k] : varied()) out += " --set " + inner(path + "=") + place(k);
     return out + arguments();
@@ -92,12 +84,6 @@ class Template {
     for (std::size_t k = 0; k < keys.size(); ++k)
       if (keys[k].name == "seed")
         for (const std::string& path : sweep_.cases.front().seeds) out.emplace_back(path, k);
-    return out;
-  }
-
-  Words overrides(const SweepCase& one) const {
-    Words out = fixed();
-    for (const auto& [path, k] : varied()) out.push_back(assignment(path, one.values[k]));
     return out;
   }
 
@@ -137,9 +123,7 @@ std::string one_by_one(const Sweep& sweep, const fs::path& folder, int jobs) {
 }  // namespace
 
 std::string parallel_line(const Sweep& sweep, const fs::path& folder, int jobs) {
-  const Template wanted(sweep, folder);
-  const bool is_uniform = are_alike(sweep) && wanted.is_right();
-  return is_uniform ? wanted.line(jobs) : one_by_one(sweep, folder, jobs);
+  return are_alike(sweep) ? Template(sweep, folder).line(jobs) : one_by_one(sweep, folder, jobs);
 }
 
 }  // namespace dda

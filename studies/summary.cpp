@@ -106,6 +106,9 @@ Json summarise(const Simulation& simulation, const RunMemory& memory, const Meas
   out["energy_balance_scatter"] =
       end.work == 0 ? 0.0 : simulation.path().memory().unaccounted / std::abs(end.work);
   out["jump_energy"] = jump_energy;
+  out["external_work"] = end.work;
+  out["dissipated_energy"] = end.dissipated;
+  out["stored_energy"] = end.stored;
   out["units"] = units_of(simulation.deck().units);
   out["peak_memory_mib"] = peak_memory_mib();
   out["version"] = provenance().version;

@@ -45,8 +45,10 @@ Node without(const Node& map, const std::string& key) {
 /// The decks that cases start from, each read once, with the overrides of the command line.
 class Decks {
  public:
+  /// `root` is what the sweep's own file holds, null when the sweep names its decks.
   Decks(const fs::path& file, const Node& root, const std::vector<std::string>& overrides)
       : file_(file), overrides_(overrides) {
+    if (root.is_null()) return;
     Node own = without(root, section);
     set_all(own);
     roots_.emplace(file, std::move(own));
@@ -55,7 +57,6 @@ class Decks {
   fs::path path(const Node& name) const {
     return name.is_null() ? file_ : (file_.parent_path() / name.text).lexically_normal();
   }
-  bool is_own(const fs::path& path) const { return path == file_; }
 
   const Node& root(const Node& name) {
     const fs::path wanted = path(name);
@@ -113,7 +114,7 @@ class SweepReader {
     sweep_.key_units.resize(keys_.size());
     has_decks_ = !base_.is_null() || std::ranges::find(keys_, deck_key, &SweptKey::name) != keys_.end();
     refuse_second_deck();
-    Decks decks(sweep_.file, root_, deck_overrides_);
+    Decks decks(sweep_.file, has_decks_ ? Node{} : root_, deck_overrides_);
     for (const auto& places : cases_of(sweep_.axes)) add_case(places, decks);
     findings_.throw_if_any();
     if (sweep_.title.empty()) sweep_.title = title_of(root_);
@@ -158,7 +159,7 @@ class SweepReader {
       if (keys_[k].name == deck_key) name = one.values[k];
     Node root = decks.root(name);
     one.deck = decks.path(name);
-    if (decks.is_own(one.deck)) one.overrides.push_back(assignment(section, Node{}));
+    if (!has_decks_) one.overrides.push_back(assignment(section, Node{}));
     std::ranges::copy(deck_overrides_, std::back_inserter(one.overrides));
     for (std::size_t k = 0; k < keys_.size(); ++k) {
       if (keys_[k].name == deck_key || keys_[k].name == seed_key) continue;
@@ -171,30 +172,13 @@ class SweepReader {
   }
 
   void set_seeds(SweepCase& one, Node& root, std::size_t k) {
-    const Node effective = deck_schema().echo(deck_schema().read(root));
-    one.seeds = paths_to(effective, seed_key);
+    one.seeds = paths_to(deck_schema().echo(deck_schema().read(root)), seed_key);
     if (one.seeds.empty())
       throw InputError(keys_[k].where, fmt::format("seed: {} has no key of that name", one.deck.string()));
     for (const std::string& path : one.seeds) {
-      const auto [target, value] = seed_setting(root, effective, path, one.values[k]);
-      one.overrides.push_back(assignment(target, value));
-      set_value(root, target, value, keys_[k].where);
+      one.overrides.push_back(assignment(path, one.values[k]));
+      set_value(root, path, one.values[k], keys_[k].where);
     }
-  }
-
-  /// Where a deck has `subdivision: voronoi`, or nothing, the seed has no map to stand in: it is made.
-  static std::pair<std::string, Node> seed_setting(const Node& root, const Node& effective,
-                                                   const std::string& path, const Node& value) {
-    const std::string above = path.substr(0, path.rfind('.'));
-    const Node* given = find_value(root, above);
-    const Node* whole = find_value(effective, above);
-    const Node* type = whole ? whole->find("type") : nullptr;
-    if (!type || (given && given->is_map())) return {path, value};
-    Node made = Node::map();
-    made.where = value.where;
-    made.set("type", *type);
-    made.set(seed_key, value);
-    return {above, made};
   }
 
   void conclude(SweepCase& one, const Node& root) {
@@ -250,12 +234,15 @@ Sweep read_sweep(const fs::path& file, const std::vector<std::string>& overrides
   return SweepReader(file, overrides).read();
 }
 
-std::string settings_text(const Sweep& sweep, const SweepCase& one) {
+std::string setting_text(const Sweep& sweep, const SweepCase& one, std::size_t key) {
   const std::vector<SweptKey> keys = sweep.keys();
+  return short_name(keys[key].name, keys) + "=" + to_flow_yaml(one.values[key]);
+}
+
+std::string settings_text(const Sweep& sweep, const SweepCase& one) {
   std::string out;
-  for (std::size_t k = 0; k < keys.size(); ++k)
-    out += fmt::format("{}{}={}", k > 0 ? ", " : "", short_name(keys[k].name, keys),
-                       to_flow_yaml(one.values[k]));
+  for (std::size_t k = 0; k < one.values.size(); ++k)
+    out += (k > 0 ? ", " : "") + setting_text(sweep, one, k);
   return out;
 }
 

@@ -40,8 +40,10 @@ bool is_sweep(const std::filesystem::path& file, const std::vector<std::string>&
 /// each deck. Nothing is meshed. Throws InputError with every finding, at the entries of the sweep file.
 Sweep read_sweep(const std::filesystem::path& file, const std::vector<std::string>& overrides);
 
-/// "depth=50, seed=3": the values of a case, keys without what stands before their last dot when that is
-/// clear.
+/// "depth=50": the value of a varied key, by the shortest end of its name that no other one shares.
+std::string setting_text(const Sweep& sweep, const SweepCase& one, std::size_t key);
+
+/// "depth=50, seed=3": all of them.
 std::string settings_text(const Sweep& sweep, const SweepCase& one);
 
 }  // namespace dda

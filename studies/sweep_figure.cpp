@@ -1,11 +1,8 @@
 #include "studies/sweep_figure.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "framework/output/run_folder.hpp"
-#include "framework/settings.hpp"
 #include "studies/overlay.hpp"
 
 namespace dda {
@@ -30,7 +27,7 @@ class Legend {
   std::string entry(std::size_t index) const {
     const SweepCase& one = sweep_.cases[index];
     if (sweep_.cases.size() <= longest_legend) return settings_text(sweep_, one);
-    return has_axis_ ? fmt::format("{} = {}", sweep_.keys()[key_].name, to_flow_yaml(one.values[key_])) : "";
+    return has_axis_ ? setting_text(sweep_, one, key_) : "";
   }
 
  private:
@@ -49,6 +46,7 @@ void write_sweep_figure(const Sweep& sweep, const fs::path& folder, const std::v
     runs.push_back(read_run_curve(folder / case_folder(sweep, i)));
     runs.back().name = legend.entry(i);
   }
+  fs::remove(folder / "curves.svg");  // of an earlier sweep
   if (runs.empty()) return;
   const auto like_first = [&](const RunCurve& run) { return have_same_units(run, runs.front()); };
   const std::vector<std::string> common = common_displacements(runs);

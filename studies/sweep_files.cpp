@@ -38,31 +38,26 @@ TableCell cell_of(const Node& node) {
   return json.is_structured() ? to_flow_yaml(node) : cell_of(json);
 }
 
-Json units_in(const fs::path& run_folder) {
-  const fs::path file = run_folder / "curve.units.json";
-  if (!fs::exists(file)) return Json::object();
-  const Json units = Json::parse(read_whole(file), nullptr, false);
-  return units.is_object() ? units : Json::object();
-}
-
 /// The unit of a scalar of summary.json, from those of the curve's columns.
-std::string unit_of(const std::string& name, const Json& curve_units) {
+std::string unit_of(const std::string& name, const Json& units) {
+  const auto of_column = [&](const std::string& column) {
+    return units.is_object() ? units.value(column, "") : std::string();
+  };
   if (name.starts_with("timings.")) return "s";
   if (name == "peak_memory_mib") return "MiB";
-  if (name == "jump_energy") return curve_units.value("external_work", "");
+  if (name == "jump_energy") return of_column("external_work");
   constexpr std::string_view gauges = "peak.gauges.";
-  if (name.starts_with(gauges)) return curve_units.value(name.substr(gauges.size()), "");
-  return curve_units.value(name == "peak.load" ? "load" : name, "");
+  if (name.starts_with(gauges)) return of_column(name.substr(gauges.size()));
+  return of_column(name == "peak.load" ? "load" : name);
 }
 
 /// The rows' scalars and the union of their names, in the order in which they first occur.
 class TableBuilder {
  public:
-  TableBuilder(const Sweep& sweep, const fs::path& folder, const std::vector<CaseState>& states)
-      : sweep_(sweep), states_(states) {
+  TableBuilder(const Sweep& sweep, const std::vector<CaseState>& states) : sweep_(sweep), states_(states) {
     for (const SweptKey& key : sweep.keys()) taken_.push_back(key.name);
     std::ranges::copy(own_columns, std::back_inserter(taken_));
-    for (std::size_t i = 0; i < states.size(); ++i) collect(i, folder);
+    for (std::size_t i = 0; i < states.size(); ++i) collect(i);
   }
 
   SweepTable build() const {
@@ -78,15 +73,14 @@ class TableBuilder {
   }
 
  private:
-  void collect(std::size_t i, const fs::path& folder) {
+  void collect(std::size_t i) {
     rows_.emplace_back();
     if (!states_[i].summary.is_object()) return;
     Scalars scalars;
     flatten(states_[i].summary, "", scalars);
-    const Json curve_units = units_in(folder / case_folder(sweep_, i));
     for (auto& [name, cell] : scalars) {
       if (std::ranges::find(taken_, name) != taken_.end()) continue;
-      note_unit(name, unit_of(name, curve_units));
+      note_unit(name, unit_of(name, states_[i].curve_units));
       rows_.back().emplace(name, std::move(cell));
     }
   }
@@ -158,13 +152,13 @@ Json sweep_json(const Sweep& sweep, const std::string& name, const std::vector<C
   return out;
 }
 
-SweepTable sweep_table(const Sweep& sweep, const fs::path& folder, const std::vector<CaseState>& states) {
-  return TableBuilder(sweep, folder, states).build();
+SweepTable sweep_table(const Sweep& sweep, const std::vector<CaseState>& states) {
+  return TableBuilder(sweep, states).build();
 }
 
 void write_sweep_files(const Sweep& sweep, const fs::path& folder, const std::vector<CaseState>& states) {
   const std::string name = fs::absolute(folder / "").lexically_normal().parent_path().filename().string();
-  const SweepTable table = sweep_table(sweep, folder, states);
+  const SweepTable table = sweep_table(sweep, states);
   write_whole(folder / "sweep.json", sweep_json(sweep, name, states).dump(2) + "\n", Flush::to_system);
   write_whole(folder / "sweep.csv", table.csv, Flush::to_system);
   write_whole(folder / "sweep.units.json", table.units.dump(2) + "\n", Flush::to_system);

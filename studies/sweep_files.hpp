@@ -16,8 +16,7 @@ struct SweepTable {
   std::string csv;
   Json units;  ///< of every column, "" = none or not the same in all cases
 };
-SweepTable sweep_table(const Sweep& sweep, const std::filesystem::path& folder,
-                       const std::vector<CaseState>& states);
+SweepTable sweep_table(const Sweep& sweep, const std::vector<CaseState>& states);
 
 /// Writes sweep.json, sweep.csv and sweep.units.json, each whole or not at all.
 void write_sweep_files(const Sweep& sweep, const std::filesystem::path& folder,

@@ -44,6 +44,13 @@ bool is_sweep_folder(const fs::path& folder) {
   return fs::exists(folder / "sweep.json") || fs::is_directory(folder / "cases");
 }
 
+/// Null when there is no such file or it is no JSON.
+Json json_of(const fs::path& file) {
+  if (!fs::exists(file)) return {};
+  Json out = Json::parse(read_whole(file), nullptr, false);
+  return out.is_object() ? out : Json();
+}
+
 bool is_empty_or_absent(const fs::path& folder) {
   std::error_code error;
   return !fs::exists(folder, error) || (fs::is_directory(folder, error) && fs::is_empty(folder, error));
@@ -112,9 +119,9 @@ fs::path case_folder(const Sweep& sweep, std::size_t index) {
 
 CaseState state_of(const fs::path& run_folder) {
   CaseState out;
+  out.curve_units = json_of(run_folder / "curve.units.json");
   out.can_resume = fs::exists(run_folder / "restart.h5");
-  if (!fs::exists(run_folder / "summary.json")) return out;
-  out.summary = Json::parse(read_whole(run_folder / "summary.json"), nullptr, false);
+  out.summary = json_of(run_folder / "summary.json");
   if (!out.summary.is_object()) return out;
   const std::string status = out.summary.value("status", "");
   out.reason = out.summary.value("reason", "");

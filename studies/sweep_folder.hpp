@@ -25,6 +25,7 @@ struct CaseState {
   std::optional<int> exit_code;  ///< of the process
   bool can_resume = false;       ///< its folder has a restart file and no result
   Json summary;                  ///< null when there is none
+  Json curve_units;              ///< unit of each column of its curve
 
   bool has_result() const {
     return status == CaseStatus::goal_reached || status == CaseStatus::stopped_early;
