@@ -27,7 +27,8 @@ constexpr int exit_code_not_started = 127;
 }
 
 /// What happens in the new process; only what is allowed between fork and exec, see signal-safety(7).
-[[noreturn]] void become(const char* program, char* const* arguments, int output, pid_t parent) {
+/// /proc/self/exe is the running program even when its file has been replaced in the meantime.
+[[noreturn]] void become(char* const* arguments, int output, pid_t parent) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (getppid() != parent) _exit(exit_code_not_started);  // it died before the line above
@@ -35,7 +36,7 @@ constexpr int exit_code_not_started = 127;
   dup2(nothing, STDIN_FILENO);
   dup2(output, STDOUT_FILENO);
   dup2(output, STDERR_FILENO);
-  execv(program, arguments);
+  execv("/proc/self/exe", arguments);
   _exit(exit_code_not_started);
 }
 
@@ -69,7 +70,7 @@ void Processes::start(std::size_t id, const std::vector<std::string>& arguments)
   if (output < 0) fail("memfd_create");
   const pid_t parent = getpid();
   const pid_t process = fork();
-  if (process == 0) become(program.c_str(), words.data(), output, parent);
+  if (process == 0) become(words.data(), output, parent);
   if (process < 0) {
     close(output);
     fail("fork");

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <set>
 
 #include "framework/dimension_of.hpp"
 #include "framework/output/run_folder.hpp"
 #include "framework/settings.hpp"
 #include "studies/deck.hpp"
+#include "studies/sweep_decks.hpp"
 
 namespace dda {
 namespace {
@@ -27,13 +27,13 @@ bool concerns_section(const std::string& assignment) {
 
 /// `sweep.some.key=values` is the entry `some.key` of the section: there a dotted path is one name.
 void set_in_section(Node& root, const std::string& text) {
-  const auto equals = text.find('=');
-  const std::string key = text.substr(0, equals), prefix = std::string(section) + ".";
+  const std::string key = text.substr(0, text.find('=')), prefix = std::string(section) + ".";
   Node scratch = Node::map();
-  set_value(scratch, "value" + text.substr(equals), "--set " + key + ":");
-  if (!key.starts_with(prefix)) return root.set(section, scratch.entries.front().value);
+  set_value(scratch, text);
+  Node value = *find_value(scratch, key);
+  if (!key.starts_with(prefix)) return root.set(section, std::move(value));
   if (!root.find(section) || !root.find(section)->is_map()) root.set(section, Node::map());
-  root.find(section)->set(key.substr(prefix.size()), scratch.entries.front().value);
+  root.find(section)->set(key.substr(prefix.size()), std::move(value));
 }
 
 Node without(const Node& map, const std::string& key) {
@@ -41,50 +41,6 @@ Node without(const Node& map, const std::string& key) {
   std::erase_if(out.entries, [&](const NodeEntry& entry) { return entry.key == key; });
   return out;
 }
-
-/// The decks that cases start from, each read once, with the overrides of the command line.
-class Decks {
- public:
-  /// `root` is what the sweep's own file holds, null when the sweep names its decks.
-  Decks(const fs::path& file, const Node& root, const std::vector<std::string>& overrides)
-      : file_(file), overrides_(overrides) {
-    if (root.is_null()) return;
-    Node own = without(root, section);
-    set_all(own);
-    roots_.emplace(file, std::move(own));
-  }
-
-  fs::path path(const Node& name) const {
-    return name.is_null() ? file_ : (file_.parent_path() / name.text).lexically_normal();
-  }
-
-  const Node& root(const Node& name) {
-    const fs::path wanted = path(name);
-    const auto known = roots_.find(wanted);
-    return known != roots_.end() ? known->second : read(wanted, name);
-  }
-
- private:
-  const Node& read(const fs::path& wanted, const Node& name) {
-    if (!name.is_scalar()) throw InputError(name.where, "deck: expected the name of a file");
-    if (!fs::exists(wanted))
-      throw InputError(name.where, fmt::format("deck: no such file '{}' (looked for {})", name.text,
-                                               fs::absolute(wanted).lexically_normal().string()));
-    Node root = read_yaml(wanted);
-    set_all(root);
-    if (const Node* inner = root.find(section); inner && !inner->is_null())
-      throw InputError(name.where, fmt::format("deck: '{}' is a sweep itself", name.text));
-    return roots_.emplace(wanted, std::move(root)).first->second;
-  }
-
-  void set_all(Node& root) const {
-    for (const std::string& text : overrides_) set_value(root, text);
-  }
-
-  fs::path file_;
-  std::vector<std::string> overrides_;
-  std::map<fs::path, Node> roots_;
-};
 
 /// Makes the cases of a sweep; one wrong key is one finding, in however many cases it stands.
 class SweepReader {
@@ -114,7 +70,7 @@ class SweepReader {
     sweep_.key_units.resize(keys_.size());
     has_decks_ = !base_.is_null() || std::ranges::find(keys_, deck_key, &SweptKey::name) != keys_.end();
     refuse_second_deck();
-    Decks decks(sweep_.file, has_decks_ ? Node{} : root_, deck_overrides_);
+    SweepDecks decks(sweep_.file, has_decks_ ? Node{} : without(root_, section), deck_overrides_);
     for (const auto& places : cases_of(sweep_.axes)) add_case(places, decks);
     findings_.throw_if_any();
     if (sweep_.title.empty()) sweep_.title = title_of(root_);
@@ -139,7 +95,7 @@ class SweepReader {
     return title ? title->text : "";
   }
 
-  void add_case(const std::vector<std::size_t>& places, Decks& decks) {
+  void add_case(const std::vector<std::size_t>& places, SweepDecks& decks) {
     SweepCase one;
     for (std::size_t a = 0; a < places.size(); ++a)
       for (const SweptKey& key : sweep_.axes[a].keys) one.values.push_back(key.values[places[a]]);
@@ -153,7 +109,7 @@ class SweepReader {
     sweep_.cases.push_back(std::move(one));
   }
 
-  void fill(SweepCase& one, Decks& decks) {
+  void fill(SweepCase& one, SweepDecks& decks) {
     Node name = base_;
     for (std::size_t k = 0; k < keys_.size(); ++k)
       if (keys_[k].name == deck_key) name = one.values[k];

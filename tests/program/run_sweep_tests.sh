@@ -158,6 +158,8 @@ killed_and_missing() {
   [ "$(grep -c ' goal_reached' said.log)" -ge 2 ] || complain "it did not say what it ran"
   for case in 001 002 003 004
   do same "runs/four/cases/$case/curve.csv" "four/cases/$case/curve.csv"; done
+  expect 0 "what is kept" "$program" sweep four.yaml --folder four --dry-run --set record.fields_every=1
+  [ "$(grep -c '(goal_reached before)' said.log)" -eq 4 ] || complain "a resumed case is not known again: $(cat said.log)"
   grep -q '"event":"resumed"' four/cases/002/log.jsonl || complain "the killed case was not resumed"
 }
 
@@ -196,6 +198,7 @@ changed() {
   expect 2 "fewer values" "$program" sweep change.yaml
   said "1 of its runs is no longer in change.yaml, runs/change/cases/003 for one"
   exists runs/change/cases/003/mark50
+  expect 2 "what would happen" "$program" sweep change.yaml --dry-run
   expect 0 "all anew" "$program" sweep change.yaml --quiet --overwrite
   is_absent runs/change/cases/001/mark100
   is_absent runs/change/cases/003

@@ -61,7 +61,7 @@ TEST(Sweep, CommandLineVariesKeys) {
   EXPECT_EQ(example.read({"sweep.path.stop.steps=[3, 4]"}).cases.size(), 4u);
   EXPECT_EQ(read_sweep(example.folder() / "a.yaml", {"sweep.seed=1..3"}).cases.size(), 3u);
   EXPECT_THAT(messages([&] { example.read({"sweep.thicknes=[1]"}); }),
-              HasSubstr("did you mean 'thickness'?"));
+              HasSubstr("--set sweep.thicknes: unknown parameter 'thicknes'; did you mean 'thickness'?"));
 }
 
 TEST(Sweep, MistakesStandAtTheEntriesOnce) {
