@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 
 #include "framework/settings.hpp"
 #include "studies/processes.hpp"
@@ -37,10 +38,27 @@ bool are_alike(const Sweep& sweep) {
   return std::ranges::all_of(sweep.cases, [&](const SweepCase& one) { return one.seeds == first.seeds; });
 }
 
+/// Whether parallel would put something else in the place of a part of a word, as of `{}` or `{1}`.
+bool has_place(const std::string& word) {
+  for (auto brace = word.find('{'); brace != std::string::npos; brace = word.find('{', brace + 1))
+    if (brace + 1 == word.size() || std::isalpha(static_cast<unsigned char>(word[brace + 1])) == 0)
+      return true;
+  return false;
+}
+
 /// One command with the places of parallel's words in it.
 class Template {
  public:
   Template(const Sweep& sweep, const fs::path& folder) : sweep_(sweep), folder_(folder) {}
+
+  /// Whether no place is in it but those for the values.
+  bool is_right() const {
+    Words words = fixed();
+    for (const auto& [path, k] : varied()) words.push_back(path);
+    words.push_back(sweep_.cases.front().deck.string());
+    words.push_back(folder_.string());
+    return std::ranges::none_of(words, has_place);
+  }
 
   std::string line(int jobs) const {
     Words words{"parallel", "-j", std::to_string(jobs), "--will-cite", program_file(), "run"};
@@ -123,7 +141,8 @@ std::string one_by_one(const Sweep& sweep, const fs::path& folder, int jobs) {
 }  // namespace
 
 std::string parallel_line(const Sweep& sweep, const fs::path& folder, int jobs) {
-  return are_alike(sweep) ? Template(sweep, folder).line(jobs) : one_by_one(sweep, folder, jobs);
+  const Template command(sweep, folder);
+  return are_alike(sweep) && command.is_right() ? command.line(jobs) : one_by_one(sweep, folder, jobs);
 }
 
 }  // namespace dda

@@ -28,9 +28,10 @@ TableCell cell_of(const Json& json) {
 }
 
 void flatten(const Json& json, const std::string& name, Scalars& out) {
-  if (json.is_array()) return;
-  if (!json.is_object()) return out.emplace_back(name, cell_of(json)), void();
-  for (const auto& [key, value] : json.items()) flatten(value, name.empty() ? key : name + "." + key, out);
+  if (json.is_object())
+    for (const auto& [key, value] : json.items()) flatten(value, name.empty() ? key : name + "." + key, out);
+  else if (!json.is_array())
+    out.emplace_back(name, cell_of(json));
 }
 
 TableCell cell_of(const Node& node) {

@@ -228,9 +228,11 @@ EOF
   expect 0 "what parallel did counts" "$program" sweep "it's here/odd.yaml" --dry-run --folder "other way"
   [ "$(grep -c 'goal_reached before' said.log)" -eq 4 ] || complain "not kept: $(cat said.log)"
   expect 0 "seeds" "$program" sweep "$beam" --quiet --folder seeds --set 'sweep.seed=[5]' --set path.stop.steps=3
-  "$program" sweep "$beam" --dry-run --folder seeds_too --set 'sweep.seed=[5]' --set path.stop.steps=3 | tail -n 1 >line.sh
-  bash line.sh >said.log 2>&1 || complain "the line of parallel failed: $(cat said.log)"
-  same seeds/cases/001/curve.csv seeds_too/cases/001/curve.csv
+  for folder in "seeds too" "seeds {} {1}"; do
+    "$program" sweep "$beam" --dry-run --folder "$folder" --set 'sweep.seed=[5]' --set path.stop.steps=3 | tail -n 1 >line.sh
+    bash line.sh >said.log 2>&1 || complain "the line of parallel failed: $(cat said.log)"
+    same seeds/cases/001/curve.csv "$folder/cases/001/curve.csv"
+  done
 }
 
 for part in ${PARTS:-product_and_zip run_recognises_it several_decks wrong_input failing_cases killed_and_missing interrupted changed with_parallel}

@@ -137,6 +137,13 @@ TEST(ParallelLine, IsOneCommandWithPlaces) {
                               "scene.subdivision.seed={3} ::: 1 2 :::+ stress strain ::: 1 2"));
 }
 
+TEST(ParallelLine, IsAListOfCommandsWhereParallelWouldReadItsOwn) {
+  const SweepExample example("sweep: {deck: a.yaml, thickness: [1, 2]}\n");
+  EXPECT_THAT(parallel_line(example.read({"record={fields_every: 3}"}), "out", 1), HasSubstr("::: 1 2"));
+  for (const std::string folder : {"out{}", "out{1}", "{= x =}", "a{"})
+    EXPECT_THAT(parallel_line(example.read(), folder, 1), HasSubstr("--set thickness=2'")) << folder;
+}
+
 TEST(ParallelLine, IsAListOfCommandsWhereSeedsStandElsewhere) {
   const SweepExample example("sweep: {deck: [a.yaml, b.yaml], seed: [1]}\n");
   Sweep sweep = example.read();
