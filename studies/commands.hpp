@@ -11,11 +11,12 @@ namespace dda {
 /// What the program's commands take from the command line.
 struct CommandLine {
   std::filesystem::path deck;                ///< run, check, compare
-  std::vector<std::filesystem::path> runs;   ///< plot, and the one of resume
+  std::vector<std::filesystem::path> runs;   ///< plot, and the one of resume and report
   std::vector<std::string> overrides;        ///< --set
   std::vector<std::string> controls;         ///< compare
   std::string topic;                         ///< explain
   std::filesystem::path out = "curves.svg";  ///< plot
+  std::filesystem::path page;                ///< report; report.html in the folder when empty
   bool json = false;
   RunOptions run;
 };
@@ -27,5 +28,6 @@ int command_check(const CommandLine& line);
 int command_explain(const CommandLine& line);
 int command_plot(const CommandLine& line);
 int command_compare(const CommandLine& line);
+int command_report(const CommandLine& line);
 
 }  // namespace dda
