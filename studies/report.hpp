@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 
 /// What a page may hold, so that it stays below 20 MB and a browser stays quick.
 struct Limits {
-  std::size_t fields = 14'000'000;  ///< characters of geometry and stored steps
+  std::size_t fields = 15'000'000;  ///< characters of geometry and stored steps
   std::size_t cells = 250'000;      ///< of the curve (11 characters each); of all curves of a sweep (5 each)
   std::size_t events = 400;         ///< of the log
   std::size_t text = 400'000;       ///< characters of each deck

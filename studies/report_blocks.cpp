@@ -96,17 +96,16 @@ Json cracks(const ResultsReader& results, int step) {
 }
 
 Json geometry(const ResultsMesh& mesh) {
-  std::vector<std::uint32_t> offsets{0}, regions(mesh.block_region.begin(), mesh.block_region.end());
+  std::vector<std::uint16_t> counts;
   std::vector<double> vertices, segments;
   for (const auto& outline : mesh.blocks) {
     for (const Vec2& x : outline) vertices.insert(vertices.end(), {x.x(), x.y()});
-    offsets.push_back(static_cast<std::uint32_t>(vertices.size() / 2));
+    counts.push_back(static_cast<std::uint16_t>(outline.size()));
   }
   for (const auto& [start, end] : mesh.segments)
     segments.insert(segments.end(), {start.x(), start.y(), end.x(), end.y()});
   return {{"length_unit", mesh.length_unit},
-          {"offsets", integers(offsets)},
-          {"regions", integers(regions)},
+          {"counts", base64_of(std::span<const std::uint16_t>(counts))},
           {"vertices", singles(vertices)},
           {"segments", singles(segments)}};
 }

@@ -106,8 +106,8 @@ Json data_of_sweep(const fs::path& folder, const fs::path& page, const Limits& l
       std::max<std::size_t>(20, limits.cells / usual_columns / std::max<std::size_t>(1, entries.size()));
   data["cases"] = Json::array();
   for (const Json& entry : entries) data["cases"].push_back(case_of(entry, folder, page, most_rows));
-  data["axes"] = sweep.is_object() ? sweep.value("axes", Json()) : Json();
-  data["units"] = sweep.is_object() ? sweep.value("units", Json()) : Json();
+  for (const char* key : {"units", "overrides"})
+    if (sweep.is_object() && sweep.contains(key)) data[key] = sweep[key];
   data["notices"] = notices;
   return data;
 }

@@ -22,7 +22,7 @@ class Blocks {
   constructor(data) {
     this.lengthUnit = data.length_unit;
     this.stressUnit = data.stress_unit ?? "";
-    this.offsets = decoded(data.offsets, Uint32Array);
+    this.offsets = offsetsOf(decoded(data.counts, Uint16Array));
     this.vertices = decoded(data.vertices, Float32Array);
     this.segments = decoded(data.segments, Float32Array);
     this.numBlocks = this.offsets.length - 1;
@@ -103,9 +103,9 @@ class Blocks {
     return placed;
   }
 
-  /** Range of `values(index)` over all steps shown. */
-  rangeOverSteps(values) {
-    return rangeOf(this.steps.map((_, index) => rangeOf([values(index) ?? []])));
+  /** What all of the ranges `range(index)` of the steps shown hold. */
+  rangeOverSteps(range) {
+    return rangeOf(this.steps.map((_, index) => range(index)));
   }
 
   /** Of a block's middle, over all steps shown. */
@@ -113,6 +113,13 @@ class Blocks {
     const largestInteger = 32767;
     return this.steps.reduce((largest, { motion }) => Math.max(largest, largestInteger * motion.mean.scale), 0);
   }
+}
+
+/** Where the vertices of each block begin, and where the last end. */
+function offsetsOf(counts) {
+  const offsets = new Uint32Array(counts.length + 1);
+  for (let b = 0; b < counts.length; b += 1) offsets[b + 1] = offsets[b] + counts[b];
+  return offsets;
 }
 
 function decodedStep({ motion, cracks }) {

@@ -30,9 +30,9 @@ const COLOUR_STEPS = 64;
 /** Values and what they look like. */
 class ColourScale {
   constructor(map, range, label) {
-    this.map = map;
     this.label = label;
     this.range = range[0] === range[1] ? [range[0], range[0] + (Math.abs(range[0]) || 1)] : range;
+    this.colours = Array.from({ length: COLOUR_STEPS }, (_, bin) => colourAt(map, (bin + 0.5) / COLOUR_STEPS));
   }
 
   /** Symmetric about zero, so that its middle colour means none. */
@@ -47,6 +47,6 @@ class ColourScale {
   }
 
   colourOfBin(bin) {
-    return colourAt(this.map, (bin + 0.5) / COLOUR_STEPS);
+    return this.colours[bin];
   }
 }

@@ -86,6 +86,13 @@ function rangeOf(arrays) {
   return low > high ? [0, 1] : [low, high];
 }
 
+/** Range of all but the outermost part of the values: a few blocks under a point load would take all colours. */
+function innerRange(values, outermost = 0.005) {
+  const sorted = Float32Array.from(values).sort();
+  const last = sorted.length - 1;
+  return last < 0 ? [0, 1] : [sorted[Math.floor(outermost * last)], sorted[Math.ceil((1 - outermost) * last)]];
+}
+
 /** Tells its listeners about one chosen number, such as the stored step that is shown. */
 class Choice {
   constructor(value) {

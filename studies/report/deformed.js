@@ -52,8 +52,7 @@ class DeformedFigure {
       chooser("cracks by", [["opening", "opening"], ["damage", "damage"], ["none", "not shown"]], "opening", (value) => this.set("cracks", value)),
       this.blocks.stressUnit ? chooser("blocks by", fields, "none", (value) => this.set("field", value)) : null,
       checkbox("one scale for all steps", true, (value) => this.set("everyStep", value)),
-      zoomButtons(this.actions(), middle),
-      button("Save SVG", "Save this figure as vector graphics", () => this.save()));
+      figureButtons(this.actions(), middle, () => this.save()));
   }
 
   player() {
@@ -78,7 +77,8 @@ class DeformedFigure {
   caption() {
     const { steps, numStored, numBlocks } = this.blocks;
     const thinned = steps.length < numStored ? ` ${steps.length} of the ${numStored} stored steps are on this page, to keep it small.` : "";
-    return element("figcaption", {}, `${plural(numBlocks, "block")}. Wheel or two fingers: closer; drag: move.${thinned}`);
+    this.note = element("span", { hidden: true }, " The half percent of the blocks with the highest and the lowest stress has the colour of the scale's end.");
+    return element("figcaption", {}, `${plural(numBlocks, "block")}. Wheel or two fingers: closer; drag: move.${thinned}`, this.note);
   }
 
   /** Each play starts anew at the first step when it has come to the end. */
@@ -103,6 +103,7 @@ class DeformedFigure {
     this.slider.value = this.shown.value;
     this.slider.setAttribute("aria-valuetext", `step ${step}`);
     this.told.textContent = this.stepText(step);
+    this.note.hidden = this.options.field === "none";
     this.draw();
   }
 

@@ -1,68 +1,5 @@
 // The figures of a run over its path: load against a gauge, stability, energies.
 
-/** A run's curve: its table, the rows by step, and what its columns are. */
-class Curve {
-  constructor(table, summary, log) {
-    this.table = table;
-    this.summary = summary ?? {};
-    this.log = log;
-    this.steps = table.numbers("step") ?? Float64Array.from({ length: table.numRows }, (_, i) => i);
-    this.isUnstable = this.stability();
-  }
-
-  rowOfStep(step) {
-    return nearestRow(this.steps, step);
-  }
-
-  /** Unit of length: that of the run, or the one its gauges have most likely. */
-  get lengthUnit() {
-    return this.summary.units?.length ?? "mm";
-  }
-
-  displacements() {
-    return this.table.numericColumns().filter((column) => column.unit === this.lengthUnit);
-  }
-
-  get defaultAxis() {
-    return (this.displacements()[0] ?? this.table.column("dissipated_energy") ?? this.table.columns[0]).name;
-  }
-
-  /** Whether the structure is unstable where this row's part of the path ends; null when nobody asked. */
-  stability() {
-    const negative = this.table.numbers("negative_eigenvalues");
-    return negative ? (row) => negative[row] > 0 : null;
-  }
-
-  /** All that is known of a step, with units. */
-  describe(row) {
-    const hidden = new Set(["load_factor"]);
-    const load = this.table.column("load");
-    if (!load || load.unit !== "") hidden.delete("load_factor");
-    const pairs = this.table.columns.filter((column) => !hidden.has(column.name)).map((column) => [words(column.name), column.textAt(row)]);
-    const landed = this.log?.landed?.[this.steps[row]];
-    return landed ? [...pairs, ["landed on", landed]] : pairs;
-  }
-
-  /** Peak and located events as marks over two columns. */
-  marks(x, y) {
-    const { peak, events } = this.summary;
-    const listed = Array.isArray(events) ? events : [];
-    const marks = listed.map((event) => this.markOf(event, x, y)).filter(Boolean);
-    if (!peak || !(peak.step > 0)) return marks;
-    const loadUnit = this.table.column("load")?.unit ?? "";
-    return [this.markOf({ ...peak, kind: `peak, ${formatNumber(peak.load, 4)} ${loadUnit}`.trim() }, x, y), ...marks].filter(Boolean);
-  }
-
-  /** An event may lie between two steps: its own numbers count, then those of its step. */
-  markOf(event, x, y) {
-    if (typeof event !== "object" || event === null) return null;
-    const row = Number.isFinite(event.step) ? this.rowOfStep(event.step) : null;
-    const at = (name) => [event[name], event.gauges?.[name], row === null ? undefined : this.table.numbers(name)?.[row]].find(Number.isFinite);
-    const [px, py] = [at(x), at(y)];
-    return px === undefined || py === undefined ? null : { x: px, y: py, label: words(event.kind ?? event.type ?? "event") };
-  }
-}
-
 /** Load against displacement, axes to be chosen. */
 class CurveFigure {
   constructor(curve, name, { onPick, note }) {
@@ -72,7 +9,7 @@ class CurveFigure {
       name: fileName(name, "curve"),
       label: "Load against displacement; arrow keys go from step to step",
       height: (width) => Math.min(400, Math.max(260, 0.72 * width)),
-      describe: (series, row) => curve.describe(row),
+      describe: (series, row) => curve.describe(row, Object.values(this.axes)),
       pick: (series, row) => onPick?.(curve.steps[row]),
     });
     this.figure = element("figure", { id: "curve" }, this.toolbar(), this.plot.stage, element("figcaption", {}, note));

@@ -32,7 +32,7 @@ class Plot {
 
   buttons() {
     const middle = () => [this.frame.x + this.frame.width / 2, this.frame.y + this.frame.height / 2];
-    return [...zoomButtons(this.actions(), middle), button("Save SVG", "Save this figure as vector graphics", () => this.save())];
+    return figureButtons(this.actions(), middle, () => this.save());
   }
 
   /** Other curves or axes: everything is shown again. */
@@ -54,8 +54,10 @@ class Plot {
 
   frameOf(width, height) {
     const { series, marks } = this.content;
-    const all = (axis) => widened(rangeOf([...series.map((one) => one[axis]), marks.map((mark) => mark[axis])]));
-    const view = this.view ?? { x: all("x"), y: all("y") };
+    // A point counts where both of its numbers are there.
+    const drawn = (one, axis) => one[axis].filter((_, i) => isPoint(one, i));
+    const all = (axis, part) => widened(rangeOf([...series.map((one) => drawn(one, axis)), marks.map((mark) => mark[axis])]), part);
+    const view = this.view ?? { x: all("x", 0.05), y: all("y", 0.08) };
     return new PlotFrame(width, height, view.x, view.y);
   }
 
@@ -71,7 +73,8 @@ class Plot {
     if (!this.hovered) return this.content;
     const { series, i } = this.hovered;
     const dot = { x: [series.x[i]], y: [series.y[i]], colour: INK, onlyDots: true, dots: true };
-    return { ...this.content, series: [...this.content.series, { ...series, width: 3 }, dot] };
+    const line = this.content.series.length > 1 ? [{ ...series, width: 3 }] : [];
+    return { ...this.content, series: [...this.content.series, ...line, dot] };
   }
 
   zoom(factor, x, y) {
@@ -115,7 +118,6 @@ class Plot {
   tell({ series, i }) {
     const pairs = this.options.describe(series, i);
     this.box.replaceChildren(...pairs.flatMap(([term, value]) => [element("span", {}, term), element("b", {}, value)]));
-    this.box.classList.toggle("wide", pairs.length > 9);
     const [px, py] = [this.frame.toX(series.x[i]), this.frame.toY(series.y[i])];
     const [width, height] = [this.box.offsetWidth, this.box.offsetHeight];
     const left = px + 14 + width <= this.stage.clientWidth ? px + 14 : Math.max(0, px - 14 - width);

@@ -34,7 +34,7 @@ class PlotFrame {
   }
 }
 
-/** series: {x, y, colour, width, dashed(i), dots}; marks: {x, y, label}; cursor: {x, y} or null. */
+/** series: {x, y, colour, width, dashed(i), dots}; marks: {x, y, label, fill}; cursor: {x, y} or null. */
 class PlotPainter {
   constructor(surface, frame, content) {
     this.surface = surface;
@@ -108,25 +108,40 @@ class PlotPainter {
 
   marks() {
     const taken = [];
-    for (const { x, y, label } of this.content.marks ?? []) {
-      const [px, py] = [this.frame.toX(x), this.frame.toY(y)];
-      if (!Number.isFinite(px + py) || !this.frame.holds(px, py)) continue;
-      this.surface.circle(px, py, 4.5, { stroke: INK, fill: "#fff", width: 1.5 });
-      this.label(px, py, label, taken);
-    }
+    const shown = (this.content.marks ?? []).map(({ x, y, label, fill }) => ({ x: this.frame.toX(x), y: this.frame.toY(y), label, fill }))
+      .filter(({ x, y }) => Number.isFinite(x + y) && this.frame.holds(x, y));
+    for (const { x, y, fill } of shown) this.surface.circle(x, y, 4.5, { stroke: INK, fill: fill ?? "#fff", width: 1.5 });
+    const curves = shown.length > 0 ? this.samples() : [];
+    for (const { x, y, label } of shown) this.label(x, y, label, { taken, curves });
   }
 
-  /** Beside its mark, where no other label is. */
-  label(px, py, text, taken) {
-    const width = 6 * text.length;
-    const places = [[8, -8], [8, 16], [-8, -8], [-8, 16], [8, -22], [8, 30], [-8, -22], [-8, 30]];
-    const boxes = places.map(([dx, dy]) => ({ left: dx > 0 ? px + dx : px + dx - width, base: py + dy, dx }));
+  /** Places on the curves, close enough to each other that no label slips between. */
+  samples() {
+    const places = [];
+    const apart = 5;
+    for (const series of this.content.series)
+      for (const track of this.pieces(series, false).concat(this.pieces(series, true)))
+        for (let i = 2; i < track.length && places.length < 20000; i += 2) {
+          const [dx, dy] = [track[i] - track[i - 2], track[i + 1] - track[i - 1]];
+          const count = Math.min(300, Math.ceil(Math.hypot(dx, dy) / apart));
+          for (let k = 0; k <= count; k += 1) places.push([track[i - 2] + (dx * k) / count, track[i - 1] + (dy * k) / count]);
+        }
+    return places;
+  }
+
+  /** Beside its mark, where no other label is and least of the curves; left out where there is no room. */
+  label(px, py, text, { taken, curves }) {
+    const width = 6.4 * text.length;
+    const offsets = [[9, -8], [9, 16], [-9, -8], [-9, 16], [9, -24], [9, 32], [-9, -24], [-9, 32], [24, 4], [-24, 4]];
+    const boxes = offsets.map(([dx, dy]) => ({ left: dx > 0 ? px + dx : px + dx - width, base: py + dy, width, isRight: dx > 0 }));
+    const touches = (box, [x, y]) => x > box.left - 3 && x < box.left + width + 3 && y > box.base - 12 && y < box.base + 5;
     const isFree = (box) => this.frame.holds(box.left, box.base - 10) && this.frame.holds(box.left + width, box.base + 3) &&
       !taken.some((other) => Math.abs(other.base - box.base) < 13 && box.left < other.left + other.width && other.left < box.left + width);
-    const box = boxes.find(isFree);
-    if (!box) return;
-    taken.push({ ...box, width });
-    this.surface.text(box.dx > 0 ? box.left : box.left + width, box.base, text, { anchor: box.dx > 0 ? "start" : "end" });
+    const crossings = (box) => curves.filter((place) => touches(box, place)).length;
+    const [best] = boxes.filter(isFree).map((box) => ({ ...box, crossings: crossings(box) })).sort((one, other) => one.crossings - other.crossings);
+    if (!best) return;
+    taken.push(best);
+    this.surface.text(best.isRight ? best.left : best.left + width, best.base, text, { anchor: best.isRight ? "start" : "end" });
   }
 
   cursor() {
@@ -142,7 +157,7 @@ function isPoint(series, i) {
 }
 
 /** A range a little wider than its values, never empty. */
-function widened([low, high], part = 0.05) {
+function widened([low, high], part) {
   const largest = Math.max(Math.abs(low), Math.abs(high));
   if (!(high - low > 1e-12 * largest)) return [low - (largest ? 0.1 * largest : 1), high + (largest ? 0.1 * largest : 1)];
   return [low - part * (high - low), high + part * (high - low)];

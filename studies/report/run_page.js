@@ -64,9 +64,11 @@ class RunPage {
     const figures = element("div", { class: "figures" });
     const shown = this.blocks ? new Choice(this.firstShown()) : null;
     if (this.curve) figures.append(this.curveFigure(shown).figure);
-    if (this.blocks) figures.append(new DeformedFigure(this.blocks, shown, { name: this.data.name, stepText: (step) => this.stepText(step) }).figure);
-    else figures.append(element("p", { class: "quiet" }, this.whyNoBlocks()));
-    return section("path", "Path", figures);
+    if (this.blocks) {
+      this.figures.deformed = new DeformedFigure(this.blocks, shown, { name: this.data.name, stepText: (step) => this.stepText(step) });
+      figures.append(this.figures.deformed.figure);
+    } else figures.append(element("p", { class: "quiet" }, this.whyNoBlocks()));
+    return section("path", "Path", figures, this.curve ? eventTable(this.curve) : null);
   }
 
   whyNoBlocks() {

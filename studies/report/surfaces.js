@@ -11,6 +11,7 @@ class CanvasSurface {
     canvas.height = Math.round(height * density);
     canvas.style.height = `${height}px`;
     this.context = canvas.getContext("2d");
+    this.density = density;
     this.context.scale(density, density);
     this.context.fillStyle = "#fff";
     this.context.fillRect(0, 0, width, height);
@@ -41,6 +42,16 @@ class CanvasSurface {
     this.context.moveTo(track[0], track[1]);
     for (let i = 2; i < track.length; i += 2) this.context.lineTo(track[i], track[i + 1]);
     if (closed) this.context.closePath();
+  }
+
+  /** Many small polygons without edges, by bins of colour, onto the empty upper part of the picture. */
+  smallPolygons(bins, width, height) {
+    const raster = new Raster(Math.round(width * this.density), Math.round(height * this.density));
+    for (const [colour, outlines] of bins) {
+      const number = Raster.colour(colour);
+      for (const outline of outlines) raster.fill(this.density === 1 ? outline : outline.map((place) => place * this.density), number);
+    }
+    this.context.putImageData(raster.image(), 0, 0);
   }
 
   circle(x, y, radius, style) {

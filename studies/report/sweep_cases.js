@@ -54,6 +54,18 @@ class Sweep {
     return folders ? folders.indexOf(entry.folder) : i;
   }
 
+  /** The name of a key or column of the table, as short as it can be. */
+  shortName(name) {
+    if (this.keys.includes(name)) return words(shortKey(name, this.keys));
+    return words(name.replace(/^peak\.gauges\./, "peak ").replace(/^peak\./, "peak ").replace(/^timings\.total$/, "wall time")
+      .replace(/^timings\./, "time of "));
+  }
+
+  /** The same with its unit. */
+  title(name) {
+    return withUnit(this.shortName(name), this.table?.column(name)?.unit ?? "");
+  }
+
   numericColumns() {
     return this.table ? this.table.numericColumns().filter(({ name }) => name !== "exit_code") : [];
   }
@@ -82,7 +94,7 @@ class Sweep {
     const part = (i) => (values.length > 1 ? (0.92 * i) / (values.length - 1) : 0);
     const colours = values.map((_, i) => (areNumbers || values.length > PALETTE.length ? colourAt("viridis", part(i)) : PALETTE[i]));
     const colour = (one) => colours[values.indexOf(one.setting(key))] ?? GREY;
-    return { colour, entries: thinnedLegend(values.map((value, i) => [`${key} = ${textOf(value)}`, colours[i]])) };
+    return { colour, entries: thinnedLegend(values.map((value, i) => [`${this.shortName(key)} = ${textOf(value)}`, colours[i]])) };
   }
 }
 

@@ -24,7 +24,7 @@ class SweepPage {
   }
 
   figures() {
-    const colourBy = this.sweep.keys.map((key) => [key, key]);
+    const colourBy = this.sweep.keys.map((key) => [key, this.sweep.shortName(key)]);
     const choice = chooser("colour by", [...colourBy, ["", "nothing"]], this.colourKey, (key) => {
       this.colourKey = key;
       this.draw();
@@ -44,7 +44,7 @@ class SweepPage {
   axesPlot(columns, axes, options) {
     const plot = new Plot({ ...options, height: (width) => Math.min(420, Math.max(260, 0.72 * width)),
       pick: (series) => this.chosen.set(series.case ?? null) });
-    const names = columns.map((column) => [column.name, words(column.name)]);
+    const names = columns.map(({ name }) => [name, this.sweep.shortName(name)]);
     const choose = (axis) => (value) => {
       axes[axis] = value;
       this.draw();
@@ -72,11 +72,11 @@ class SweepPage {
     const peak = columns.find(({ name }) => name === "peak.load") ?? columns[1];
     return this.axesPlot(columns, { x: varied ?? columns[0].name, y: peak.name }, { id: "scatter", name: fileName(this.data.name, "scatter"),
       label: "A number of each case against another", note: "One point per case; any column of sweep.csv against any other.",
-      describe: (series) => [...this.settingsOf(series.case), ...Object.values(this.scatter.axes).map((name) => [words(name), this.cellText(series.case, name)])] });
+      describe: (series) => [...this.settingsOf(series.case), ...Object.values(this.scatter.axes).map((name) => [this.sweep.shortName(name), this.cellText(series.case, name)])] });
   }
 
   settingsOf(one) {
-    return [["case", String(one.number)], ...this.sweep.keys.map((key) => [key, textOf(one.setting(key))])];
+    return [["case", String(one.number)], ...this.sweep.keys.map((key) => [this.sweep.shortName(key), textOf(one.setting(key))])];
   }
 
   cellText(one, name) {
@@ -112,10 +112,10 @@ class SweepPage {
 
   /** The view is kept while the axes stay. */
   showIn(plot, axes, columns, series) {
-    const [x, y] = [axes.x, axes.y].map((name) => columns.find((column) => column.name === name));
-    const sameAxes = plot.content.xLabel === x.label && plot.content.yLabel === y.label;
+    const [xLabel, yLabel] = [axes.x, axes.y].map((name) => withUnit(this.sweep.shortName(name), columns.find((column) => column.name === name).unit));
+    const sameAxes = plot.content.xLabel === xLabel && plot.content.yLabel === yLabel;
     const view = sameAxes ? plot.view : null;
-    plot.show({ series, xLabel: x.label, yLabel: y.label });
+    plot.show({ series, xLabel, yLabel });
     plot.setView(view);
   }
 
@@ -128,14 +128,14 @@ class SweepPage {
   }
 
   fillTable(isAll) {
-    const isUsual = ({ name }) => /^(peak\.|steps$|rejected_steps$|blocks$|energy_balance_error$|timings\.total$)/.test(name);
+    const isUsual = ({ name }) => /^(peak\.load$|peak\.gauges\.|steps$|blocks$|energy_balance_error$|timings\.total$)/.test(name);
     const known = new Set(["case", "folder", "status", "exit_code", "reason", ...this.sweep.keys]);
     const more = (this.sweep.table?.columns ?? []).filter((column) => !known.has(column.name) && (isAll || isUsual(column)));
     const columns = [
       { title: "case", isNumeric: true, text: (one) => String(one.number), value: (one) => Number(one.number), element: (one) => linkOf(one) },
-      ...this.sweep.keys.map((key) => ({ title: key, isNumeric: this.sweep.valuesOf(key).every(Number.isFinite), text: (one) => textOf(one.setting(key)), value: (one) => one.setting(key) })),
-      { title: "status", text: (one) => words(one.status) },
-      ...more.map((column) => ({ title: column.label, isNumeric: column.isNumeric, text: (one) => numberOrText(one.cell(column.name)), value: (one) => one.cell(column.name) })),
+      ...this.sweep.keys.map((key) => ({ title: this.sweep.title(key), isNumeric: this.sweep.valuesOf(key).every(Number.isFinite), text: (one) => textOf(one.setting(key)), value: (one) => one.setting(key) })),
+      { title: "status", className: "status-cell", text: (one) => words(one.status) },
+      ...more.map((column) => ({ title: this.sweep.title(column.name), isNumeric: column.isNumeric, text: (one) => numberOrText(one.cell(column.name)), value: (one) => one.cell(column.name) })),
     ];
     this.caseTable = new SortableTable(columns, this.sweep.cases, (one) => `${one.isGood ? "" : "failed"} ${one === this.chosen.value ? "chosen" : ""}`.trim());
     this.tableHost.replaceChildren(this.caseTable.element);
@@ -150,8 +150,8 @@ class SweepPage {
     if (failed.length === 0) return null;
     const columns = [
       { title: "case", isNumeric: true, text: (one) => String(one.number), element: (one) => linkOf(one) },
-      { title: "settings", text: (one) => this.sweep.keys.map((key) => `${key} = ${textOf(one.setting(key))}`).join(", ") },
-      { title: "status", text: (one) => words(one.status) },
+      { title: "settings", text: (one) => this.sweep.keys.map((key) => `${this.sweep.shortName(key)} = ${textOf(one.setting(key))}`).join(", ") },
+      { title: "status", className: "status-cell", text: (one) => words(one.status) },
       { title: "exit code", isNumeric: true, text: (one) => String(one.entry.exit_code ?? one.cell("exit_code") ?? "") },
       { title: "reason", className: "message", text: (one) => [one.reason, ...(one.entry.notices ?? [])].filter(Boolean).join("; ") || "not known: the case has not ended" },
     ];
@@ -159,14 +159,17 @@ class SweepPage {
   }
 
   asked() {
-    if (!this.data.deck) return null;
-    return section("asked", "What was asked", element("h3", {}, "Assumptions and comments of the sweep"), commentList(this.data.deck),
-      folded("sweep.yaml", deckText(this.data.deck)));
+    const { deck, overrides } = this.data;
+    const varied = this.sweep.keys.map((key) => element("li", {}, element("code", {}, key), ` over ${listed(this.sweep.valuesOf(key))}`));
+    return section("asked", "What was asked",
+      varied.length > 0 ? [element("h3", {}, "Varied"), element("ul", {}, varied)] : null,
+      overrides?.length > 0 ? [element("h3", {}, "Overrides of the command"), element("ul", {}, overrides.map((text) => element("li", {}, element("code", {}, `--set ${text}`))))] : null,
+      deck ? [element("h3", {}, "Assumptions and comments of the sweep"), commentList(deck), folded("sweep.yaml", deckText(deck))] : null);
   }
 
   provenance() {
     const { generator, units } = this.data;
-    const versions = [...new Set(this.sweep.table?.column("version")?.texts ?? [])];
+    const versions = [...new Set(this.sweep.table?.column("version")?.texts ?? [])].filter(Boolean);
     return section("provenance", "Provenance", facts([["cases run by", versions.join(", ")],
       ["units", Object.entries(units ?? {}).map(([what, unit]) => `${what} ${unit}`).join(", ")],
       ["this page", `made by ddapath ${generator.version}, ${formatDate(generator.date)}`]]));
@@ -180,4 +183,11 @@ function linkOf(one) {
 
 function numberOrText(value) {
   return typeof value === "number" ? formatNumber(value) : String(value ?? "");
+}
+
+/** Values in a row, those in the middle left out where they are many. */
+function listed(values) {
+  const most = 12;
+  const texts = values.map(textOf);
+  return texts.length <= most ? texts.join(", ") : `${texts.slice(0, most - 2).join(", ")}, … ${texts[texts.length - 1]} (${texts.length} values)`;
 }

@@ -5,7 +5,7 @@ function statusInWords(data) {
   const status = data.summary?.status;
   const reason = data.summary?.reason ? `: ${data.summary.reason}.` : ".";
   if (!data.summary || data.log?.is_open)
-    return { kind: "bad", head: "Unfinished.", text: "This run is still going on, or was killed: it has no conclusion yet. What it had written is shown. " +
+    return { kind: "bad", head: "Unfinished.", text: " This run is still going on, or was killed: it has no conclusion yet. What it had written is shown. " +
       "Continue it with: dda resume, and make the report again." };
   if (status === "goal_reached") return { kind: "good", head: "Goal reached", text: reason };
   if (status === "interrupted")
@@ -69,4 +69,14 @@ function commentList(text) {
 
 function folded(title, content, isOpen = false) {
   return element("details", { open: isOpen }, element("summary", {}, title), content);
+}
+
+/** A dotted key without what stands before, as far as it stays the only one of the list that is called so. */
+function shortKey(key, keys) {
+  const parts = key.split(".");
+  for (let count = 1; count < parts.length; count += 1) {
+    const short = parts.slice(-count).join(".");
+    if (!keys.some((other) => other !== key && (other === short || other.endsWith(`.${short}`)))) return short;
+  }
+  return key;
 }

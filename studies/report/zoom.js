@@ -71,11 +71,11 @@ class Gestures {
   }
 }
 
-/** Buttons for those without a wheel. */
-function zoomButtons(actions, middle) {
-  return [
+/** Buttons for those without a wheel, and one that saves the figure; they stay together. */
+function figureButtons(actions, middle, save) {
+  return element("span", { class: "group" },
     button("+", "Closer", () => actions.zoom(1.5, ...middle())),
     button("−", "Farther", () => actions.zoom(1 / 1.5, ...middle())),
     button("Reset", "Show everything again", () => actions.reset()),
-  ];
+    button("Save SVG", "Save this figure as vector graphics", save));
 }

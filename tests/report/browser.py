@@ -6,6 +6,7 @@
 """
 
 import base64
+import fcntl
 import json
 import os
 import select
@@ -17,6 +18,15 @@ import time
 
 class BrowserError(Exception):
     """The browser does not answer, or a script on the page failed."""
+
+
+def pipe_above_nine():
+    """A pipe whose ends leave the descriptors 3 and 4 free."""
+    ends = os.pipe()
+    moved = tuple(fcntl.fcntl(end, fcntl.F_DUPFD_CLOEXEC, 10) for end in ends)
+    for end in ends:
+        os.close(end)
+    return moved
 
 
 class Browser:
@@ -34,8 +44,8 @@ class Browser:
         program = shutil.which("chromium")
         if program is None:
             raise BrowserError("there is no chromium; Debian's package of that name has it")
-        to_read, self.to_browser = os.pipe()
-        self.from_browser, to_write = os.pipe()
+        to_read, self.to_browser = pipe_above_nine()
+        self.from_browser, to_write = pipe_above_nine()
         command = [program, "--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--no-first-run",
                    "--disable-background-networking", "--disable-extensions", "--hide-scrollbars",
                    "--remote-debugging-pipe", f"--user-data-dir={self.home}/profile"]

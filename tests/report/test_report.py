@@ -33,7 +33,7 @@ class Reports(unittest.TestCase):
         cls.work = Path(cls.folder.name)
         cls.browser = cls.enterClassContext(Browser())
         dda("run", BEAM, "--folder", cls.work / "beam", "--quiet", "--set", "record.eigenvalues.count=2", "--set", f"title='{ATTACK}'")
-        cls.rows = list(csv.DictReader(open(cls.work / "beam/curve.csv", encoding="utf-8")))
+        cls.rows = list(csv.DictReader((cls.work / "beam/curve.csv").read_text(encoding="utf-8").splitlines()))
         cls.summary = json.loads((cls.work / "beam/summary.json").read_text())
 
     def report(self, folder):
