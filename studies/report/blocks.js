@@ -2,10 +2,10 @@
 
 /** Fields that blocks may show, each from the stress (xx, yy, xy). */
 const BLOCK_FIELDS = {
-  none: { text: "none" },
-  xx: { text: "stress σxx", label: "σxx", value: (xx) => xx },
-  yy: { text: "stress σyy", label: "σyy", value: (xx, yy) => yy },
-  xy: { text: "stress σxy", label: "σxy", value: (xx, yy, xy) => xy },
+  none: {text: "none"},
+  xx: {text: "stress σxx", label: "σxx", value: (xx) => xx},
+  yy: {text: "stress σyy", label: "σyy", value: (xx, yy) => yy},
+  xy: {text: "stress σxy", label: "σxy", value: (xx, yy, xy) => xy},
   first: {
     text: "largest principal stress σ₁",
     label: "σ₁",
@@ -49,7 +49,7 @@ class Blocks {
   findBox() {
     const x = rangeOf([this.vertices.filter((_, i) => i % 2 === 0)]);
     const y = rangeOf([this.vertices.filter((_, i) => i % 2 === 1)]);
-    return { x, y, size: Math.hypot(x[1] - x[0], y[1] - y[0]) };
+    return {x, y, size: Math.hypot(x[1] - x[0], y[1] - y[0])};
   }
 
   /** How the step at this place of the list moves, decoded once. */
@@ -65,7 +65,7 @@ class Blocks {
 
   /** Every vertex where the magnified displacement puts it. */
   movedVertices(index, magnification) {
-    const { mean, gradient } = this.state(index);
+    const {mean, gradient} = this.state(index);
     const moved = new Float32Array(this.vertices.length);
     for (let b = 0; b < this.numBlocks; b += 1)
       for (let v = this.offsets[b]; v < this.offsets[b + 1]; v += 1) {
@@ -73,14 +73,15 @@ class Blocks {
         const dy = this.vertices[2 * v + 1] - this.centres[2 * b + 1];
         const g = 4 * b;
         moved[2 * v] = this.vertices[2 * v] + magnification * (mean[2 * b] + gradient[g] * dx + gradient[g + 1] * dy);
-        moved[2 * v + 1] = this.vertices[2 * v + 1] + magnification * (mean[2 * b + 1] + gradient[g + 2] * dx + gradient[g + 3] * dy);
+        moved[2 * v + 1] =
+            this.vertices[2 * v + 1] + magnification * (mean[2 * b + 1] + gradient[g + 2] * dx + gradient[g + 3] * dy);
       }
     return moved;
   }
 
   /** A field over the blocks, null when nothing is to be shown. */
   field(index, name) {
-    const { value } = BLOCK_FIELDS[name];
+    const {value} = BLOCK_FIELDS[name];
     if (!value || !this.steps[index].stress) return null;
     const stress = dequantised(this.steps[index].stress);
     const values = new Float32Array(this.numBlocks);
@@ -90,16 +91,17 @@ class Blocks {
 
   /** What the cracked points of a step have: "opening" or "damage". */
   ofCracks(index, name) {
-    const { cracks } = this.steps[index];
+    const {cracks} = this.steps[index];
     return cracks ? decoded(cracks[name], Float32Array) : new Float32Array(0);
   }
 
   /** Ends of the cracked pieces of interface: x, y, x, y for each. */
   crackEnds(index, magnification) {
-    const { points, ends } = this.state(index);
+    const {points, ends} = this.state(index);
     const placed = new Float32Array(4 * points.length);
     for (let p = 0; p < points.length; p += 1)
-      for (let k = 0; k < 4; k += 1) placed[4 * p + k] = this.segments[4 * points[p] + k] + magnification * ends[4 * p + k];
+      for (let k = 0; k < 4; k += 1)
+        placed[4 * p + k] = this.segments[4 * points[p] + k] + magnification * ends[4 * p + k];
     return placed;
   }
 
@@ -111,7 +113,7 @@ class Blocks {
   /** Of a block's middle, over all steps shown. */
   largestDisplacement() {
     const largestInteger = 32767;
-    return this.steps.reduce((largest, { motion }) => Math.max(largest, largestInteger * motion.mean.scale), 0);
+    return this.steps.reduce((largest, {motion}) => Math.max(largest, largestInteger * motion.mean.scale), 0);
   }
 }
 
@@ -122,7 +124,7 @@ function offsetsOf(counts) {
   return offsets;
 }
 
-function decodedStep({ motion, cracks }) {
+function decodedStep({motion, cracks}) {
   return {
     mean: dequantised(motion.mean),
     gradient: dequantised(motion.gradient),

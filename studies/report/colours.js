@@ -7,8 +7,10 @@ const GREY = "#808080";
 const FAINT = "#e3e3e3";
 
 const COLOUR_MAPS = {
-  viridis: [[68, 1, 84], [71, 45, 123], [59, 82, 139], [44, 114, 142], [33, 145, 140], [40, 174, 128],
-    [94, 201, 98], [173, 220, 48], [253, 231, 37]],
+  viridis: [
+    [68, 1, 84], [71, 45, 123], [59, 82, 139], [44, 114, 142], [33, 145, 140], [40, 174, 128], [94, 201, 98],
+    [173, 220, 48], [253, 231, 37]
+  ],
   crack: [[255, 214, 90], [253, 162, 55], [236, 98, 38], [196, 30, 30], [110, 0, 20]],
   /** Violet for negative, white for none, green for positive numbers. */
   signed: [[88, 34, 130], [166, 130, 196], [246, 246, 246], [126, 186, 140], [10, 96, 60]],
@@ -32,7 +34,7 @@ class ColourScale {
   constructor(map, range, label) {
     this.label = label;
     this.range = range[0] === range[1] ? [range[0], range[0] + (Math.abs(range[0]) || 1)] : range;
-    this.colours = Array.from({ length: COLOUR_STEPS }, (_, bin) => colourAt(map, (bin + 0.5) / COLOUR_STEPS));
+    this.colours = Array.from({length: COLOUR_STEPS}, (_, bin) => colourAt(map, (bin + 0.5) / COLOUR_STEPS));
   }
 
   /** Symmetric about zero, so that its middle colour means none. */

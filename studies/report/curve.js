@@ -6,7 +6,7 @@ class Curve {
     this.table = table;
     this.summary = summary ?? {};
     this.log = log;
-    this.steps = table.numbers("step") ?? Float64Array.from({ length: table.numRows }, (_, i) => i);
+    this.steps = table.numbers("step") ?? Float64Array.from({length: table.numRows}, (_, i) => i);
     this.isUnstable = this.stability();
   }
 
@@ -35,15 +35,16 @@ class Curve {
 
   /** Names of the gauges: the summary lists them, without one they are the displacements. */
   gauges() {
-    return Object.keys(this.summary.peak?.gauges ?? {}).length > 0
-      ? Object.keys(this.summary.peak.gauges)
-      : this.displacements().map(({ name }) => name);
+    return Object.keys(this.summary.peak?.gauges ?? {}).length > 0 ? Object.keys(this.summary.peak.gauges) :
+                                                                     this.displacements().map(({name}) => name);
   }
 
   /** What a reader wants to know of a step first; the axes of a figure can be chosen to see the rest. */
   describe(row, axes = []) {
-    const names = ["step", "control", "newton_iterations", "load", ...this.gauges(), ...axes, "external_work", "stored_energy",
-      "dissipated_energy", "current_stiffness", "negative_eigenvalues", "mu_1"];
+    const names = [
+      "step", "control", "newton_iterations", "load", ...this.gauges(), ...axes, "external_work", "stored_energy",
+      "dissipated_energy", "current_stiffness", "negative_eigenvalues", "mu_1"
+    ];
     const columns = [...new Set(names)].map((name) => this.table.column(name)).filter(Boolean);
     const pairs = columns.map((column) => [symbolOf(column.name), column.textAt(row)]);
     const landed = this.log?.landed?.[this.steps[row]];
@@ -52,33 +53,40 @@ class Curve {
 
   /** What the run located on its path, each with the name that a mark gets. */
   get events() {
-    const { events } = this.summary;
+    const {events} = this.summary;
     return (Array.isArray(events) ? events : []).filter((event) => typeof event === "object" && event !== null);
   }
 
   /** Peak and located events as marks over two columns; the limit point that is the peak is marked once. */
   marks(x, y) {
-    const { peak } = this.summary;
+    const {peak} = this.summary;
     const hasPeak = peak?.step > 0;
     const isPeak = (event) => hasPeak && event.kind === "limit_point" && Math.abs(event.step - peak.step) <= 1 &&
-      Math.abs(event.load - peak.load) <= 1e-3 * Math.abs(peak.load);
+        Math.abs(event.load - peak.load) <= 1e-3 * Math.abs(peak.load);
     const loadUnit = this.table.column("load")?.unit ?? "";
-    const named = hasPeak ? [{ ...peak, kind: `peak, ${formatNumber(peak.load, 4)} ${loadUnit}`.trim() }] : [];
-    return [...named, ...this.events.filter((event) => !isPeak(event))].map((event) => this.markOf(event, x, y)).filter(Boolean);
+    const named = hasPeak ? [{...peak, kind: `peak, ${formatNumber(peak.load, 4)} ${loadUnit}`.trim()}] : [];
+    return [...named, ...this.events.filter((event) => !isPeak(event))]
+        .map((event) => this.markOf(event, x, y))
+        .filter(Boolean);
   }
 
   /** An event may lie between two steps: its own numbers count, then those of its step. */
   markOf(event, x, y) {
     const row = Number.isFinite(event.step) ? this.rowOfStep(event.step) : null;
-    const at = (name) => [event[name], event.gauges?.[name], row === null ? undefined : this.table.numbers(name)?.[row]].find(Number.isFinite);
+    const at =
+        (name) => [event[name], event.gauges?.[name], row === null ? undefined : this.table.numbers(name)?.[row]].find(
+            Number.isFinite);
     const [px, py] = [at(x), at(y)];
     const fill = MARK_COLOURS[event.kind] ?? "#fff";
-    return px === undefined || py === undefined ? null : { x: px, y: py, label: eventName(event), fill };
+    return px === undefined || py === undefined ? null : {x: px, y: py, label: eventName(event), fill};
   }
 }
 
 /** Other marks are white. */
-const MARK_COLOURS = { turning_point: "#56b4e9", bifurcation: "#e69f00" };
+const MARK_COLOURS = {
+  turning_point: "#56b4e9",
+  bifurcation: "#e69f00"
+};
 
 /** "turning point of cmod". */
 function eventName(event) {
@@ -92,11 +100,20 @@ function eventTable(curve) {
   const unit = (name) => curve.table.column(name)?.unit ?? "";
   const numbers = ["load", ...curve.gauges()];
   const columns = [
-    { title: "event", className: "status-cell", text: (event) => [eventName(event), event.extremum].filter(Boolean).join(", ") },
-    { title: "step", isNumeric: true, text: ({ step }) => String(step ?? "") },
-    ...numbers.map((name) => ({ title: withUnit(words(name), unit(name)), isNumeric: true, text: (event) => formatNumber(event[name] ?? event.gauges?.[name]) })),
-    { title: "where", text: ({ located }) => words(located ?? "") },
-    { title: "uncertainty", isNumeric: true, text: ({ uncertainty }) => formatNumber(uncertainty, 2) },
+    {
+      title: "event",
+      className: "status-cell",
+      text: (event) => [eventName(event), event.extremum].filter(Boolean).join(", ")
+    },
+    {title: "step", isNumeric: true, text: ({step}) => String(step ?? "")},
+    ...numbers.map((name) => ({
+                     title: withUnit(words(name), unit(name)),
+                     isNumeric: true,
+                     text: (event) => formatNumber(event[name] ?? event.gauges?.[name])
+                   })),
+    {title: "where", text: ({located}) => words(located ?? "")},
+    {title: "uncertainty", isNumeric: true, text: ({uncertainty}) => formatNumber(uncertainty, 2)},
   ];
-  return folded(`${plural(curve.events.length, "located event")}`, tableOf(columns, curve.events), curve.events.length <= 8);
+  return folded(
+      `${plural(curve.events.length, "located event")}`, tableOf(columns, curve.events), curve.events.length <= 8);
 }

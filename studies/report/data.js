@@ -9,7 +9,7 @@ function decoded(text, ArrayType) {
 }
 
 /** Numbers that were stored as 16-bit integers and a scale. */
-function dequantised({ scale, integers }) {
+function dequantised({scale, integers}) {
   const stored = decoded(integers, Int16Array);
   const values = new Float32Array(stored.length);
   for (let i = 0; i < stored.length; i += 1) values[i] = stored[i] * scale;
@@ -18,7 +18,7 @@ function dequantised({ scale, integers }) {
 
 /** A column of a table: its numbers, or its texts. */
 class Column {
-  constructor({ name, unit, numbers, singles, texts }) {
+  constructor({name, unit, numbers, singles, texts}) {
     this.name = name;
     this.unit = unit ?? "";
     this.texts = texts ?? null;
@@ -46,7 +46,7 @@ class Column {
 
 /** A table read from a CSV file, by columns. */
 class Table {
-  constructor({ columns, rows, all_rows }) {
+  constructor({columns, rows, all_rows}) {
     this.columns = columns.map((column) => new Column(column));
     this.numRows = rows ?? this.columns[0]?.numbers?.length ?? 0;
     this.numAllRows = all_rows ?? this.numRows;

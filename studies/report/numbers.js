@@ -71,9 +71,9 @@ function axisTicks([low, high], wanted) {
   const decimals = Math.min(12, Math.max(0, -Math.floor(Math.log10(step / unit) + 1e-9)));
   const ticks = [];
   for (let n = Math.ceil(low / step - 1e-6); n * step <= high + 1e-6 * step; n += 1)
-    ticks.push({ value: n * step, label: tickLabel((n * step - offset) / unit, decimals) });
+    ticks.push({value: n * step, label: tickLabel((n * step - offset) / unit, decimals)});
   const shift = offset === 0 ? "" : ` ${offset < 0 ? "−" : "+"} ${Number(Math.abs(offset).toPrecision(9))}`;
-  return { ticks, scale: `${exponent === 0 ? "" : `×10${superscript(exponent)}`}${shift}`.trim() };
+  return {ticks, scale: `${exponent === 0 ? "" : `×10${superscript(exponent)}`}${shift}`.trim()};
 }
 
 function tickLabel(value, decimals) {

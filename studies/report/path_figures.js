@@ -2,9 +2,9 @@
 
 /** Load against displacement, axes to be chosen. */
 class CurveFigure {
-  constructor(curve, name, { onPick, note }) {
+  constructor(curve, name, {onPick, note}) {
     this.curve = curve;
-    this.axes = { x: curve.defaultAxis, y: curve.table.column("load") ? "load" : curve.table.columns[0].name };
+    this.axes = {x: curve.defaultAxis, y: curve.table.column("load") ? "load" : curve.table.columns[0].name};
     this.plot = new Plot({
       name: fileName(name, "curve"),
       label: "Load against displacement; arrow keys go from step to step",
@@ -12,7 +12,7 @@ class CurveFigure {
       describe: (series, row) => curve.describe(row, Object.values(this.axes)),
       pick: (series, row) => onPick?.(curve.steps[row]),
     });
-    this.figure = element("figure", { id: "curve" }, this.toolbar(), this.plot.stage, element("figcaption", {}, note));
+    this.figure = element("figure", {id: "curve"}, this.toolbar(), this.plot.stage, element("figcaption", {}, note));
     this.show();
   }
 
@@ -22,8 +22,9 @@ class CurveFigure {
       this.axes[axis] = value;
       this.show();
     };
-    return element("div", { class: "toolbar" }, chooser("across", options, this.axes.x, choose("x")),
-      chooser("up", options, this.axes.y, choose("y")), this.plot.buttons());
+    return element(
+        "div", {class: "toolbar"}, chooser("across", options, this.axes.x, choose("x")),
+        chooser("up", options, this.axes.y, choose("y")), this.plot.buttons());
   }
 
   show() {
@@ -31,7 +32,9 @@ class CurveFigure {
     this.plot.show({
       xLabel: x.label,
       yLabel: y.label,
-      series: [{ x: x.numbers, y: y.numbers, colour: PALETTE[0], dots: x.numbers.length < 400, dashed: this.curve.isUnstable }],
+      series: [
+        {x: x.numbers, y: y.numbers, colour: PALETTE[0], dots: x.numbers.length < 400, dashed: this.curve.isUnstable}
+      ],
       marks: this.curve.marks(x.name, y.name),
     });
     this.mark(this.step);
@@ -43,25 +46,30 @@ class CurveFigure {
     if (step === undefined) return;
     const row = this.curve.rowOfStep(step);
     const [x, y] = [this.axes.x, this.axes.y].map((name) => this.curve.table.numbers(name));
-    this.plot.setCursor({ x: x[row], y: y[row] });
+    this.plot.setCursor({x: x[row], y: y[row]});
   }
 }
 
 /** Several columns over one, with a legend; axis to be chosen among step and gauges. */
 class LinesFigure {
   /** lines: [{name, values, unit}] */
-  constructor(curve, lines, { id, name, yLabel, note }) {
-    Object.assign(this, { curve, lines, yLabel });
+  constructor(curve, lines, {id, name, yLabel, note}) {
+    Object.assign(this, {curve, lines, yLabel});
     this.plot = new Plot({
       name: fileName(name, id),
       label: `${yLabel} along the path`,
       height: (width) => Math.min(330, Math.max(220, 0.6 * width)),
-      describe: (series, row) => [["step", String(curve.steps[row])], ...lines.map((line) => [line.name, formatNumber(line.values[row])])],
+      describe: (series, row) => [
+          ["step", String(curve.steps[row])], ...lines.map((line) => [line.name, formatNumber(line.values[row])])],
     });
     const axes = [["step", "step"], ...curve.displacements().map((column) => [column.name, words(column.name)])];
-    this.figure = element("figure", { id }, element("div", { class: "toolbar" },
-      chooser("across", axes, "step", (axis) => this.show(axis)), this.plot.buttons()), this.plot.stage,
-      element("figcaption", {}, legend(lines.map((line, i) => [line.name, PALETTE[i % PALETTE.length]])), note ?? ""));
+    this.figure = element(
+        "figure", {id},
+        element(
+            "div", {class: "toolbar"}, chooser("across", axes, "step", (axis) => this.show(axis)), this.plot.buttons()),
+        this.plot.stage,
+        element(
+            "figcaption", {}, legend(lines.map((line, i) => [line.name, PALETTE[i % PALETTE.length]])), note ?? ""));
     this.show("step");
   }
 
@@ -70,7 +78,8 @@ class LinesFigure {
     this.plot.show({
       xLabel: column?.label ?? axis,
       yLabel: this.yLabel,
-      series: this.lines.map((line, i) => ({ x: column?.numbers ?? this.curve.steps, y: line.values, colour: PALETTE[i % PALETTE.length] })),
+      series: this.lines.map(
+          (line, i) => ({x: column?.numbers ?? this.curve.steps, y: line.values, colour: PALETTE[i % PALETTE.length]})),
     });
   }
 }

@@ -7,12 +7,12 @@
 class Plot {
   constructor(options) {
     this.options = options;
-    this.content = { series: [], marks: [], cursor: null, xLabel: "", yLabel: "" };
+    this.content = {series: [], marks: [], cursor: null, xLabel: "", yLabel: ""};
     this.hovered = null;
     this.view = null;
-    this.canvas = element("canvas", { tabindex: 0, role: "img", "aria-label": options.label });
-    this.box = element("div", { class: "data-box", hidden: true, "aria-live": "polite" });
-    this.stage = element("div", { class: "stage" }, this.canvas, this.box);
+    this.canvas = element("canvas", {tabindex: 0, role: "img", "aria-label": options.label});
+    this.box = element("div", {class: "data-box", hidden: true, "aria-live": "polite"});
+    this.stage = element("div", {class: "stage"}, this.canvas, this.box);
     this.draw = onceAFrame(() => this.paint());
     new Gestures(this.canvas, this.actions());
     this.canvas.addEventListener("keydown", (event) => this.key(event));
@@ -37,7 +37,7 @@ class Plot {
 
   /** Other curves or axes: everything is shown again. */
   show(content) {
-    this.content = { ...this.content, ...content };
+    this.content = {...this.content, ...content};
     this.hover(null);
     this.setView(null);
   }
@@ -53,11 +53,12 @@ class Plot {
   }
 
   frameOf(width, height) {
-    const { series, marks } = this.content;
+    const {series, marks} = this.content;
     // A point counts where both of its numbers are there.
     const drawn = (one, axis) => one[axis].filter((_, i) => isPoint(one, i));
-    const all = (axis, part) => widened(rangeOf([...series.map((one) => drawn(one, axis)), marks.map((mark) => mark[axis])]), part);
-    const view = this.view ?? { x: all("x", 0.05), y: all("y", 0.08) };
+    const all = (axis, part) =>
+        widened(rangeOf([...series.map((one) => drawn(one, axis)), marks.map((mark) => mark[axis])]), part);
+    const view = this.view ?? {x: all("x", 0.05), y: all("y", 0.08)};
     return new PlotFrame(width, height, view.x, view.y);
   }
 
@@ -71,21 +72,22 @@ class Plot {
 
   contentWithHover() {
     if (!this.hovered) return this.content;
-    const { series, i } = this.hovered;
-    const dot = { x: [series.x[i]], y: [series.y[i]], colour: INK, onlyDots: true, dots: true };
-    const line = this.content.series.length > 1 ? [{ ...series, width: 3 }] : [];
-    return { ...this.content, series: [...this.content.series, ...line, dot] };
+    const {series, i} = this.hovered;
+    const dot = {x: [series.x[i]], y: [series.y[i]], colour: INK, onlyDots: true, dots: true};
+    const line = this.content.series.length > 1 ? [{...series, width: 3}] : [];
+    return {...this.content, series: [...this.content.series, ...line, dot]};
   }
 
   zoom(factor, x, y) {
     const about = (range, value) => range.map((end) => value + (end - value) / factor);
-    this.setView({ x: about(this.frame.rangeX, this.frame.valueX(x)), y: about(this.frame.rangeY, this.frame.valueY(y)) });
+    this.setView(
+        {x: about(this.frame.rangeX, this.frame.valueX(x)), y: about(this.frame.rangeY, this.frame.valueY(y))});
   }
 
   pan(dx, dy) {
-    const { frame } = this;
+    const {frame} = this;
     const moved = (range, by) => range.map((end) => end + by * (range[1] - range[0]));
-    this.setView({ x: moved(frame.rangeX, -dx / frame.width), y: moved(frame.rangeY, dy / frame.height) });
+    this.setView({x: moved(frame.rangeX, -dx / frame.width), y: moved(frame.rangeY, dy / frame.height)});
   }
 
   /** The point nearest to a place, null when none is near. */
@@ -97,7 +99,7 @@ class Plot {
         const distance = (this.frame.toX(series.x[i]) - x) ** 2 + (this.frame.toY(series.y[i]) - y) ** 2;
         if (!(distance < best)) continue;
         best = distance;
-        found = { series, i };
+        found = {series, i};
       }
     return found;
   }
@@ -115,7 +117,7 @@ class Plot {
     this.draw();
   }
 
-  tell({ series, i }) {
+  tell({series, i}) {
     const pairs = this.options.describe(series, i);
     this.box.replaceChildren(...pairs.flatMap(([term, value]) => [element("span", {}, term), element("b", {}, value)]));
     const [px, py] = [this.frame.toX(series.x[i]), this.frame.toY(series.y[i])];
@@ -126,15 +128,22 @@ class Plot {
   }
 
   key(event) {
-    const steps = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 };
+    const steps = {ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1};
     const middle = [this.frame.x + this.frame.width / 2, this.frame.y + this.frame.height / 2];
-    if (event.key in steps) this.moveHover(steps[event.key]);
-    else if (event.key === "Enter" && this.hovered) this.pick({ ...this.hovered });
-    else if (event.key === "+") this.zoom(1.5, ...middle);
-    else if (event.key === "-") this.zoom(1 / 1.5, ...middle);
-    else if (event.key === "0") this.setView(null);
-    else if (event.key === "Escape") this.hover(null);
-    else return;
+    if (event.key in steps)
+      this.moveHover(steps[event.key]);
+    else if (event.key === "Enter" && this.hovered)
+      this.pick({...this.hovered});
+    else if (event.key === "+")
+      this.zoom(1.5, ...middle);
+    else if (event.key === "-")
+      this.zoom(1 / 1.5, ...middle);
+    else if (event.key === "0")
+      this.setView(null);
+    else if (event.key === "Escape")
+      this.hover(null);
+    else
+      return;
     event.preventDefault();
   }
 
@@ -142,19 +151,21 @@ class Plot {
     const series = this.hovered?.series ?? this.content.series[0];
     if (!series) return;
     const i = this.hovered ? this.hovered.i + by : 0;
-    if (i >= 0 && i < series.x.length) this.hover({ series, i });
+    if (i >= 0 && i < series.x.length) this.hover({series, i});
   }
 
   save() {
     const [width, height] = [this.stage.clientWidth, this.options.height(this.stage.clientWidth)];
     const surface = new SvgSurface(width, height);
-    new PlotPainter(surface, this.frameOf(width, height), { ...this.content, cursor: null }).paint();
+    new PlotPainter(surface, this.frameOf(width, height), {...this.content, cursor: null}).paint();
     download(`${fileName(this.options.name)}.svg`, surface.document(), "image/svg+xml");
   }
 }
 
 /** Short names of coloured lines, for below a figure. */
 function legend(entries) {
-  return element("span", { class: "legend" }, entries.map(([name, colour]) =>
-    element("span", { class: "entry" }, element("i", { style: `background:${colour}` }), name)));
+  return element(
+      "span", {class: "legend"},
+      entries.map(
+          ([name, colour]) => element("span", {class: "entry"}, element("i", {style: `background:${colour}`}), name)));
 }

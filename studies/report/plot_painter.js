@@ -1,6 +1,11 @@
 // Draws a plot on a surface: axes, curves, marks.
 
-const PLOT_ROOM = { left: 64, right: 14, top: 22, bottom: 44 };
+const PLOT_ROOM = {
+  left: 64,
+  right: 14,
+  top: 22,
+  bottom: 44
+};
 
 /** From values to the picture and back. */
 class PlotFrame {
@@ -44,42 +49,45 @@ class PlotPainter {
 
   paint() {
     this.axes();
-    const inside = { x: this.frame.x, y: this.frame.y, width: this.frame.width, height: this.frame.height };
+    const inside = {x: this.frame.x, y: this.frame.y, width: this.frame.width, height: this.frame.height};
     this.surface.clipped(inside, () => this.content.series.forEach((series) => this.curve(series)));
     this.marks();
     this.cursor();
   }
 
   axes() {
-    const { frame, surface } = this;
+    const {frame, surface} = this;
     const across = axisTicks(frame.rangeX, Math.max(2, Math.floor(frame.width / 85)));
     const up = axisTicks(frame.rangeY, Math.max(2, Math.floor(frame.height / 48)));
     const [right, bottom] = [frame.x + frame.width, frame.y + frame.height];
-    surface.tracks(across.ticks.map(({ value }) => [frame.toX(value), frame.y, frame.toX(value), bottom]), { stroke: FAINT, width: 0.8 });
-    surface.tracks(up.ticks.map(({ value }) => [frame.x, frame.toY(value), right, frame.toY(value)]), { stroke: FAINT, width: 0.8 });
+    surface.tracks(
+        across.ticks.map(({value}) => [frame.toX(value), frame.y, frame.toX(value), bottom]),
+        {stroke: FAINT, width: 0.8});
+    surface.tracks(
+        up.ticks.map(({value}) => [frame.x, frame.toY(value), right, frame.toY(value)]), {stroke: FAINT, width: 0.8});
     this.zeroLines(right, bottom);
-    surface.tracks([[frame.x, frame.y, right, frame.y, right, bottom, frame.x, bottom]], { stroke: INK, closed: true });
-    for (const { value, label } of across.ticks) surface.text(frame.toX(value), bottom + 15, label, { anchor: "middle" });
-    for (const { value, label } of up.ticks) surface.text(frame.x - 6, frame.toY(value) + 4, label, { anchor: "end" });
-    surface.text(frame.x + frame.width / 2, bottom + 34, this.content.xLabel, { size: 12, anchor: "middle" });
-    surface.text(14, frame.y + frame.height / 2, this.content.yLabel, { size: 12, anchor: "middle", rotate: -90 });
-    surface.text(right, bottom + 28, across.scale, { anchor: "end" });
+    surface.tracks([[frame.x, frame.y, right, frame.y, right, bottom, frame.x, bottom]], {stroke: INK, closed: true});
+    for (const {value, label} of across.ticks) surface.text(frame.toX(value), bottom + 15, label, {anchor: "middle"});
+    for (const {value, label} of up.ticks) surface.text(frame.x - 6, frame.toY(value) + 4, label, {anchor: "end"});
+    surface.text(frame.x + frame.width / 2, bottom + 34, this.content.xLabel, {size: 12, anchor: "middle"});
+    surface.text(14, frame.y + frame.height / 2, this.content.yLabel, {size: 12, anchor: "middle", rotate: -90});
+    surface.text(right, bottom + 28, across.scale, {anchor: "end"});
     surface.text(frame.x, frame.y - 7, up.scale);
   }
 
   zeroLines(right, bottom) {
-    const { frame } = this;
+    const {frame} = this;
     const lines = [];
     if (frame.rangeX[0] < 0 && frame.rangeX[1] > 0) lines.push([frame.toX(0), frame.y, frame.toX(0), bottom]);
     if (frame.rangeY[0] < 0 && frame.rangeY[1] > 0) lines.push([frame.x, frame.toY(0), right, frame.toY(0)]);
-    this.surface.tracks(lines, { stroke: GREY, width: 0.8 });
+    this.surface.tracks(lines, {stroke: GREY, width: 0.8});
   }
 
   curve(series) {
-    const style = { stroke: series.colour, width: series.width ?? 1.8 };
+    const style = {stroke: series.colour, width: series.width ?? 1.8};
     if (!series.onlyDots) {
       this.surface.tracks(this.pieces(series, false), style);
-      this.surface.tracks(this.pieces(series, true), { ...style, dash: [5, 5] });
+      this.surface.tracks(this.pieces(series, true), {...style, dash: [5, 5]});
     }
     if (series.dots) this.dots(series);
   }
@@ -103,16 +111,18 @@ class PlotPainter {
   dots(series) {
     const radius = series.onlyDots ? 4 : 1.9;
     for (let i = 0; i < series.x.length; i += 1)
-      if (isPoint(series, i)) this.surface.circle(this.frame.toX(series.x[i]), this.frame.toY(series.y[i]), radius, { fill: series.colour });
+      if (isPoint(series, i))
+        this.surface.circle(this.frame.toX(series.x[i]), this.frame.toY(series.y[i]), radius, {fill: series.colour});
   }
 
   marks() {
     const taken = [];
-    const shown = (this.content.marks ?? []).map(({ x, y, label, fill }) => ({ x: this.frame.toX(x), y: this.frame.toY(y), label, fill }))
-      .filter(({ x, y }) => Number.isFinite(x + y) && this.frame.holds(x, y));
-    for (const { x, y, fill } of shown) this.surface.circle(x, y, 4.5, { stroke: INK, fill: fill ?? "#fff", width: 1.5 });
+    const shown = (this.content.marks ?? [])
+                      .map(({x, y, label, fill}) => ({x: this.frame.toX(x), y: this.frame.toY(y), label, fill}))
+                      .filter(({x, y}) => Number.isFinite(x + y) && this.frame.holds(x, y));
+    for (const {x, y, fill} of shown) this.surface.circle(x, y, 4.5, {stroke: INK, fill: fill ?? "#fff", width: 1.5});
     const curves = shown.length > 0 ? this.samples() : [];
-    for (const { x, y, label } of shown) this.label(x, y, label, { taken, curves });
+    for (const {x, y, label} of shown) this.label(x, y, label, {taken, curves});
   }
 
   /** Places on the curves, close enough to each other that no label slips between. */
@@ -124,31 +134,41 @@ class PlotPainter {
         for (let i = 2; i < track.length && places.length < 20000; i += 2) {
           const [dx, dy] = [track[i] - track[i - 2], track[i + 1] - track[i - 1]];
           const count = Math.min(300, Math.ceil(Math.hypot(dx, dy) / apart));
-          for (let k = 0; k <= count; k += 1) places.push([track[i - 2] + (dx * k) / count, track[i - 1] + (dy * k) / count]);
+          for (let k = 0; k <= count; k += 1)
+            places.push([track[i - 2] + (dx * k) / count, track[i - 1] + (dy * k) / count]);
         }
     return places;
   }
 
   /** Beside its mark, where no other label is and least of the curves; left out where there is no room. */
-  label(px, py, text, { taken, curves }) {
+  label(px, py, text, {taken, curves}) {
     const width = 6.4 * text.length;
     const offsets = [[9, -8], [9, 16], [-9, -8], [-9, 16], [9, -24], [9, 32], [-9, -24], [-9, 32], [24, 4], [-24, 4]];
-    const boxes = offsets.map(([dx, dy]) => ({ left: dx > 0 ? px + dx : px + dx - width, base: py + dy, width, isRight: dx > 0 }));
-    const touches = (box, [x, y]) => x > box.left - 3 && x < box.left + width + 3 && y > box.base - 12 && y < box.base + 5;
-    const isFree = (box) => this.frame.holds(box.left, box.base - 10) && this.frame.holds(box.left + width, box.base + 3) &&
-      !taken.some((other) => Math.abs(other.base - box.base) < 13 && box.left < other.left + other.width && other.left < box.left + width);
+    const boxes =
+        offsets.map(([dx, dy]) => ({left: dx > 0 ? px + dx : px + dx - width, base: py + dy, width, isRight: dx > 0}));
+    const touches = (box, [x, y]) =>
+        x > box.left - 3 && x < box.left + width + 3 && y > box.base - 12 && y < box.base + 5;
+    const isFree = (box) => this.frame.holds(box.left, box.base - 10) &&
+        this.frame.holds(box.left + width, box.base + 3) &&
+        !taken.some(
+            (other) => Math.abs(other.base - box.base) < 13 && box.left < other.left + other.width &&
+                other.left < box.left + width);
     const crossings = (box) => curves.filter((place) => touches(box, place)).length;
-    const [best] = boxes.filter(isFree).map((box) => ({ ...box, crossings: crossings(box) })).sort((one, other) => one.crossings - other.crossings);
+    const [best] = boxes.filter(isFree)
+                       .map((box) => ({...box, crossings: crossings(box)}))
+                       .sort((one, other) => one.crossings - other.crossings);
     if (!best) return;
     taken.push(best);
-    this.surface.text(best.isRight ? best.left : best.left + width, best.base, text, { anchor: best.isRight ? "start" : "end" });
+    this.surface.text(
+        best.isRight ? best.left : best.left + width, best.base, text, {anchor: best.isRight ? "start" : "end"});
   }
 
   cursor() {
-    const { cursor } = this.content;
+    const {cursor} = this.content;
     if (!cursor) return;
     const [px, py] = [this.frame.toX(cursor.x), this.frame.toY(cursor.y)];
-    if (Number.isFinite(px + py) && this.frame.holds(px, py)) this.surface.circle(px, py, 6, { stroke: "#d55e00", width: 2.4 });
+    if (Number.isFinite(px + py) && this.frame.holds(px, py))
+      this.surface.circle(px, py, 6, {stroke: "#d55e00", width: 2.4});
   }
 }
 
@@ -159,6 +179,7 @@ function isPoint(series, i) {
 /** A range a little wider than its values, never empty. */
 function widened([low, high], part) {
   const largest = Math.max(Math.abs(low), Math.abs(high));
-  if (!(high - low > 1e-12 * largest)) return [low - (largest ? 0.1 * largest : 1), high + (largest ? 0.1 * largest : 1)];
+  if (!(high - low > 1e-12 * largest))
+    return [low - (largest ? 0.1 * largest : 1), high + (largest ? 0.1 * largest : 1)];
   return [low - part * (high - low), high + part * (high - low)];
 }

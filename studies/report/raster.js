@@ -39,7 +39,7 @@ class Raster {
 
   /** Where the outline's sides cross a row, from left to right. */
   crossingsAt(outline, y) {
-    const { crossings } = this;
+    const {crossings} = this;
     crossings.length = 0;
     let last = outline.length - 2;
     for (let i = 0; i < outline.length; last = i, i += 2) {

@@ -2,7 +2,7 @@
 //
 // A track is a flat array x0, y0, x1, y1, ... [px, y downwards]; a style has stroke, width, dash, fill and closed.
 
-const FONT = '"Helvetica Neue", Arial, "DejaVu Sans", sans-serif';
+const FONT = "\"Helvetica Neue\", Arial, \"DejaVu Sans\", sans-serif";
 
 class CanvasSurface {
   constructor(canvas, width, height) {
@@ -49,7 +49,8 @@ class CanvasSurface {
     const raster = new Raster(Math.round(width * this.density), Math.round(height * this.density));
     for (const [colour, outlines] of bins) {
       const number = Raster.colour(colour);
-      for (const outline of outlines) raster.fill(this.density === 1 ? outline : outline.map((place) => place * this.density), number);
+      for (const outline of outlines)
+        raster.fill(this.density === 1 ? outline : outline.map((place) => place * this.density), number);
     }
     this.context.putImageData(raster.image(), 0, 0);
   }
@@ -68,7 +69,7 @@ class CanvasSurface {
     this.context.stroke();
   }
 
-  text(x, y, text, { size = 11, anchor = "start", bold = false, rotate = 0, fill = INK } = {}) {
+  text(x, y, text, {size = 11, anchor = "start", bold = false, rotate = 0, fill = INK} = {}) {
     const context = this.context;
     context.save();
     context.translate(x, y);
@@ -80,7 +81,7 @@ class CanvasSurface {
     context.restore();
   }
 
-  clipped({ x, y, width, height }, draw) {
+  clipped({x, y, width, height}, draw) {
     this.context.save();
     this.context.beginPath();
     this.context.rect(x, y, width, height);
@@ -98,38 +99,42 @@ class SvgSurface {
     this.numClips = 0;
   }
 
-  tracks(tracks, { stroke = "none", width = 1, dash, fill = "none", closed = false }) {
+  tracks(tracks, {stroke = "none", width = 1, dash, fill = "none", closed = false}) {
     const data = tracks.map((track) => pathData(track, closed)).join("");
     if (data === "") return;
     const dashes = dash?.length ? ` stroke-dasharray="${dash.join(" ")}"` : "";
-    const line = stroke === "none" ? "" : ` stroke-width="${width}"${dashes} stroke-linejoin="round" stroke-linecap="round"`;
+    const line =
+        stroke === "none" ? "" : ` stroke-width="${width}"${dashes} stroke-linejoin="round" stroke-linecap="round"`;
     this.parts.push(`<path d="${data}" fill="${fill}" stroke="${stroke}"${line}/>`);
   }
 
-  circle(x, y, radius, { stroke = "none", width = 1, fill = "none" }) {
-    this.parts.push(`<circle cx="${fixed(x)}" cy="${fixed(y)}" r="${radius}" fill="${fill}" stroke="${stroke}" ` +
-      `stroke-width="${width}"/>`);
+  circle(x, y, radius, {stroke = "none", width = 1, fill = "none"}) {
+    this.parts.push(
+        `<circle cx="${fixed(x)}" cy="${fixed(y)}" r="${radius}" fill="${fill}" stroke="${stroke}" ` +
+        `stroke-width="${width}"/>`);
   }
 
-  text(x, y, text, { size = 11, anchor = "start", bold = false, rotate = 0, fill = INK } = {}) {
+  text(x, y, text, {size = 11, anchor = "start", bold = false, rotate = 0, fill = INK} = {}) {
     const turn = rotate ? ` transform="rotate(${rotate} ${fixed(x)} ${fixed(y)})"` : "";
-    this.parts.push(`<text x="${fixed(x)}" y="${fixed(y)}" font-size="${size}" text-anchor="${anchor}" ` +
-      `fill="${fill}"${bold ? ' font-weight="600"' : ""}${turn}>${escapedText(text)}</text>`);
+    this.parts.push(
+        `<text x="${fixed(x)}" y="${fixed(y)}" font-size="${size}" text-anchor="${anchor}" ` +
+        `fill="${fill}"${bold ? " font-weight=\"600\"" : ""}${turn}>${escapedText(text)}</text>`);
   }
 
-  clipped({ x, y, width, height }, draw) {
+  clipped({x, y, width, height}, draw) {
     this.numClips += 1;
     const id = `clip${this.numClips}`;
-    this.parts.push(`<clipPath id="${id}"><rect x="${fixed(x)}" y="${fixed(y)}" width="${fixed(width)}" ` +
-      `height="${fixed(height)}"/></clipPath><g clip-path="url(#${id})">`);
+    this.parts.push(
+        `<clipPath id="${id}"><rect x="${fixed(x)}" y="${fixed(y)}" width="${fixed(width)}" ` +
+        `height="${fixed(height)}"/></clipPath><g clip-path="url(#${id})">`);
     draw();
     this.parts.push("</g>");
   }
 
   document() {
     return `<svg xmlns="http://www.w3.org/2000/svg" width="${fixed(this.width)}" height="${fixed(this.height)}" ` +
-      `viewBox="0 0 ${fixed(this.width)} ${fixed(this.height)}" font-family='${FONT}'>\n` +
-      `<rect width="100%" height="100%" fill="#fff"/>\n${this.parts.join("\n")}\n</svg>\n`;
+        `viewBox="0 0 ${fixed(this.width)} ${fixed(this.height)}" font-family='${FONT}'>\n` +
+        `<rect width="100%" height="100%" fill="#fff"/>\n${this.parts.join("\n")}\n</svg>\n`;
   }
 }
 
@@ -144,5 +149,5 @@ function pathData(track, closed) {
 }
 
 function escapedText(text) {
-  return String(text).replace(/[&<>]/g, (character) => ({ "&": "&amp;", "<": "&lt;", ">": "&gt;" })[character]);
+  return String(text).replace(/[&<>]/g, (character) => ({"&": "&amp;", "<": "&lt;", ">": "&gt;"})[character]);
 }

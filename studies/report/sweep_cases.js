@@ -5,7 +5,7 @@ class SweepCase {
     this.entry = entry;
     this.row = row;
     this.table = table;
-    this.curve = entry.curve ? new Table({ columns: entry.curve }) : null;
+    this.curve = entry.curve ? new Table({columns: entry.curve}) : null;
   }
 
   get number() {
@@ -42,7 +42,7 @@ class Sweep {
     this.data = data;
     this.table = data.table ? new Table(data.table) : null;
     this.cases = data.cases.map((entry, i) => new SweepCase(entry, this.rowOf(entry, i), this.table));
-    this.keys = [...new Set(data.cases.flatMap(({ settings }) => Object.keys(settings ?? {})))];
+    this.keys = [...new Set(data.cases.flatMap(({settings}) => Object.keys(settings ?? {})))];
   }
 
   /** The row of a case in the table: by its number, else by its folder; -1 when it has none. */
@@ -57,8 +57,10 @@ class Sweep {
   /** The name of a key or column of the table, as short as it can be. */
   shortName(name) {
     if (this.keys.includes(name)) return words(shortKey(name, this.keys));
-    return words(name.replace(/^peak\.gauges\./, "peak ").replace(/^peak\./, "peak ").replace(/^timings\.total$/, "wall time")
-      .replace(/^timings\./, "time of "));
+    return words(name.replace(/^peak\.gauges\./, "peak ")
+                     .replace(/^peak\./, "peak ")
+                     .replace(/^timings\.total$/, "wall time")
+                     .replace(/^timings\./, "time of "));
   }
 
   /** The same with its unit. */
@@ -67,14 +69,16 @@ class Sweep {
   }
 
   numericColumns() {
-    return this.table ? this.table.numericColumns().filter(({ name }) => name !== "exit_code") : [];
+    return this.table ? this.table.numericColumns().filter(({name}) => name !== "exit_code") : [];
   }
 
   /** Columns that the curves of some case have, with the displacements first. */
   curveColumns() {
     const found = new Map();
-    for (const { curve } of this.cases) for (const column of curve?.columns ?? []) if (column.isNumeric) found.set(column.name, column);
-    const rank = ({ name }) => ["load", "load_factor", "dissipated_energy"].indexOf(name);
+    for (const {curve} of this.cases)
+      for (const column of curve?.columns ?? [])
+        if (column.isNumeric) found.set(column.name, column);
+    const rank = ({name}) => ["load", "load_factor", "dissipated_energy"].indexOf(name);
     return [...found.values()].sort((one, other) => rank(one) - rank(other));
   }
 
@@ -82,19 +86,24 @@ class Sweep {
   valuesOf(key) {
     const values = [...new Set(this.cases.map((one) => one.setting(key)))].filter((value) => value !== undefined);
     const areNumbers = values.every((value) => typeof value === "number");
-    return areNumbers ? values.sort((one, other) => one - other) : values.sort((one, other) => textOf(one).localeCompare(textOf(other), "en", { numeric: true }));
+    return areNumbers ? values.sort((one, other) => one - other) :
+                        values.sort((one, other) => textOf(one).localeCompare(textOf(other), "en", {numeric: true}));
   }
 
   /** How cases are coloured by a key: colour(case) and the entries of a legend. */
   colouring(key) {
-    if (!key) return { colour: () => PALETTE[0], entries: [] };
+    if (!key) return {colour: () => PALETTE[0], entries: []};
     const values = this.valuesOf(key);
     const areNumbers = values.every((value) => typeof value === "number");
     // Numbers follow a scale that leaves out its palest end; few words have colours of their own.
     const part = (i) => (values.length > 1 ? (0.92 * i) / (values.length - 1) : 0);
-    const colours = values.map((_, i) => (areNumbers || values.length > PALETTE.length ? colourAt("viridis", part(i)) : PALETTE[i]));
+    const colours = values.map(
+        (_, i) => (areNumbers || values.length > PALETTE.length ? colourAt("viridis", part(i)) : PALETTE[i]));
     const colour = (one) => colours[values.indexOf(one.setting(key))] ?? GREY;
-    return { colour, entries: thinnedLegend(values.map((value, i) => [`${this.shortName(key)} = ${textOf(value)}`, colours[i]])) };
+    return {
+      colour,
+      entries: thinnedLegend(values.map((value, i) => [`${this.shortName(key)} = ${textOf(value)}`, colours[i]]))
+    };
   }
 }
 
@@ -108,5 +117,5 @@ function textOf(value) {
 function thinnedLegend(entries) {
   const most = 9;
   if (entries.length <= most) return entries;
-  return Array.from({ length: most }, (_, i) => entries[Math.round((i * (entries.length - 1)) / (most - 1))]);
+  return Array.from({length: most}, (_, i) => entries[Math.round((i * (entries.length - 1)) / (most - 1))]);
 }

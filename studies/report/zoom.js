@@ -15,7 +15,7 @@ class Gestures {
     this.actions = actions;
     this.pointers = new Map();
     this.moved = 0;
-    stage.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
+    stage.addEventListener("wheel", (event) => this.wheel(event), {passive: false});
     stage.addEventListener("pointerdown", (event) => this.down(event));
     stage.addEventListener("pointermove", (event) => this.move(event));
     for (const end of ["pointerup", "pointercancel"]) stage.addEventListener(end, (event) => this.up(event));
@@ -54,8 +54,10 @@ class Gestures {
     const still = 4;
     if (this.moved < still) return;
     if (!this.stage.hasPointerCapture(event.pointerId)) this.stage.setPointerCapture(event.pointerId);
-    if (this.pointers.size === 1) this.actions.pan(dx, dy);
-    else this.pinch(event.pointerId, before, here);
+    if (this.pointers.size === 1)
+      this.actions.pan(dx, dy);
+    else
+      this.pinch(event.pointerId, before, here);
     this.pointers.set(event.pointerId, here);
   }
 
@@ -67,15 +69,16 @@ class Gestures {
 
   up(event) {
     if (!this.pointers.delete(event.pointerId)) return;
-    if (event.type === "pointerup" && this.moved < 4 && this.pointers.size === 0) this.actions.pick?.(...this.place(event));
+    if (event.type === "pointerup" && this.moved < 4 && this.pointers.size === 0)
+      this.actions.pick?.(...this.place(event));
   }
 }
 
 /** Buttons for those without a wheel, and one that saves the figure; they stay together. */
 function figureButtons(actions, middle, save) {
-  return element("span", { class: "group" },
-    button("+", "Closer", () => actions.zoom(1.5, ...middle())),
-    button("−", "Farther", () => actions.zoom(1 / 1.5, ...middle())),
-    button("Reset", "Show everything again", () => actions.reset()),
-    button("Save SVG", "Save this figure as vector graphics", save));
+  return element(
+      "span", {class: "group"}, button("+", "Closer", () => actions.zoom(1.5, ...middle())),
+      button("−", "Farther", () => actions.zoom(1 / 1.5, ...middle())),
+      button("Reset", "Show everything again", () => actions.reset()),
+      button("Save SVG", "Save this figure as vector graphics", save));
 }

@@ -2,6 +2,7 @@
 
 import csv
 import json
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -175,6 +176,21 @@ class Reports(unittest.TestCase):
             self.assertEqual(document, "svg")
             self.assertIn("<path", text)
             self.assertNotIn("<image", text)
+        self.check(page)
+
+    def test_located_events_are_marked(self):
+        folder = self.work / "eventful"
+        shutil.copytree(self.work / "beam", folder)
+        peak = self.summary["peak"]
+        event = {"of": "load", "step": 3, "load": 0.5 * peak["load"], "gauges": {"deflection": 0.01}}
+        summary = {**self.summary, "events": [{**event, **peak, "kind": "limit_point"}, {**event, "kind": "bifurcation"},
+                                              {**event, "kind": "turning_point", "of": "cmod"}, {"kind": "nowhere"}]}
+        (folder / "summary.json").write_text(json.dumps(summary), encoding="utf-8")
+        page = self.open(folder)
+        marks = page.run("thePage.figures.curve.plot.content.marks.map(({ x, y, label }) => [x, y, label])")
+        self.assertEqual([label.split(",")[0] for _, _, label in marks], ["peak", "bifurcation", "turning point of cmod"])
+        self.assertEqual(marks[1][:2], [0.01, 0.5 * peak["load"]])
+        self.assertIn("4 located events", self.text(page, "#path"))
         self.check(page)
 
     def test_a_narrow_window(self):
