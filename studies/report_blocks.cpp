@@ -136,7 +136,8 @@ std::vector<std::size_t> thinned(std::span<const std::size_t> sizes, std::size_t
     for (std::size_t i = 0; i < count; ++i)
       out.push_back(count == 1 ? sizes.size() - 1 : i * (sizes.size() - 1) / (count - 1));
     // The wanted one takes the place of its nearest neighbour, but of neither end.
-    if (must < sizes.size() && out.size() > 2) {
+    const bool is_missing = must < sizes.size() && std::ranges::find(out, must) == out.end();
+    if (is_missing && out.size() > 2) {
       const auto distance = [&](std::size_t i) { return i > must ? i - must : must - i; };
       *std::ranges::min_element(out.begin() + 1, out.end() - 1, {}, distance) = must;
     }

@@ -69,7 +69,9 @@ class LinesFigure {
             "div", {class: "toolbar"}, chooser("across", axes, "step", (axis) => this.show(axis)), this.plot.buttons()),
         this.plot.stage,
         element(
-            "figcaption", {}, legend(lines.map((line, i) => [line.name, PALETTE[i % PALETTE.length]])), note ?? ""));
+            "figcaption", {},
+            lines.length > 1 ? legend(lines.map((line, i) => [line.name, PALETTE[i % PALETTE.length]])) : null,
+            note ?? ""));
     this.show("step");
   }
 

@@ -59,13 +59,16 @@ TEST(Report, ThePageIsOneSelfContainedFile) {
 }
 
 TEST(Report, FewStoredStepsAreAllShown) {
-  EXPECT_THAT(thinned(std::vector<std::size_t>{5, 5, 5}, 15, 1), ElementsAre(0, 1, 2));
+  for (const std::size_t peak : {0u, 1u, 2u, 9u})
+    EXPECT_THAT(thinned(std::vector<std::size_t>{5, 5, 5}, 15, peak), ElementsAre(0, 1, 2));
 }
 
 TEST(Report, ManyStoredStepsAreThinnedEvenlyWithThePeak) {
   const std::vector<std::size_t> sizes(101, 10);
   EXPECT_THAT(thinned(sizes, 50, 1000), ElementsAre(0, 25, 50, 75, 100));
   EXPECT_THAT(thinned(sizes, 50, 43), ElementsAre(0, 25, 43, 75, 100));
+  EXPECT_THAT(thinned(sizes, 50, 75), ElementsAre(0, 25, 50, 75, 100));
+  EXPECT_THAT(thinned(sizes, 50, 0), ElementsAre(0, 25, 50, 75, 100));
   EXPECT_THAT(thinned(sizes, 10, 43), ElementsAre(100));
   EXPECT_THAT(thinned(sizes, 9, 43), IsEmpty());
   EXPECT_THAT(thinned(std::vector<std::size_t>{}, 9, 0), IsEmpty());
