@@ -7,7 +7,7 @@ class Curve {
     this.summary = summary ?? {};
     this.log = log;
     this.steps = table.numbers("step") ?? Float64Array.from({length: table.numRows}, (_, i) => i);
-    this.isUnstable = this.stability();
+    this.kindOf = this.stability();
   }
 
   rowOfStep(step) {
@@ -27,10 +27,27 @@ class Curve {
     return (this.displacements()[0] ?? this.table.column("dissipated_energy") ?? this.table.columns[0]).name;
   }
 
-  /** Whether the structure is unstable where this row's part of the path ends; null when nobody asked. */
+  /**
+   * The kind of the part of the path before a row: 0 stable under dead load, 1 stable while the control holds what it
+   * prescribes, 2 unstable even then; the better of its two ends, because at a kink the point already counts as what
+   * follows. Null where nobody counted negative eigenvalues.
+   */
   stability() {
-    const negative = this.table.numbers("negative_eigenvalues");
-    return negative ? (row) => negative[row] > 0 : null;
+    const [dead, held] = ["negative_eigenvalues", "negative_under_control"].map((name) => this.table.numbers(name));
+    if (!dead) return null;
+    const kind = (row) => (!(dead[row] > 0) ? 0 : held && held[row] > 0 ? 2 : 1);
+    return (row) => Math.min(kind(row - 1), kind(row));
+  }
+
+  /** What the kinds of line mean, of those that the curve has. */
+  stabilityNote() {
+    if (!this.kindOf) return "";
+    const kinds = new Set(Array.from(this.steps.slice(1), (_, i) => this.kindOf(i + 1)));
+    const notes = [
+      [1, "Dashed: stable under the control only; under a dead load the structure would fail here."],
+      [2, "Dashed in orange: unstable under the control, too."],
+    ];
+    return notes.filter(([kind]) => kinds.has(kind)).map(([, note]) => note).join(" ");
   }
 
   /** Names of the gauges: the summary lists them, without one they are the displacements. */
@@ -43,9 +60,10 @@ class Curve {
   describe(row, axes = []) {
     const names = [
       "step", "control", "newton_iterations", "load", ...this.gauges(), ...axes, "external_work", "stored_energy",
-      "dissipated_energy", "current_stiffness", "negative_eigenvalues", "mu_1"
+      "dissipated_energy", "current_stiffness", "negative_eigenvalues", "negative_under_control", "mu_1"
     ];
-    const columns = [...new Set(names)].map((name) => this.table.column(name)).filter(Boolean);
+    const isKnown = (column) => column && !(column.numbers && Number.isNaN(column.numbers[row]));
+    const columns = [...new Set(names)].map((name) => this.table.column(name)).filter(isKnown);
     const pairs = columns.map((column) => [symbolOf(column.name), column.textAt(row)]);
     const landed = this.log?.landed?.[this.steps[row]];
     return landed ? [...pairs, ["landed on", landed]] : pairs;

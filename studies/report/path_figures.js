@@ -32,9 +32,8 @@ class CurveFigure {
     this.plot.show({
       xLabel: x.label,
       yLabel: y.label,
-      series: [
-        {x: x.numbers, y: y.numbers, colour: PALETTE[0], dots: x.numbers.length < 400, dashed: this.curve.isUnstable}
-      ],
+      series:
+          [{x: x.numbers, y: y.numbers, colour: PALETTE[0], dots: x.numbers.length < 400, kindOf: this.curve.kindOf}],
       marks: this.curve.marks(x.name, y.name),
     });
     this.mark(this.step);
@@ -59,8 +58,9 @@ class LinesFigure {
       name: fileName(name, id),
       label: `${yLabel} along the path`,
       height: (width) => Math.min(330, Math.max(220, 0.6 * width)),
-      describe: (series, row) => [
-          ["step", String(curve.steps[row])], ...lines.map((line) => [line.name, formatNumber(line.values[row])])],
+      describe: (series, i) => [
+          ["step", String(curve.steps[series.rows[i]])],
+          ...lines.map((line) => [line.name, formatNumber(line.values[series.rows[i]])])],
     });
     const axes = [["step", "step"], ...curve.displacements().map((column) => [column.name, words(column.name)])];
     this.figure = element(
@@ -77,11 +77,13 @@ class LinesFigure {
 
   show(axis) {
     const column = this.curve.table.column(axis);
-    this.plot.show({
-      xLabel: column?.label ?? axis,
-      yLabel: this.yLabel,
-      series: this.lines.map(
-          (line, i) => ({x: column?.numbers ?? this.curve.steps, y: line.values, colour: PALETTE[i % PALETTE.length]})),
+    const across = column?.numbers ?? this.curve.steps;
+    const series = this.lines.map(({values}, i) => {
+      // What is computed now and then only is drawn from one value to the next.
+      const rows = [...values.keys()].filter((row) => Number.isFinite(values[row]));
+      const [x, y] = [across, values].map((numbers) => rows.map((row) => numbers[row]));
+      return {rows, x, y, colour: PALETTE[i % PALETTE.length], dots: rows.length < values.length};
     });
+    this.plot.show({xLabel: column?.label ?? axis, yLabel: this.yLabel, series});
   }
 }

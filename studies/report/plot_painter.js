@@ -7,6 +7,9 @@ const PLOT_ROOM = {
   bottom: 44
 };
 
+/** A part of a curve is stable, stable under its control only, or unstable. */
+const LINE_KINDS = [{}, {dash: [5, 5]}, {dash: [5, 5], stroke: PALETTE[1]}];
+
 /** From values to the picture and back. */
 class PlotFrame {
   constructor(width, height, x, y) {
@@ -39,7 +42,7 @@ class PlotFrame {
   }
 }
 
-/** series: {x, y, colour, width, dashed(i), dots}; marks: {x, y, label, fill}; cursor: {x, y} or null. */
+/** series: {x, y, colour, width, kindOf(i), dots}; marks: {x, y, label, fill}; cursor: {x, y} or null. */
 class PlotPainter {
   constructor(surface, frame, content) {
     this.surface = surface;
@@ -84,20 +87,19 @@ class PlotPainter {
   }
 
   curve(series) {
-    const style = {stroke: series.colour, width: series.width ?? 1.8};
-    if (!series.onlyDots) {
-      this.surface.tracks(this.pieces(series, false), style);
-      this.surface.tracks(this.pieces(series, true), {...style, dash: [5, 5]});
-    }
+    if (!series.onlyDots)
+      LINE_KINDS.forEach((kind, k) => {
+        this.surface.tracks(this.pieces(series, k), {stroke: series.colour, width: series.width ?? 1.8, ...kind});
+      });
     if (series.dots) this.dots(series);
   }
 
-  /** Runs of finite points, of the solid or of the dashed kind; a part of the curve has the kind of its end. */
-  pieces(series, dashed) {
+  /** Runs of finite points, as far as they are of one kind; the part of the curve before a point has a kind. */
+  pieces(series, kind) {
     const tracks = [];
     let track = [];
     for (let i = 1; i < series.x.length; i += 1) {
-      const fits = isPoint(series, i - 1) && isPoint(series, i) && Boolean(series.dashed?.(i)) === dashed;
+      const fits = isPoint(series, i - 1) && isPoint(series, i) && (series.kindOf?.(i) ?? 0) === kind;
       if (fits && track.length === 0) track.push(this.frame.toX(series.x[i - 1]), this.frame.toY(series.y[i - 1]));
       if (fits) track.push(this.frame.toX(series.x[i]), this.frame.toY(series.y[i]));
       if ((!fits || i === series.x.length - 1) && track.length > 0) {
@@ -130,7 +132,7 @@ class PlotPainter {
     const places = [];
     const apart = 5;
     for (const series of this.content.series)
-      for (const track of this.pieces(series, false).concat(this.pieces(series, true)))
+      for (const track of LINE_KINDS.flatMap((_, kind) => this.pieces(series, kind)))
         for (let i = 2; i < track.length && places.length < 20000; i += 2) {
           const [dx, dy] = [track[i] - track[i - 2], track[i + 1] - track[i - 1]];
           const count = Math.min(300, Math.ceil(Math.hypot(dx, dy) / apart));

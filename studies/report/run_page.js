@@ -104,7 +104,7 @@ class RunPage {
       "A point tells its step's data; a click shows the blocks at the nearest stored step.",
       "The ring marks the step of the picture."
     ];
-    if (this.curve.isUnstable) notes.push("Dashed: unstable, the tangent stiffness has negative eigenvalues.");
+    notes.push(this.curve.stabilityNote());
     if (this.table.numRows < this.table.numAllRows)
       notes.push(`${this.table.numRows} of ${this.table.numAllRows} steps are on this page, to keep it small.`);
     const steps = this.blocks?.steps.map(({step}) => step) ?? [];
@@ -136,20 +136,22 @@ class RunPage {
     const columns = this.table.numericColumns();
     const groups = [
       [
-        "ratios", /^mu_ratio_\d+$/, "ratio of eigenvalues",
-        "Ratio of each eigenvalue to the first one found: zero where the structure becomes unstable."
+        "ratios", /^mu_ratio_\d+$/, "μ/μ₀",
+        "Eigenvalues of the stiffness over those at the start, each followed by its shape: negative where it makes the " +
+            "structure unstable."
       ],
       [
         "eigenvalues", /^mu_\d+$/, "eigenvalue",
-        "Lowest eigenvalues of the tangent stiffness: negative where the structure is unstable."
+        "Lowest eigenvalues of the stiffness: negative where the structure is unstable."
       ],
       [
         "stiffness", /^current_stiffness$/, "current stiffness",
-        "Stiffness along the path, as part of the first: zero at a limit point, negative beyond; with the sign turned back by a snap-back."
+        "Stiffness along the path over that at the start: zero at a limit point, negative while the load falls and its " +
+            "displacement grows, positive while both fall."
       ],
       [
-        "count", /^negative_eigenvalues$/, "negative eigenvalues",
-        "How many eigenvalues of the tangent stiffness are negative."
+        "count", /^negative_(eigenvalues|under_control)$/, "negative eigenvalues",
+        "How many eigenvalues of the stiffness are negative: under dead load, and while the control holds what it prescribes."
       ],
     ];
     const figures = groups.map(
