@@ -10,16 +10,19 @@
 namespace dda::report {
 namespace {
 
-/// Numbers as 16 bits: value = scale · integer. The error is 1/65534 of the largest.
+/// Numbers as 16 bits: value = scale · integer. The error is 1/65534 of the largest; of zeros the scale is
+/// zero.
 Json quantised(const std::vector<double>& values) {
   double largest = 0;
   for (const double value : values)
     if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
-  const double scale = largest > 0 ? largest / 32767 : 1;
+  const double scale = largest / 32767;
+  const auto integer = [&](double value) {
+    return static_cast<std::int16_t>(scale > 0 && std::isfinite(value) ? std::lround(value / scale) : 0);
+  };
   std::vector<std::int16_t> integers;
   integers.reserve(values.size());
-  for (const double value : values)
-    integers.push_back(static_cast<std::int16_t>(std::isfinite(value) ? std::lround(value / scale) : 0));
+  for (const double value : values) integers.push_back(integer(value));
   return {{"scale", scale}, {"integers", base64_of(std::span<const std::int16_t>(integers))}};
 }
 

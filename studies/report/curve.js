@@ -83,9 +83,12 @@ class Curve {
         Math.abs(event.load - peak.load) <= 1e-3 * Math.abs(peak.load);
     const loadUnit = this.table.column("load")?.unit ?? "";
     const named = hasPeak ? [{...peak, kind: `peak, ${formatNumber(peak.load, 4)} ${loadUnit}`.trim()}] : [];
-    return [...named, ...this.events.filter((event) => !isPeak(event))]
-        .map((event) => this.markOf(event, x, y))
-        .filter(Boolean);
+    const marks = [...named, ...this.events.filter((event) => !isPeak(event))]
+                      .map((event) => this.markOf(event, x, y))
+                      .filter(Boolean);
+    // Of several of a name the first is labelled; the colour tells the others.
+    const isFirst = (mark, i) => marks.findIndex(({label}) => label === mark.label) === i;
+    return marks.map((mark, i) => (isFirst(mark, i) ? mark : {...mark, label: ""}));
   }
 
   /** An event may lie between two steps: its own numbers count, then those of its step. */

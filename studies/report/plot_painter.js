@@ -124,7 +124,8 @@ class PlotPainter {
                       .filter(({x, y}) => Number.isFinite(x + y) && this.frame.holds(x, y));
     for (const {x, y, fill} of shown) this.surface.circle(x, y, 4.5, {stroke: INK, fill: fill ?? "#fff", width: 1.5});
     const curves = shown.length > 0 ? this.samples() : [];
-    for (const {x, y, label} of shown) this.label(x, y, label, {taken, curves});
+    for (const {x, y, label} of shown)
+      if (label) this.label(x, y, label, {taken, curves});
   }
 
   /** Places on the curves, close enough to each other that no label slips between. */

@@ -193,6 +193,12 @@ class Reports(unittest.TestCase):
         self.assertIn("4 located events", self.text(page, "#path"))
         self.check(page)
 
+    def test_the_magnification_suits_the_largest_displacement(self):
+        page = self.open(self.work / "beam")
+        moved, size = page.run("[thePage.blocks.largestDisplacement(), thePage.blocks.box.size]")
+        shown = page.run("thePage.figures.deformed.options.magnification") * moved / size
+        self.assertTrue(0.02 <= shown <= 0.05, shown)
+
     def test_a_narrow_window(self):
         page = self.open(self.work / "beam", width=400)
         page.mouse("mouseMoved", *self.place_of_row(page, 5))

@@ -155,6 +155,15 @@ TEST(Report, BlocksAndCracksAreCompact) {
   EXPECT_EQ(second["cracks"]["opening"], "AACgQA==");  // 5 = |(3, 4)|
 }
 
+TEST(Report, WhatDoesNotMoveHasNoSize) {
+  const Scratch scratch;
+  ResultsFile file(scratch.path(), two_triangles(), {});
+  file.store(snapshot(0));
+  const Json data = data_of_blocks(ResultsReader(scratch.path()), 0, {});
+  EXPECT_EQ(data["steps"][0]["motion"]["mean"]["scale"], 0.0);
+  EXPECT_EQ(data["steps"][0]["motion"]["mean"]["integers"], "AAAAAAAAAAA=");  // four zeros of two bytes
+}
+
 TEST(Report, APageThatWouldBeTooLargeHasFewerSteps) {
   const Scratch scratch;
   ResultsFile file(scratch.path(), two_triangles(), {});
