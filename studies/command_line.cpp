@@ -127,6 +127,10 @@ void Grammar::add_looking() {
   CLI::App* plot = add("plot", "Overlay the load-displacement curves of runs", command_plot);
   plot->add_option("runs", line_.runs, "Run folders")->required();
   plot->add_option("--out", line_.out, "The figure")->capture_default_str();
+  CLI::App* report =
+      add("report", "Write one HTML page about a run or a sweep, to be read offline", command_report);
+  report->add_option("folder", line_.runs, "The folder of the run or sweep")->required()->expected(1);
+  report->add_option("--out", line_.page, "The page; report.html in that folder if not given");
 }
 
 std::string Grammar::unknown_name(int argc, char** argv) const {

@@ -11,13 +11,14 @@ namespace dda {
 /// What the program's commands take from the command line.
 struct CommandLine {
   std::filesystem::path deck;                ///< run, sweep, check, compare
-  std::vector<std::filesystem::path> runs;   ///< plot, and the one of resume
+  std::vector<std::filesystem::path> runs;   ///< plot, and the one of resume and report
   std::vector<std::string> overrides;        ///< --set
   std::vector<std::string> controls;         ///< compare
   std::string topic;                         ///< explain
   std::filesystem::path out = "curves.svg";  ///< plot
   int jobs = 0;                              ///< runs of a sweep at a time; 0: one per processor
   bool dry_run = false;                      ///< sweep
+  std::filesystem::path page;                ///< report; report.html in the folder when empty
   bool json = false;
   RunOptions run;
 };
@@ -34,5 +35,6 @@ int command_sweep(const CommandLine& line);
 /// Does again what `dda sweep` was told when it made the folder `line.runs.front()`, with the copy of its
 /// file there where the file itself is gone.
 int resume_sweep(const CommandLine& line);
+int command_report(const CommandLine& line);
 
 }  // namespace dda

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <thread>
 #include <utility>
 
 #include "framework/output/hdf5_overlay.hpp"
@@ -28,6 +29,11 @@ std::string last_reason() {
   };
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, keep, &reason);
   return reason.empty() ? "unknown HDF5 error" : reason;
+}
+
+/// The overlay driver's words, or those of HDF5's own driver, which reads.
+bool is_lock(const std::string& reason) {
+  return reason == locked_reason || reason.starts_with("unable to lock file");
 }
 
 /// Passes results through and turns negative ones into exceptions.
@@ -143,8 +149,22 @@ Hdf5File Hdf5File::open(const std::filesystem::path& path, Access access) {
   if (access == Access::append) checked(H5Pset_driver(properties, overlay_driver(), nullptr), "driver");
   const unsigned flags = access == Access::read ? H5F_ACC_RDONLY : H5F_ACC_RDWR;
   const hid_t file = H5Fopen(path.c_str(), flags, properties);
-  if (file < 0 && last_reason() == locked_reason) throw Hdf5Locked(locked_reason);
+  if (file < 0 && is_lock(last_reason())) throw Hdf5Locked(locked_reason);
   return Hdf5File(checked(file, "open"));
+}
+
+Hdf5File Hdf5File::open_patiently(const std::filesystem::path& path, Access access,
+                                  std::chrono::milliseconds patience) {
+  using Clock = std::chrono::steady_clock;
+  const auto end = Clock::now() + patience;
+  for (std::chrono::milliseconds pause{1};; pause = std::min(2 * pause, std::chrono::milliseconds{100})) {
+    try {
+      return open(path, access);
+    } catch (const Hdf5Locked&) {
+      if (Clock::now() >= end) throw;
+    }
+    std::this_thread::sleep_for(pause);
+  }
 }
 
 Hdf5File Hdf5File::in_memory() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <span>
@@ -16,7 +17,7 @@ class Hdf5Error : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Another program holds the lock of a file that is to be changed; waiting may help.
+/// Another program holds the lock of the file; waiting may help.
 class Hdf5Locked : public Hdf5Error {
  public:
   using Hdf5Error::Hdf5Error;
@@ -31,6 +32,9 @@ class Hdf5File {
 
   /// Appending changes nothing on the disk before close(), see hdf5_overlay.hpp.
   static Hdf5File open(const std::filesystem::path& path, Access access);
+  /// Waits up to `patience` for another program that holds the file's lock.
+  static Hdf5File open_patiently(const std::filesystem::path& path, Access access,
+                                 std::chrono::milliseconds patience);
   /// A file in memory: empty, or from the bytes of one.
   static Hdf5File in_memory();
   static Hdf5File from_bytes(const std::string& bytes);

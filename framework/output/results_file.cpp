@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <thread>
 
 #include "framework/errors.hpp"
 #include "framework/output/hdf5_file.hpp"
@@ -99,24 +98,11 @@ void write_field(Hdf5File& file, const StoredField& field, const ResultsFile::Fi
   file.set_attribute(entry.dataset, "place", static_cast<std::int64_t>(field.place));
 }
 
-Hdf5File open_patiently(const fs::path& path, std::chrono::milliseconds patience) {
-  using Clock = std::chrono::steady_clock;
-  const auto end = Clock::now() + patience;
-  for (std::chrono::milliseconds pause{1};; pause = std::min(2 * pause, std::chrono::milliseconds{100})) {
-    try {
-      return Hdf5File::open(path, Hdf5File::Access::append);
-    } catch (const Hdf5Locked&) {
-      if (Clock::now() >= end) throw;
-    }
-    std::this_thread::sleep_for(pause);
-  }
-}
-
 /// Opens, changes, closes; every failure becomes an OutputError.
 template <class Change>
 void append(const fs::path& path, std::chrono::milliseconds patience, const Change& change) {
   try {
-    Hdf5File file = open_patiently(path, patience);
+    Hdf5File file = Hdf5File::open_patiently(path, Hdf5File::Access::append, patience);
     change(file);
     file.close();
   } catch (const Hdf5Error& error) {
@@ -165,7 +151,7 @@ ResultsFile::ResultsFile(const fs::path& folder, const ResultsMesh& mesh, const 
 ResultsFile ResultsFile::resume(const fs::path& folder, int last_step) {
   ResultsFile result(folder);
   try {
-    Hdf5File file = open_patiently(result.path_, result.patience_);
+    Hdf5File file = Hdf5File::open_patiently(result.path_, Hdf5File::Access::append, result.patience_);
     result.sizes_ = sizes_of(file);
     for (const std::string& name : file.members("/field")) {
       const std::string group = "/field/" + name;

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import rules
 
-SUFFIXES = {".cpp", ".hpp", ".h", ".in", ".py", ".cmake", ".sh"}
+SUFFIXES = {".cpp", ".hpp", ".h", ".in", ".py", ".cmake", ".sh", ".js", ".css", ".html"}
 NAMES = {"CMakeLists.txt", "bootstrap", "run"}
 
 

@@ -1,0 +1,140 @@
+// The curve of a run: its table, and the events located on it.
+
+/** A run's curve: its table, the rows by step, and what its columns are. */
+class Curve {
+  constructor(table, summary, log) {
+    this.table = table;
+    this.summary = summary ?? {};
+    this.log = log;
+    this.steps = table.numbers("step") ?? Float64Array.from({length: table.numRows}, (_, i) => i);
+    this.kindOf = this.stability();
+  }
+
+  rowOfStep(step) {
+    return nearestRow(this.steps, step);
+  }
+
+  /** Unit of length: that of the run, or the one its gauges have most likely. */
+  get lengthUnit() {
+    return this.summary.units?.length ?? "mm";
+  }
+
+  displacements() {
+    return this.table.numericColumns().filter((column) => column.unit === this.lengthUnit);
+  }
+
+  get defaultAxis() {
+    return (this.displacements()[0] ?? this.table.column("dissipated_energy") ?? this.table.columns[0]).name;
+  }
+
+  /**
+   * The kind of the part of the path before a row: 0 stable under dead load, 1 stable while the control holds what it
+   * prescribes, 2 unstable even then; the better of its two ends, because at a kink the point already counts as what
+   * follows. Null where nobody counted negative eigenvalues.
+   */
+  stability() {
+    const [dead, held] = ["negative_eigenvalues", "negative_under_control"].map((name) => this.table.numbers(name));
+    if (!dead) return null;
+    const kind = (row) => (!(dead[row] > 0) ? 0 : held && held[row] > 0 ? 2 : 1);
+    return (row) => Math.min(kind(row - 1), kind(row));
+  }
+
+  /** What the kinds of line mean, of those that the curve has. */
+  stabilityNote() {
+    if (!this.kindOf) return "";
+    const kinds = new Set(Array.from(this.steps.slice(1), (_, i) => this.kindOf(i + 1)));
+    const notes = [
+      [1, "Dashed: stable under the control only; under a dead load the structure would fail here."],
+      [2, "Dashed in orange: unstable under the control, too."],
+    ];
+    return notes.filter(([kind]) => kinds.has(kind)).map(([, note]) => note).join(" ");
+  }
+
+  /** Names of the gauges: the summary lists them, without one they are the displacements. */
+  gauges() {
+    return Object.keys(this.summary.peak?.gauges ?? {}).length > 0 ? Object.keys(this.summary.peak.gauges) :
+                                                                     this.displacements().map(({name}) => name);
+  }
+
+  /** What a reader wants to know of a step first; the axes of a figure can be chosen to see the rest. */
+  describe(row, axes = []) {
+    const names = [
+      "step", "control", "newton_iterations", "load", ...this.gauges(), ...axes, "external_work", "stored_energy",
+      "dissipated_energy", "current_stiffness", "negative_eigenvalues", "negative_under_control", "mu_1"
+    ];
+    const isKnown = (column) => column && !(column.numbers && Number.isNaN(column.numbers[row]));
+    const columns = [...new Set(names)].map((name) => this.table.column(name)).filter(isKnown);
+    const pairs = columns.map((column) => [symbolOf(column.name), column.textAt(row)]);
+    const landed = this.log?.landed?.[this.steps[row]];
+    return landed ? [...pairs, ["landed on", landed]] : pairs;
+  }
+
+  /** What the run located on its path, each with the name that a mark gets. */
+  get events() {
+    const {events} = this.summary;
+    return (Array.isArray(events) ? events : []).filter((event) => typeof event === "object" && event !== null);
+  }
+
+  /** Peak and located events as marks over two columns; the limit point that is the peak is marked once. */
+  marks(x, y) {
+    const {peak} = this.summary;
+    const hasPeak = peak?.step > 0;
+    const isPeak = (event) => hasPeak && event.kind === "limit_point" && Math.abs(event.step - peak.step) <= 1 &&
+        Math.abs(event.load - peak.load) <= 1e-3 * Math.abs(peak.load);
+    const loadUnit = this.table.column("load")?.unit ?? "";
+    const named = hasPeak ? [{...peak, kind: `peak, ${formatNumber(peak.load, 4)} ${loadUnit}`.trim()}] : [];
+    const marks = [...named, ...this.events.filter((event) => !isPeak(event))]
+                      .map((event) => this.markOf(event, x, y))
+                      .filter(Boolean);
+    // Of several of a name the first is labelled; the colour tells the others.
+    const isFirst = (mark, i) => marks.findIndex(({label}) => label === mark.label) === i;
+    return marks.map((mark, i) => (isFirst(mark, i) ? mark : {...mark, label: ""}));
+  }
+
+  /** An event may lie between two steps: its own numbers count, then those of its step. */
+  markOf(event, x, y) {
+    const row = Number.isFinite(event.step) ? this.rowOfStep(event.step) : null;
+    const at =
+        (name) => [event[name], event.gauges?.[name], row === null ? undefined : this.table.numbers(name)?.[row]].find(
+            Number.isFinite);
+    const [px, py] = [at(x), at(y)];
+    const fill = MARK_COLOURS[event.kind] ?? "#fff";
+    return px === undefined || py === undefined ? null : {x: px, y: py, label: eventName(event), fill};
+  }
+}
+
+/** Other marks are white. */
+const MARK_COLOURS = {
+  turning_point: "#56b4e9",
+  bifurcation: "#e69f00"
+};
+
+/** "turning point of cmod". */
+function eventName(event) {
+  const kind = words(event.kind ?? event.type ?? "event");
+  return event.of && event.of !== "load" ? `${kind} of ${words(event.of)}` : kind;
+}
+
+/** The located events as a table, null when there are none. */
+function eventTable(curve) {
+  if (curve.events.length === 0) return null;
+  const unit = (name) => curve.table.column(name)?.unit ?? "";
+  const numbers = ["load", ...curve.gauges()];
+  const columns = [
+    {
+      title: "event",
+      className: "status-cell",
+      text: (event) => [eventName(event), event.extremum].filter(Boolean).join(", ")
+    },
+    {title: "step", isNumeric: true, text: ({step}) => String(step ?? "")},
+    ...numbers.map((name) => ({
+                     title: withUnit(words(name), unit(name)),
+                     isNumeric: true,
+                     text: (event) => formatNumber(event[name] ?? event.gauges?.[name])
+                   })),
+    {title: "where", text: ({located}) => words(located ?? "")},
+    {title: "uncertainty", isNumeric: true, text: ({uncertainty}) => formatNumber(uncertainty, 2)},
+  ];
+  return folded(
+      `${plural(curve.events.length, "located event")}`, tableOf(columns, curve.events), curve.events.length <= 8);
+}

@@ -1,0 +1,82 @@
+// Numbers and names as people read them.
+
+const SUPERSCRIPTS = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+
+function superscript(number) {
+  return String(number).replace("-", "⁻").replace(/\d/g, (digit) => SUPERSCRIPTS[digit]);
+}
+
+/** A number with some significant digits, "−" for minus and a power of ten where it is shorter. */
+function formatNumber(value, digits = 5) {
+  if (value === null || value === undefined || Number.isNaN(value)) return "–";
+  if (!Number.isFinite(value)) return value > 0 ? "∞" : "−∞";
+  if (value === 0) return "0";
+  const size = Math.abs(value);
+  if (size >= 1e-3 && size < 1e6) return String(Number(value.toPrecision(digits))).replace("-", "−");
+  if (size >= 1e6 && Number.isInteger(value) && size < 1e9) return String(value).replace("-", "−");
+  const [mantissa, exponent] = value.toExponential(digits - 1).split("e");
+  return `${String(Number(mantissa)).replace("-", "−")}·10${superscript(Number(exponent))}`;
+}
+
+function formatSeconds(seconds) {
+  if (seconds < 120) return `${formatNumber(seconds, 3)} s`;
+  const minutes = Math.floor(seconds / 60);
+  if (minutes < 120) return `${minutes} min ${Math.round(seconds % 60)} s`;
+  return `${Math.floor(minutes / 60)} h ${minutes % 60} min`;
+}
+
+/** "2024-05-01T12:00:00.123Z" to "2024-05-01 12:00:00 UTC". */
+function formatDate(text) {
+  const match = /^(\d{4}-\d\d-\d\d)T(\d\d:\d\d:\d\d)/.exec(text ?? "");
+  return match ? `${match[1]} ${match[2]} UTC` : text ?? "";
+}
+
+function withUnit(name, unit) {
+  return unit ? `${name} [${unit}]` : name;
+}
+
+/** A name of the run's files in words: "limit_point" to "limit point". */
+function words(name) {
+  return String(name).replace(/_/g, " ");
+}
+
+function plural(count, one, many = `${one}s`) {
+  return `${count} ${count === 1 ? one : many}`;
+}
+
+/** The round step, 1, 2 or 5 times a power of ten, that gives about `wanted` intervals. */
+function roundStep(length, wanted) {
+  const rough = length / wanted;
+  const power = 10 ** Math.floor(Math.log10(rough));
+  const factor = [1, 2, 5].find((candidate) => rough <= candidate * power * (1 + 1e-9)) ?? 10;
+  return factor * power;
+}
+
+/** 1, 2 or 5 times a power of ten, at most `value`. */
+function roundDown(value) {
+  const power = 10 ** Math.floor(Math.log10(value) + 1e-12);
+  const digit = value / power;
+  return power * (digit >= 5 ? 5 : digit >= 2 ? 2 : 1);
+}
+
+/** Ticks of an axis: value and label, and the power of ten and offset taken out of the labels. */
+function axisTicks([low, high], wanted) {
+  const step = roundStep(high - low, wanted);
+  const largest = Math.max(Math.abs(low), Math.abs(high));
+  const offset = largest / step > 1e5 ? Math.ceil(low / step) * step : 0;
+  const rest = Math.max(Math.abs(low - offset), Math.abs(high - offset));
+  const power = Math.floor(Math.log10(rest) + 1e-9);
+  const exponent = power >= 5 || power <= -4 ? 3 * Math.floor(power / 3) : 0;
+  const unit = 10 ** exponent;
+  const decimals = Math.min(12, Math.max(0, -Math.floor(Math.log10(step / unit) + 1e-9)));
+  const ticks = [];
+  for (let n = Math.ceil(low / step - 1e-6); n * step <= high + 1e-6 * step; n += 1)
+    ticks.push({value: n * step, label: tickLabel((n * step - offset) / unit, decimals)});
+  const shift = offset === 0 ? "" : ` ${offset < 0 ? "−" : "+"} ${Number(Math.abs(offset).toPrecision(9))}`;
+  return {ticks, scale: `${exponent === 0 ? "" : `×10${superscript(exponent)}`}${shift}`.trim()};
+}
+
+function tickLabel(value, decimals) {
+  const text = value.toFixed(decimals);
+  return /[1-9]/.test(text) ? text.replace("-", "−") : text.replace("-", "");
+}
