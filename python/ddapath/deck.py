@@ -12,7 +12,8 @@ from .errors import NotFound
 NULL = re.compile(r"(?:~|null|Null|NULL|)\Z")
 TRUTH = re.compile(r"(?:true|True|TRUE|false|False|FALSE)\Z")
 WHOLE = re.compile(r"[-+]?(?:0|[1-9][0-9]*)\Z")
-NUMBER = re.compile(r"[-+]?(?:\.[0-9]+|[0-9]+(?:\.[0-9]*)?)(?:[eE][-+]?[0-9]+)?\Z|[-+]?\.(?:inf|Inf|INF)\Z|\.(?:nan|NaN|NAN)\Z")
+NUMBER = re.compile(r"[-+]?(?:\.[0-9]+|[0-9]+(?:\.[0-9]*)?)(?:[eE][-+]?[0-9]+)?\Z"
+                    r"|[-+]?\.(?:inf|Inf|INF)\Z|\.(?:nan|NaN|NAN)\Z")
 
 
 class _Loader(yaml.SafeLoader):
