@@ -13,7 +13,7 @@ from .run_folder import Run, whole_lines
 def read_sweep(folder):
     """The sweep in a folder, finished or not: a DataFrame with a row per case, index `case`.
 
-    Columns: folder, the varied parameters by their dotted keys, status, reason, exit_code, every number of the runs'
+    Columns: folder, the varied parameters by their dotted keys, status, reason, exit_code, every value of the runs'
     summaries (`peak.load`), and `run`, a Run that reads nothing before it is asked.
     attrs: name, title, axes of the sweep, and units, the unit of each column.
     """

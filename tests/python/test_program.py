@@ -112,6 +112,23 @@ class Sweeping(Scratch):
         self.assertEqual(ddapath.read_deck(self.folder / "asked.yaml"),
                          {"sweep": {"deck": str(DECK), "thickness": [50, 100], "seed": "1..3"}})
 
+    def test_a_sweep(self):
+        axes = {"interfaces.any.law.fracture_energy": np.array([0.05, 0.1]), "path.stop.load_below": [0.8]}
+        table = ddapath.sweep(DECK, axes, self.folder / "sweep")
+        self.assertEqual(table.index.tolist(), [1, 2])
+        self.assertEqual(table["interfaces.any.law.fracture_energy"].tolist(), [0.05, 0.1])
+        self.assertGreater(table["peak.load"][2], table["peak.load"][1])
+        self.assertEqual(table["run"][2].curve["load"].max(), table["peak.load"][2])
+        self.assertEqual(table["run"][2].deck["interfaces"]["any"]["law"]["fracture_energy"], 0.1)
+        self.assertEqual(table.attrs["units"]["peak.load"], "N")
+        self.assertEqual(ddapath.read_sweep(self.folder / "sweep")["steps"].tolist(), table["steps"].tolist())
+
+    def test_a_sweep_with_a_case_that_stops_early(self):
+        axes = {"path.control": ["load", "staged"], "path.stop.load_below": [0.8]}
+        with self.assertRaises(ddapath.StoppedEarly) as caught:
+            ddapath.sweep(DECK, axes, self.folder / "sweep")
+        self.assertEqual(caught.exception.results["status"].tolist(), ["stopped_early", "goal_reached"])
+
     def test_the_axes_of_a_dictionary_are_a_section_of_it(self):
         self.assertEqual(ddapath.program.with_axes({"title": "a"}, {"seed": [1]}), {"title": "a", "sweep": {"seed": [1]}})
 
