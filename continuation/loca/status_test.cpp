@@ -48,7 +48,7 @@ NOX::StatusTest::StatusType NewtonTest::judge(const NOX::Solver::Generic& solver
   }
   // Iterations that converge stay below 1, the level of all forces. Going on far above it cracks the whole
   // structure, and each of its points takes columns of the update, which stay.
-  constexpr double hopeless = 100;
+  constexpr double hopeless = 10;
   if (residual_ > hopeless) {
     reason_ = fmt::format("the iteration diverges (relative residual {:.1e})", residual_);
     return NOX::StatusTest::Failed;

@@ -79,6 +79,7 @@ def draw_bias(panel, biases):
         panel.vlines(x, [100 * b.lowest for b in found], [100 * b.highest for b in found], color=COLOURS[beam.name],
                      linewidth=0.5)
     panel.axhline(0, color="black", linewidth=0.8)
+    panel.margins(y=0.18)  # room for the legend
     panel.set_ylabel("Voronoi blocks: peak against the straight crack [%]")
     panel.legend(fontsize=7)
 

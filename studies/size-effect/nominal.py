@@ -50,12 +50,13 @@ def strengths(beam, deck, table):
     depth, span = dimensions(deck)
     modulus, strength = deck["materials"]["concrete"]["young_modulus"], interface["law"]["tensile_strength"]
     rows = []
+    energy_key, size_key = f"interfaces.{name}.law.fracture_energy", "scene.parameters.ligament_size"
     for case in table.to_dict("records"):
-        energy = case[f"interfaces.{name}.law.fracture_energy"]
+        energy = case[energy_key]
         moment = beam.lever * case["peak.load"] * span
         rows.append({"beam": beam.name, "length": float(f"{depth * strength**2 / (modulus * energy):.6g}"),
-                     "block_size": case.get("scene.parameters.ligament_size"), "seed": case.get("scene.subdivision.seed", case.get("seed")),
-                     "blocks": case["blocks"], "steps": case["steps"],
+                     "block_size": case.get(size_key), "seed": case.get("seed"), "blocks": case["blocks"],
+                     "steps": case["steps"],
                      "strength": 6 * moment / (deck["thickness"] * depth**2) / strength})
     return rows
 
@@ -120,5 +121,6 @@ def biases(beam, rows, straight):
         if len(values) < 2:
             continue
         off = values / peak.strength - 1
-        out.append(Bias(beam.name, peak.length, len(values), values.mean(), off.mean(), off.std(ddof=1), off.min(), off.max()))
+        out.append(Bias(beam.name, peak.length, len(values), values.mean(), off.mean(), off.std(ddof=1), off.min(),
+                        off.max()))
     return out
