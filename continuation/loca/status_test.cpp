@@ -46,6 +46,13 @@ NOX::StatusTest::StatusType NewtonTest::judge(const NOX::Solver::Generic& solver
     reason_ = "the residual is not a number";
     return NOX::StatusTest::Failed;
   }
+  // Iterations that converge stay below 1, the level of all forces. Going on far above it cracks the whole
+  // structure, and each of its points takes columns of the update, which stay.
+  constexpr double hopeless = 10;
+  if (residual_ > hopeless) {
+    reason_ = fmt::format("the iteration diverges (relative residual {:.1e})", residual_);
+    return NOX::StatusTest::Failed;
+  }
   constexpr double hardly_less = 0.1;
   const bool falls = solver.getNumIterations() > 0 && residual_ <= hardly_less * before;
   if (residual_ > parameters_.tolerance && !falls)

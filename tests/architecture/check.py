@@ -15,7 +15,7 @@ def is_source(path):
 
 def sources(root):
     """Source files of the house, not what was built or computed in it."""
-    tops = [root / name for name in (*rules.FOLDERS, "tests", "cmake", ".ci")]
+    tops = [root / name for name in (*rules.FOLDERS, "python", "tests", "cmake", ".ci")]
     found = [path for path in root.iterdir() if is_source(path)]
     for top in tops:
         found += [path for path in top.rglob("*") if is_source(path)]

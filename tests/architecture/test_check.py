@@ -123,6 +123,12 @@ class Tree(unittest.TestCase):
         self.assertEqual(code, 1)
         self.assertIn("models/interface/law.cpp:2: models must not include continuation/path.hpp", output)
 
+    def test_the_python_package_is_read(self):
+        self.write("python/ddapath/a.py", "# FIX" + "ME\n")
+        code, output = self.run_main()
+        self.assertEqual(code, 1)
+        self.assertIn("python/ddapath/a.py:1:", output)
+
     def test_a_missing_folder_fails(self):
         (self.root / "models" / "a.hpp").unlink()
         (self.root / "models").rmdir()

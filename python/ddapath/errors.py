@@ -1,0 +1,46 @@
+"""What can go wrong. Every error is a DdapathError; those of the program carry its message and exit code."""
+
+
+class DdapathError(Exception):
+    """Any error of this package."""
+
+
+class NotFound(DdapathError):
+    """There is no such deck, run or sweep."""
+
+
+class NothingStored(DdapathError):
+    """The run is one, but does not (yet) hold what was asked for."""
+
+
+class ProgramNotFound(DdapathError):
+    """There is no program `dda` to start."""
+
+
+class ProgramFailed(DdapathError):
+    """The program ended with an exit code that is none of those below: killed, or broken.
+
+    `exit_code` is negative after a signal; `said` is all that it printed.
+    """
+
+    def __init__(self, message, exit_code=None, said=""):
+        super().__init__(message)
+        self.exit_code, self.said = exit_code, said
+
+
+class InputError(ProgramFailed):
+    """Exit code 2: the deck or a setting is wrong; nothing was written. The message has every place."""
+
+
+class OutputError(ProgramFailed):
+    """Exit code 4: the results could not be written, or an internal error."""
+
+
+class Interrupted(ProgramFailed):
+    """Exit code 130; `dda resume` continues."""
+
+
+class StoppedEarly(ProgramFailed):
+    """Exit code 3: the path ended before its goal. `results` holds what was reached, which is valid."""
+
+    results = None

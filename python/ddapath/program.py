@@ -1,0 +1,111 @@
+"""Starts `dda` and turns what it says into results or errors."""
+
+import json
+import os
+import shutil
+import subprocess
+import tempfile
+from pathlib import Path
+
+from . import deck as decks
+from .errors import InputError, Interrupted, NotFound, OutputError, ProgramFailed, ProgramNotFound, StoppedEarly
+from .run_folder import read_run
+from .sweep_folder import read_sweep
+
+CHECKOUT = Path(__file__).resolve().parents[2]
+ERRORS = {2: InputError, 3: StoppedEarly, 4: OutputError, 130: Interrupted}
+
+
+def find_program():
+    """The program: $DDA, else build/release/bin/dda of the checkout that this package lies in, else dda on the PATH."""
+    named = os.environ.get("DDA")
+    if named:
+        found = shutil.which(named)
+        if not found:
+            raise ProgramNotFound(f"the environment variable DDA is '{named}', which is no program")
+        return found
+    built = CHECKOUT / "build" / "release" / "bin" / "dda"
+    found = shutil.which(built) or shutil.which("dda")
+    if not found:
+        raise ProgramNotFound(f"there is no program dda: build it with {CHECKOUT}/bootstrap build, or set DDA to its path")
+    return found
+
+
+def run(deck, settings=None, folder=None, *, overwrite=False, check=True):
+    """Follows the path of a deck, a file or a dictionary, and returns the Run.
+
+    settings: values of the deck by dotted key, {"interfaces.ligament.law.fracture_energy": 0.1}, in the deck's units.
+    folder: where the results go, by default runs/<name of the deck>; `overwrite` replaces those of an earlier run.
+    Throws InputError, OutputError or Interrupted with the program's message; for a path that ended before its goal
+    StoppedEarly, which has the Run as `results`. With check=False such a run is returned like any other: see its status.
+    """
+    arguments = [part for key, value in (settings or {}).items() for part in ("--set", setting(key, value))]
+    return started("run", (deck, folder, overwrite, check), arguments, read_run)
+
+
+def sweep(deck, axes=None, folder=None, *, jobs=None, overwrite=False, check=True):
+    """Runs every case of a sweep and returns its table, as read_sweep does.
+
+    deck: a sweep's file or dictionary, with its section `sweep`; or, with `axes`, the base deck.
+    axes: the section `sweep`: {"scene.parameters.depth": [50, 100], "seed": "1..20", "zip": {...}}.
+    jobs: how many cases run at a time; by default the program decides. See `run` for the rest; here StoppedEarly means that
+    some case stopped early or failed, and its `results` are the table.
+    """
+    arguments = [] if jobs is None else ["--jobs", str(jobs)]
+    return started("sweep", (with_axes(deck, axes), folder, overwrite, check), arguments, read_sweep)
+
+
+def with_axes(deck, axes):
+    """The file or dictionary of a sweep."""
+    if axes is None:
+        return deck
+    if isinstance(deck, dict):
+        return {**deck, "sweep": axes}
+    return {"sweep": {"deck": str(Path(deck).resolve()), **axes}}
+
+
+def setting(key, value):
+    """`key=value` for the command line; JSON is YAML."""
+    return f"{key}={json.dumps(decks.plain(value), allow_nan=False, ensure_ascii=False)}"
+
+
+def started(command, what, arguments, read):
+    """Runs `dda COMMAND`; `what` is (deck, folder, overwrite, check), `read` makes the results of the folder."""
+    deck, folder, overwrite, check = what
+    folder = Path(folder) if folder is not None else default_folder(deck)
+    with tempfile.TemporaryDirectory(prefix="ddapath-") as scratch:
+        file = as_file(deck, Path(scratch))
+        options = ["--folder", folder, "--quiet", *(["--overwrite"] if overwrite else []), *arguments]
+        done = subprocess.run([find_program(), command, file, *options], capture_output=True, text=True, check=False)
+    said = "\n".join(part.strip() for part in (done.stdout, done.stderr) if part.strip())
+    if done.returncode == 0 or (done.returncode == 3 and not check):
+        return read(folder)
+    raise failure(done.returncode, said, (folder, read))
+
+
+def failure(code, said, results):
+    """The error of an exit code; `results` is (folder, its reader)."""
+    message = said or f"the program said nothing; exit code {code}"
+    error = ERRORS.get(code, ProgramFailed)(message, code, said)
+    if code == 3:
+        folder, read = results
+        error.results = read(folder)
+    return error
+
+
+def default_folder(deck):
+    """runs/<name>, as the program names it: after the file, or after its folder where the file is called deck."""
+    if isinstance(deck, dict):
+        raise ValueError("a deck that is no file has no name to put its results under: give a folder")
+    file = Path(deck).resolve()
+    return Path("runs") / (file.parent.name if file.stem == "deck" else file.stem)
+
+
+def as_file(deck, scratch):
+    """The file of a deck: its own, or one in `scratch`, whose relative file names are those of the current folder."""
+    if isinstance(deck, dict):
+        return decks.write_deck(decks.with_absolute_files(deck, Path.cwd()), scratch / "deck.yaml")
+    file = Path(deck)
+    if not file.is_file():
+        raise NotFound(f"{file}: there is no such deck")
+    return file

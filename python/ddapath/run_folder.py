@@ -1,0 +1,131 @@
+"""A run folder, finished or not, read piece by piece as it is asked for."""
+
+import errno
+import io
+import json
+import time
+from contextlib import contextmanager
+from pathlib import Path
+
+import h5py
+import pandas as pd
+
+from . import deck as decks
+from .errors import NotFound, NothingStored
+from .fields import read_fields, read_mesh
+
+PATIENCE = 5.0  # s that a running program's lock of run.h5 is waited for
+
+
+def whole_lines(file):
+    """The text up to its last line break: a running or killed program may be in the middle of a line."""
+    text = file.read_text(encoding="utf-8")
+    return text[:text.rfind("\n") + 1]
+
+
+@contextmanager
+def opened(file):
+    """run.h5 for reading; the program holds its lock only while it stores a step."""
+    end = time.monotonic() + PATIENCE
+    while True:
+        try:
+            store = h5py.File(file, "r")
+            break
+        except OSError as error:
+            if error.errno not in (errno.EAGAIN, errno.EACCES) or time.monotonic() > end:
+                raise NothingStored(f"{file}: cannot be read: {error}") from error
+            time.sleep(0.05)
+    with store:
+        yield store
+
+
+class Run:
+    """The results in a run folder; every piece is read when it is asked for, so that a running program can be watched.
+
+    folder     the folder, a Path
+    status     goal_reached, stopped_early, interrupted; "unfinished" as long as there is no summary
+    summary    summary.json, a dictionary; empty for an unfinished run
+    curve      curve.csv, a DataFrame with a row per accepted step; attrs["units"] has the unit of each column
+    deck       the effective deck, a dictionary: every parameter with its value
+    log        log.jsonl, a list of dictionaries
+    steps      numbers of the steps whose fields are stored
+    fields(step)   the fields of a stored step, see Fields; the last one if no step is given
+    """
+
+    def __init__(self, folder):
+        self.folder = Path(folder)
+
+    def __repr__(self):
+        return f"<run {self.folder}: {self.status}>"
+
+    @property
+    def status(self):
+        return self.summary.get("status", "unfinished")
+
+    @property
+    def summary(self):
+        file = self.folder / "summary.json"
+        return json.loads(file.read_text(encoding="utf-8")) if file.exists() else {}
+
+    @property
+    def curve(self):
+        text = whole_lines(self._file("curve.csv"))
+        table = pd.read_csv(io.StringIO(text), float_precision="round_trip") if text else pd.DataFrame()
+        units = self.folder / "curve.units.json"
+        table.attrs["units"] = json.loads(units.read_text(encoding="utf-8")) if units.exists() else {}
+        return table
+
+    @property
+    def deck(self):
+        return decks.load(self._file("effective_deck.yaml").read_text(encoding="utf-8"))
+
+    @property
+    def log(self):
+        return [json.loads(line) for line in whole_lines(self._file("log.jsonl")).splitlines() if line]
+
+    @property
+    def steps(self):
+        with opened(self._file("run.h5")) as store:
+            return sorted(self._groups(store))
+
+    def fields(self, step=None):
+        with opened(self._file("run.h5")) as store:
+            groups = self._groups(store)
+            if not groups:
+                raise NothingStored(f"{self.folder}: no fields are stored (yet); `record.fields_every` says how often")
+            step = max(groups) if step is None else step
+            if step not in groups:
+                stored = ", ".join(str(known) for known in sorted(groups))
+                raise NothingStored(f"{self.folder}: the fields of step {step} are not stored; those of {stored} are")
+            return read_fields(read_mesh(store), store[groups[step]])
+
+    @staticmethod
+    def _groups(store):
+        """Step → group. The attribute `time` is written last: a step without it was cut short."""
+        groups = store["field"].values() if "field" in store else ()
+        return {int(group.attrs["step"]): group.name for group in groups if "time" in group.attrs}
+
+    def _file(self, name):
+        file = self.folder / name
+        if not file.exists():
+            raise NothingStored(f"{self.folder}: this run has no {name} (yet)")
+        return file
+
+
+def read_run(folder):
+    """The run in a folder, also an unfinished one. Throws NotFound, with a hint, for any other folder."""
+    path = Path(folder)
+    if not path.is_dir():
+        what = "is a file; the folder that `dda run` wrote is wanted" if path.exists() else "there is no such folder"
+        raise NotFound(f"{path}: {what}")
+    if (path / "sweep.json").exists():
+        raise NotFound(f"{path}: this is a sweep; use read_sweep, or read_run on one of {path}/cases/*")
+    if not (path / "effective_deck.yaml").exists():
+        raise NotFound(f"{path}: this is no run folder, it has no effective_deck.yaml{nearby(path)}")
+    return Run(path)
+
+
+def nearby(path):
+    """A hint at the run folders right below, if there are any."""
+    found = sorted(below.parent.name for below in path.glob("*/effective_deck.yaml"))
+    return f"; but these in it are: {', '.join(found[:5])}{', …' if len(found) > 5 else ''}" if found else ""

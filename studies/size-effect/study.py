@@ -1,0 +1,84 @@
+"""Nominal strength against size: notched and uncracked beams, a straight crack and Voronoi blocks.
+
+    study.py --program DDA [--quick] [--jobs N] [--keep] [--report] [--output FOLDER]
+
+Six sweeps, NAME.yaml and NAME-voronoi.yaml beside this file, into runs/size-effect (--quick: runs/size-effect-quick);
+results/straight.csv, results/voronoi.csv, results/size-effect.svg and the marked region of README.md into FOLDER: this
+folder, or with --quick runs/size-effect-quick.
+"""
+
+import argparse
+import os
+import shutil
+import sys
+import time
+from pathlib import Path
+
+import nominal
+import report
+
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parents[1] / "python"))
+
+import ddapath  # noqa: E402
+
+STRAIGHT_ENERGY, VORONOI_ENERGY = (f"interfaces.{name}.law.fracture_energy" for name in ("ligament", "joints"))
+# A few sizes [N/mm], coarse blocks [mm] and two seeds.
+QUICK = {"straight": {STRAIGHT_ENERGY: [0.3, 0.03, 0.003],
+                      "zip": {"scene.parameters.ligament_size": [4, 2], "scene.parameters.far_size": [32, 16]}},
+         "voronoi": {VORONOI_ENERGY: [0.03], "seed": "1..2"}}
+
+
+def sweep(name, axes, asked):
+    """(the base deck, the table of the sweep); a case that fails ends the study with its reason."""
+    file = HERE / f"{name}.yaml"
+    deck = ddapath.read_deck(file)
+    started = time.perf_counter()
+    table = ddapath.sweep(deck | {"sweep": axes} if axes else file, folder=asked.runs / name, jobs=asked.jobs,
+                          overwrite=not asked.keep, check=False)
+    print(f"{name}: {len(table)} runs, {time.perf_counter() - started:.0f} s", file=sys.stderr)
+    failed = table[table["status"] != "goal_reached"]
+    if len(failed):
+        raise SystemExit("\n".join(f"{asked.runs / case.folder}: {case.reason}" for case in failed.itertuples()))
+    return deck, table
+
+
+def run_all(asked):
+    """The rows of results/straight.csv and results/voronoi.csv."""
+    rows = {"straight": [], "voronoi": []}
+    for kind, suffix in (("straight", ""), ("voronoi", "-voronoi")):
+        for beam in nominal.BEAMS:
+            deck, table = sweep(beam.name + suffix, QUICK[kind] if asked.quick else None, asked)
+            rows[kind] += nominal.strengths(beam, deck, table)
+    return rows
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--program", required=True, help="the program dda")
+    parser.add_argument("--quick", action="store_true", help="few sizes, coarse blocks, two seeds: does it work?")
+    parser.add_argument("--jobs", type=int, help="runs at a time; by default one per processor")
+    parser.add_argument("--keep", action="store_true", help="do not repeat the runs that are there")
+    parser.add_argument("--report", action="store_true", help="run nothing; figure and README from results/*.csv")
+    parser.add_argument("--output", type=Path, help="where README.md and results/ go")
+    parser.add_argument("--runs", type=Path, help="where the sweeps go")
+    asked = parser.parse_args()
+    asked.runs = asked.runs or Path("runs") / (HERE.name + "-quick" * asked.quick)
+    asked.output = asked.output or (asked.runs if asked.quick else HERE)
+    return asked
+
+
+def main():
+    asked = arguments()
+    (asked.output / "results").mkdir(parents=True, exist_ok=True)
+    if not (asked.output / "README.md").exists():
+        shutil.copy(HERE / "README.md", asked.output)
+    if not asked.report:
+        os.environ |= {"DDA": str(Path(asked.program).resolve()), "OMP_NUM_THREADS": "1"}
+        for kind, rows in run_all(asked).items():
+            report.write_rows(asked.output / "results" / f"{kind}.csv", rows)
+    report.write(asked.output)
+
+
+if __name__ == "__main__":
+    main()
