@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <span>
 #include <vector>
 
@@ -13,26 +12,26 @@ namespace dda {
 ///     p ← p − R(d),  v = M⁻¹ p,  d ← d + v            from rest p ← −R/2
 ///
 /// The kinetic energy ½ p·v is what the potential energy has fallen by. Where it has a peak the potential has
-/// its valley along the motion: there the blocks are stopped, and the motion begins anew. The place is that
-/// of the peak of a parabola through the last three energies.
+/// its valley along the motion: there the blocks are stopped, and the motion begins anew. The place on the
+/// last step is where R·v vanishes between its values at both ends, exact for a quadratic potential.
 class DampedMotion {
  public:
   DampedMotion(const FictitiousMass& mass, std::vector<double> d);
 
   const std::vector<double>& d() const { return d_; }
-  /// Of the step that led to d() [FL].
-  double kinetic_energy() const { return energy_[1]; }
+  /// Of the step that led to d(); 0 at rest [FL].
+  double kinetic_energy() const { return energy_; }
   /// One step under the residual R(d()); true when the blocks were stopped on the last one instead.
   bool move(std::span<const double> residual);
 
  private:
-  void stop(double energy);
-  double share_to_peak(double energy) const;
+  void stop(double slope);
 
   const FictitiousMass& mass_;
   std::vector<double> d_, momentum_, velocity_;
-  std::array<double, 2> energy_{0, 0};  ///< of the last two steps [FL]
-  int steps_ = 0;                       ///< since the blocks were at rest
+  double energy_ = 0;
+  double slope_ = 0;  ///< R·v at the beginning of the last step [FL]
+  bool is_at_rest_ = true;
 };
 
 }  // namespace dda

@@ -58,29 +58,21 @@ class Oscillator : public testing::TestWithParam<double> {
   static constexpr double home = 2;
 };
 
-/// Of a single frequency the first peak of the energy is the equilibrium, but for the parabola.
+/// Of a single frequency the first stop is the equilibrium.
 TEST_P(Oscillator, IsStoppedWhereItsPotentialIsLowest) {
   const FictitiousMass made = mass();
   DampedMotion motion(made, std::vector<double>(6, 0.0));
   int steps = 0;
   while (!motion.move(residual(motion.d()))) ASSERT_LT(++steps, 1000);
   EXPECT_EQ(motion.kinetic_energy(), 0);
-  EXPECT_NEAR(motion.d()[0], home, 0.25 * home);
-  for (const double d : motion.d()) EXPECT_NEAR(d, motion.d()[0], 1e-12);
+  for (const double d : motion.d()) EXPECT_NEAR(d, home, 1e-10 * home);
   const double quarter = 0.5 * std::numbers::pi / std::sqrt(GetParam() * 4 / 1.2);
   EXPECT_NEAR(steps, quarter, 2);
 }
 
-TEST_P(Oscillator, ComesToRest) {
-  const FictitiousMass made = mass();
-  DampedMotion motion(made, std::vector<double>(6, 0.0));
-  for (int steps = 0; steps < 2000; ++steps) motion.move(residual(motion.d()));
-  EXPECT_NEAR(motion.d()[0], home, 1e-9 * home);
-}
-
 /// Energy that the potential loses is kinetic, to the order of the step.
 TEST_P(Oscillator, LosesNoEnergyOnTheWay) {
-  if (GetParam() > 0.01) GTEST_SKIP() << "few steps to a period";
+  const double few_steps = 0.5 * GetParam();  // to a period: the order of the step counts
   const FictitiousMass made = mass();
   DampedMotion motion(made, std::vector<double>(6, 0.0));
   const auto potential = [&] { return 0.5 * GetParam() * 6 * std::pow(motion.d()[0] - home, 2); };
@@ -88,7 +80,7 @@ TEST_P(Oscillator, LosesNoEnergyOnTheWay) {
   double before = start;
   for (int steps = 0; !motion.move(residual(motion.d())); ++steps) {
     const double middle = 0.5 * (before + potential());
-    EXPECT_NEAR(middle + motion.kinetic_energy(), start, 0.02 * start) << steps;
+    EXPECT_NEAR(middle + motion.kinetic_energy(), start, (0.001 + few_steps) * start) << steps;
     before = potential();
   }
 }
