@@ -34,24 +34,24 @@ def of_group(rows, group):
 
 
 def straight_table(rows):
-    yield "| h [mm] | Gf [N/mm] | reference [kN] | peak [kN] | difference | blocks | steps | time [s] |"
+    yield "| h [mm] | Gf [N/mm] | reference [kN] | peak [kN] | difference | blocks | steps | processor time [s] |"
     yield "|---|---|---|---|---|---|---|---|"
     for row in rows:
         depth, energy = (float(part.split("=")[1]) for part in row["name"].split(","))
         expected, found = REFERENCE[depth, energy], row["peak_load"] / 1000
         yield (f"| {depth:.0f} | {energy:g} | {expected:.3f} | {found:.3f} | {100 * (found / expected - 1):+.2f} % | "
-               f"{row['blocks']:.0f} | {row['steps']:.0f} | {row['seconds']:.1f} |")
+               f"{row['blocks']:.0f} | {row['steps']:.0f} | {row['seconds']:.2f} |")
 
 
 def beam_table(rows):
     yield ("| run | blocks | peak [kN] | at [mm] | steps | rejected | Newton's iterations | residuals in relaxation | "
-           "factorisations | time [s] | exit code |")
+           "factorisations | processor time [s] | exit code |")
     yield "|---|---|---|---|---|---|---|---|---|---|---|"
     for row in rows:
         iterations = row["newton_iterations"] + row["reduced_iterations"]
         yield (f"| {row['name']} | {row['blocks']:.0f} | {row['peak_load'] / 1000:.3f} | {row['peak_deflection']:.4f} | "
                f"{row['steps']:.0f} | {row['rejected_steps']:.0f} | {iterations:.0f} | {row['relaxation_iterations']:.0f} | "
-               f"{row['factorisations']:.0f} | {row['seconds']:.1f} | {row['exit_code']:.0f} |")
+               f"{row['factorisations']:.0f} | {row['seconds']:.2f} | {row['exit_code']:.0f} |")
 
 
 def biases(rows):
@@ -93,8 +93,9 @@ def draw_curves(curves, file):
         panel.set_xlim(left=0)
         panel.set_ylim(bottom=0)
         panel.grid(True, linewidth=0.3)
-        panel.legend(fontsize=7, frameon=False)
-    left.set_xlim(0, 0.3)
+        panel.legend(fontsize=7, frameon=False, loc="upper right" if panel is left else "lower right")
+    left.set_xlim(0, 0.2)
+    right.set_xlim(0, 0.04)
     left.set_ylabel("load [kN]")
     save(figure, file)
 
