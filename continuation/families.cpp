@@ -1,3 +1,4 @@
+#include "continuation/increment/load_solver.hpp"
 #include "continuation/linear/direct_solver.hpp"
 #include "continuation/strategy/driver.hpp"
 
@@ -10,6 +11,11 @@ DirectSolverFamily& direct_solvers() {
 
 DriverFamily& drivers() {
   static DriverFamily family("control", "What is prescribed along the path.");
+  return family;
+}
+
+LoadSolverFamily& load_solvers() {
+  static LoadSolverFamily family("solver", "How a load increment finds its equilibrium.");
   return family;
 }
 

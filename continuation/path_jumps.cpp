@@ -2,12 +2,31 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numeric>
 
+#include "continuation/increment/load_increment.hpp"
 #include "continuation/path.hpp"
 #include "continuation/release.hpp"
 #include "continuation/rescue.hpp"
 
 namespace dda {
+namespace {
+
+/// |R·Δd|, R of a state with its history: by so much its energies may be off those of the equilibrium which
+/// it is within the tolerance.
+double residual_work(System& system, const Candidate& at, const std::vector<double>& along) {
+  const std::vector<History> history = system.history();
+  const std::vector<Vec2> multipliers = system.multipliers();
+  system.set_history(at.history);
+  system.set_multipliers(at.state.multipliers);
+  std::vector<double> r(along.size());
+  system.residual(at.state.d, at.state.load_factor, *system.laws_at(at.state.d, at.state.load_factor), r);
+  system.set_history(history);
+  system.set_multipliers(multipliers);
+  return std::abs(std::inner_product(r.begin(), r.end(), along.begin(), 0.0));
+}
+
+}  // namespace
 
 std::optional<Point> Path::sequential_step(const std::string& control, double quantum) {
   const auto found = sequentially_linear(walker_.system(), walker_.state(), quantum);
@@ -22,12 +41,19 @@ std::optional<Point> Path::sequential_step(const std::string& control, double qu
   return point;
 }
 
-/// Whether less was put in than is stored and spent, by more than the chord of a curved path explains.
+/// Whether less was put in than is stored and spent, by more than the chord of a curved path and what
+/// tolerances leave explain.
 bool Path::creates_energy(const Candidate& beyond) const {
   const Candidate& here = walker_.here();
   const double spent = beyond.dissipated - here.dissipated, work = beyond.work - here.work;
   constexpr double of_spent = 0.9, round_off = 1e-8;
-  return work - (beyond.stored - here.stored) - spent < -of_spent * spent - round_off * std::abs(beyond.work);
+  const double created = (beyond.stored - here.stored) + spent - work;
+  const double explained = of_spent * spent + round_off * std::abs(beyond.work);
+  if (created <= explained) return false;
+  std::vector<double> along = beyond.state.d;
+  for (std::size_t i = 0; i < along.size(); ++i) along[i] -= here.state.d[i];
+  System& system = walker_.system();
+  return created > explained + residual_work(system, beyond, along) + residual_work(system, here, along);
 }
 
 /// Accepts an equilibrium that no control led to; a wanted value can be passed but not landed on.
@@ -71,19 +97,30 @@ std::optional<Point> Path::increment_step() {
   constexpr double smallest_share = 1e-4;
   const double first = memory_.step;
   const double smallest = smallest_share * std::max(first, std::abs(walker_.state().load_factor));
+  std::string why;
   for (double increment = first; increment > smallest; increment *= 0.5) {
-    const auto found = load_increment(walker_.system(), walker_.state(), parameters_, increment);
-    if (!found || is_mechanism(found->state)) {
+    const Increment found =
+        load_increment(walker_.system(), walker_.state(), {increment, *driver_->load_solver()}, parameters_);
+    walker_.effort().newton_iterations += found.newton_iterations;
+    walker_.effort().relaxation_iterations += found.relaxation_iterations;
+    if (!found.settled || is_mechanism(found.settled->state)) {
+      why = found.settled ? "what is left is a mechanism" : found.why;
       ++walker_.effort().rejected;
+      report("rejected", fmt::format("load_increments: {}", why));
       continue;
     }
-    auto point = jump_to(*found, "load_increments");
-    if (!point) continue;
+    auto point = jump_to(*found.settled, "load_increments");
+    if (!point) {
+      why = "what was found is not the next point of this path";
+      continue;
+    }
+    point->newton_iterations = found.newton_iterations;
     memory_.step = increment;
     return point;
   }
-  return end(Ending::Kind::stopped_early, fmt::format("failure: no equilibrium beyond a load factor of {:g}",
-                                                      walker_.state().load_factor));
+  return end(Ending::Kind::stopped_early,
+             fmt::format("failure: no equilibrium beyond a load factor of {:g}: {}",
+                         walker_.state().load_factor, why));
 }
 
 }  // namespace dda

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <utility>
 
+#include "continuation/held_equilibrium.hpp"
 #include "continuation/reach.hpp"
 
 namespace dda {
@@ -17,70 +16,6 @@ bool stands_at_strength(const System& system, std::size_t p) {
 bool is_pending(const System& system, std::size_t p) {
   return system.history()[p].share > 0 || stands_at_strength(system, p);
 }
-
-/// Newton's method for equilibrium with one linear gauge prescribed and the load factor free.
-class HeldEquilibrium {
- public:
-  HeldEquilibrium(System& system, const StepperParameters& parameters, const Functional& held, double value)
-      : system_(system),
-        parameters_(parameters),
-        held_(held),
-        value_(value),
-        per_d_(system.equilibrium().num_unknowns()) {
-    held.add_gradient(1, per_d_);
-  }
-
-  /// With the history in force in the system. Converged states are improved once more: what is searched for
-  /// are vertices of a straight path.
-  std::optional<State> solve(State at) {
-    for (int closing = 0; closing <= parameters_.multipliers.max_iterations; ++closing) {
-      if (!converge(at)) return {};
-      if (!system_.iterates_multipliers()) return at;
-      const auto laws = system_.laws_at(at.d, at.load_factor);
-      at.multipliers = system_.multipliers();
-      if (system_.relative_gap(*laws) <= parameters_.multipliers.tolerance) return at;
-      system_.set_multipliers(system_.next_multipliers(*laws));
-    }
-    return {};
-  }
-
- private:
-  bool converge(State& at) {
-    bool polished = false;
-    for (int iteration = 0; iteration < 4 * parameters_.newton.max_iterations; ++iteration) {
-      const auto laws = system_.laws_at(at.d, at.load_factor);
-      std::vector<double> residual(at.d.size()), slope(at.d.size());
-      system_.residual(at.d, at.load_factor, *laws, residual);
-      const double excess = system_.excess_residual(residual, at.d, at.load_factor);
-      if (!std::isfinite(excess)) return false;
-      if (excess <= parameters_.newton.tolerance && std::exchange(polished, true)) return true;
-      system_.load_derivative(*laws, slope);
-      if (!system_.use_tangent(system_.new_stamp(), laws->tangent)) return false;
-      correct(at, residual, slope);
-    }
-    return false;
-  }
-
-  /// d −= K⁻¹ R + δλ K⁻¹ ∂R/∂λ, with δλ from the gauge.
-  void correct(State& at, const std::vector<double>& residual, const std::vector<double>& slope) {
-    std::vector<double> y(at.d.size()), z(at.d.size());
-    system_.linear().solve(residual, y);
-    system_.linear().solve(slope, z);
-    const auto gauge = [&](const std::vector<double>& v) {
-      return std::inner_product(v.begin(), v.end(), per_d_.begin(), 0.0);
-    };
-    const double miss = held_.value(at.d, at.load_factor) - value_;
-    const double change = (miss - gauge(y)) / (gauge(z) - held_.per_load_factor);
-    for (std::size_t i = 0; i < at.d.size(); ++i) at.d[i] -= y[i] + change * z[i];
-    at.load_factor += change;
-  }
-
-  System& system_;
-  const StepperParameters& parameters_;
-  const Functional& held_;
-  double value_;
-  std::vector<double> per_d_;
-};
 
 /// One release, from the start of a piece to its end.
 class Release {
@@ -174,39 +109,6 @@ bool is_release_pending(const System& system) {
 std::optional<Settled> release_piece(System& system, const State& start, const StepperParameters& parameters,
                                      const Functional* held) {
   return Release(system, start, parameters).next(held);
-}
-
-std::optional<Settled> load_increment(System& system, const State& start, const StepperParameters& parameters,
-                                      double increment) {
-  const std::vector<History> before = system.history();
-  const Functional load{.rows = {}, .per_load_factor = 1};
-  HeldEquilibrium equilibrium(system, parameters, load, start.load_factor + increment);
-  std::optional<Settled> out;
-  State at = start;
-  for (bool more = true; more;) {
-    const auto found = equilibrium.solve(at);
-    if (!found) {
-      out.reset();
-      break;
-    }
-    at = *found;
-    out = Settled{at, system.next_history(at.d, at.load_factor)};
-    more = false;
-    std::vector<History> history = system.history();
-    const auto laws = system.laws_at(at.d, at.load_factor);
-    for (std::size_t p = 0; p < history.size(); ++p) {
-      const InterfacePoint& point = system.equilibrium().point(p);
-      const LawAt law{*point.law, history[p], point.stiffness};
-      if (!point.law->releases_at_once() || point.law->is_broken(history[p], point.stiffness)) continue;
-      if (law.opening(laws->opening[p]) <= law.kappa()) continue;
-      history[p] = point.law->release(laws->opening[p], history[p], point.stiffness, 0);
-      more = true;
-    }
-    if (more) system.set_history(std::move(history));
-  }
-  system.set_history(before);
-  system.set_multipliers(start.multipliers);
-  return out;
 }
 
 }  // namespace dda

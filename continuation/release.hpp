@@ -24,10 +24,4 @@ bool is_release_pending(const System& system);
 std::optional<Settled> release_piece(System& system, const State& start, const StepperParameters& parameters,
                                      const Functional* held);
 
-/// The load factor raised by an increment; every point beyond its strength is released in full, all at once,
-/// until none is beyond. Nothing when no equilibrium is left at that load. What the increment jumps over is
-/// lost: Pearce et al. (2000) shortened it near failure.
-std::optional<Settled> load_increment(System& system, const State& start, const StepperParameters& parameters,
-                                      double increment);
-
 }  // namespace dda

@@ -20,6 +20,7 @@ struct Effort {
   int newton_iterations = 0;
   int reduced_iterations = 0;  ///< on the cracked points alone
   int multiplier_iterations = 0;
+  int relaxation_iterations = 0;  ///< residuals that dynamic relaxation evaluated
 };
 
 /// An equilibrium that a step may accept, with all that judging it needs.

@@ -173,7 +173,8 @@ void put(RestartData& data, const Walker& walker) {
                              effort.rescues,
                              effort.newton_iterations,
                              effort.multiplier_iterations,
-                             effort.reduced_iterations};
+                             effort.reduced_iterations,
+                             effort.relaxation_iterations};
   put(data, "linear", walker.system().linear());
   if (walker.system().iterates_multipliers()) put(data, "path_linear", walker.system().path_linear());
 }
@@ -185,7 +186,8 @@ Effort take_effort(const RestartData& data) {
           .rescues = static_cast<int>(e.at(2)),
           .newton_iterations = static_cast<int>(e.at(3)),
           .reduced_iterations = static_cast<int>(e.at(5)),
-          .multiplier_iterations = static_cast<int>(e.at(4))};
+          .multiplier_iterations = static_cast<int>(e.at(4)),
+          .relaxation_iterations = static_cast<int>(e.at(6))};
 }
 
 void check_sizes(const RestartData& data, const fs::path& folder, const Equilibrium& equilibrium) {

@@ -57,7 +57,9 @@ Simulation::Simulation(const Deck& deck, Timings& timings) : deck_(deck), timing
                      fmt::format("record.stiffness: the structure has {} blocks; at most {} can be "
                                  "written by contribution",
                                  equilibrium_->num_blocks(), StiffnessRecord::most_blocks));
-  deck.path.control.make(gauges_);  // a control that names no known gauge is found before anything is solved
+  // A control that names no known gauge, or that cannot serve, is found before anything is solved.
+  if (const std::string why = deck.path.control.make(gauges_)->refusal(*equilibrium_); !why.empty())
+    throw InputError(deck.path.control.where(), "path.control: " + why);
   landings();
   legs();
 }

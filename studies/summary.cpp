@@ -90,6 +90,7 @@ Json summarise(const Simulation& simulation, const RunMemory& memory, const Meas
   out["rejected_steps"] = effort.rejected;
   out["newton_iterations"] = effort.newton_iterations;
   out["reduced_iterations"] = effort.reduced_iterations;
+  out["relaxation_iterations"] = effort.relaxation_iterations;
   out["factorisations"] =
       memory.num_factorisations + static_cast<long long>(simulation.system().linear().num_factorisations());
   out["rescues"] = effort.rescues;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "continuation/increment/load_solver.hpp"
 #include "continuation/walker.hpp"
 #include "framework/family.hpp"
 
@@ -33,9 +34,13 @@ class Driver {
   virtual double prescribed_rate(const Tangent&) const { return 1; }
   /// What stays while points are released at once; nothing = their own opening.
   virtual std::optional<Functional> held_in_release() const { return {}; }
-  /// Load increments with everything beyond its strength released, in units of the load at the first crack; 0
-  /// = no.
+  /// First load increment, what it brings beyond its strength released, in units of the load at the first
+  /// crack; 0 = no increments.
   virtual double load_increment() const { return 0; }
+  /// What finds the equilibrium of an increment; null without increments.
+  virtual LoadSolver* load_solver() { return nullptr; }
+  /// Why this driver cannot follow the path of this structure; "" when it can.
+  virtual std::string refusal(const Equilibrium&) const { return {}; }
   /// Whether sequentially linear steps may carry on where this control fails.
   virtual bool may_be_rescued() const { return false; }
   /// The one number a driver remembers from its first step; a restart brings it back.

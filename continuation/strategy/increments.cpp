@@ -5,20 +5,24 @@ namespace {
 
 struct IncrementParameters {
   double increment = 0.05;
+  LoadSolverChoice solver;
 };
 
 /// Load increments as Pearce et al. (2000) used them: the path releases everything that an increment brings
 /// beyond its strength, and halves increments that find no equilibrium. For comparison with exact events.
 class LoadIncrements final : public Driver {
  public:
-  explicit LoadIncrements(const IncrementParameters& p) : increment_(p.increment) {}
+  explicit LoadIncrements(const IncrementParameters& p) : increment_(p.increment), solver_(p.solver.make()) {}
 
   Move next(Walker& walker) override { return event_move(walker); }
   double load_increment() const override { return increment_; }
   double prescribed_rate(const Tangent& along) const override { return along.load_factor; }
+  LoadSolver* load_solver() override { return solver_.get(); }
+  std::string refusal(const Equilibrium& equilibrium) const override { return solver_->refusal(equilibrium); }
 
  private:
   double increment_;
+  std::unique_ptr<LoadSolver> solver_;
 };
 
 Schema<IncrementParameters> schema() {
@@ -28,7 +32,9 @@ Schema<IncrementParameters> schema() {
       .number("increment", &IncrementParameters::increment,
               {.fallback = 0.05,
                .bounds = above(0) & at_most(1),
-               .text = "First size of an increment in units of the load at the first crack."});
+               .text = "First size of an increment in units of the load at the first crack."})
+      .choice("solver", &IncrementParameters::solver, load_solvers(),
+              {.fallback = "newton", .text = "What finds the equilibrium of an increment."});
 }
 
 std::unique_ptr<Driver> make(const IncrementParameters& p, const GaugeBook&) {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -40,6 +41,8 @@ class MohrCoulomb final : public InterfaceLaw {
   bool can_crack() const override { return true; }
   bool releases_at_once() const override { return true; }
   double initial_kappa(double k) const override { return ft_ / k; }
+  /// |q_s| + q_n tan φ ≤ √(q_n² + q_s²)/cos φ.
+  double intact_bound(double k) const override { return std::min(ft_, c_ / std::hypot(1, tan_)) / k; }
   double rupture_kappa(double) const override { return std::numeric_limits<double>::infinity(); }
   double kappa(const History&, double k) const override { return initial_kappa(k); }
   bool is_broken(const History& h, double) const override { return h.phase == 2; }

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include "continuation/increment/load_solver.hpp"
 #include "continuation/linear/direct_solver.hpp"
 #include "continuation/strategy/driver.hpp"
 #include "meshing/subdivision/subdivision.hpp"
@@ -30,7 +31,7 @@ FamilyUnderTest under_test(const Family<Product, Context...>& family) {
 std::vector<FamilyUnderTest> known_families() {
   return {under_test(materials()), under_test(interface_laws()), under_test(treatments()),
           under_test(gauges()),    under_test(loads()),          under_test(direct_solvers()),
-          under_test(drivers()),   under_test(subdivisions())};
+          under_test(drivers()),   under_test(subdivisions()),   under_test(load_solvers())};
 }
 
 struct Entry {
