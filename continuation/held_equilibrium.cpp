@@ -1,5 +1,6 @@
 #include "continuation/held_equilibrium.hpp"
 
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -30,6 +31,7 @@ std::optional<State> HeldEquilibrium::solve(State at) {
 
 bool HeldEquilibrium::converge(State& at) {
   bool polished = false;
+  std::array<double, 2> before{};  // the excess of the last two iterations
   for (int iteration = 0; iteration < 4 * parameters_.newton.max_iterations; ++iteration) {
     const auto laws = system_.laws_at(at.d, at.load_factor);
     std::vector<double> residual(at.d.size()), slope(at.d.size());
@@ -37,6 +39,10 @@ bool HeldEquilibrium::converge(State& at) {
     const double excess = system_.excess_residual(residual, at.d, at.load_factor);
     if (!std::isfinite(excess)) return false;
     if (excess <= parameters_.newton.tolerance && std::exchange(polished, true)) return true;
+    constexpr double same = 1e-9;
+    if (excess > parameters_.newton.tolerance && std::abs(excess - before[1]) <= same * excess)
+      return false;  // to and fro between two sets of contacts
+    before = {excess, before[0]};
     system_.load_derivative(*laws, slope);
     if (!system_.use_tangent(system_.new_stamp(), laws->tangent)) return false;
     correct(at, residual, slope);

@@ -128,6 +128,7 @@ class Path {
   std::optional<Point> controlled_step(const Move& move);
   std::optional<Point> sequential_step(const std::string& control, double quantum);
   std::optional<Point> release_step();
+  std::optional<Point> release_at_lower_load();
   std::optional<Point> increment_step();
   std::optional<Point> unload_step();
   std::optional<Point> jump_to(const Settled& found, const std::string& control);

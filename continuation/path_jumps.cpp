@@ -85,9 +85,27 @@ std::optional<Point> Path::release_step() {
   const auto found = release_piece(walker_.system(), walker_.state(), parameters_, held ? &*held : nullptr);
   if (found && !is_mechanism(found->state))
     if (auto point = jump_to(*found, "release")) return point;
+  if (driver_->may_be_rescued())
+    if (auto point = release_at_lower_load()) return point;
   return end(Ending::Kind::stopped_early,
              held ? "failure: what is released leaves no equilibrium under this control; use `staged`"
                   : "what is released leaves no equilibrium");
+}
+
+/// The largest of some shares of the load at which an equilibrium is left after everything pending has been
+/// released: what a test would find after a jump, booked as one.
+std::optional<Point> Path::release_at_lower_load() {
+  const double load_factor = walker_.state().load_factor;
+  for (const double share : {1.0, 0.9, 0.75, 0.5, 0.25, 0.1, 0.0}) {
+    const auto found = release_at_load(walker_.system(), walker_.state(), parameters_, share * load_factor);
+    if (!found || is_mechanism(found->state)) continue;
+    auto point = jump_to(*found, "release");
+    if (!point) continue;
+    ++walker_.effort().rescues;
+    report("rescued", fmt::format("the release jumped to {:g} of the load factor", share));
+    return point;
+  }
+  return {};
 }
 
 /// The load raised by the largest of halved increments that still finds an equilibrium.

@@ -57,13 +57,16 @@ std::optional<Point> Path::event_step() {
       if (auto point = sequential_step("sequentially_linear", memory_.last_quantum)) return point;
     return end(Ending::Kind::stopped_early, "the next initiation was not found: " + why);
   }
+  if (is_coarse(*candidate))
+    if (auto point = approach(amount)) return point;
   if (const auto crossing = first_crossing(*candidate))
     if (auto point = land(*candidate, *crossing, "event")) return point;
   memory_.step = 0;
   return keep(*candidate, move.control);
 }
 
-/// A part of the way to an event that cannot be reached in one step, because contacts change on the way.
+/// A part of the way to an event that cannot be reached in one step, or not without losing track of the
+/// energy, because contacts change on the way.
 std::optional<Point> Path::approach(double amount) {
   const Move move{.control = "load",
                   .equation = make_gauge_control({.rows = {}, .per_load_factor = 1}),

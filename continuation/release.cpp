@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "continuation/held_equilibrium.hpp"
+#include "continuation/increment/load_increment.hpp"
 #include "continuation/reach.hpp"
 
 namespace dda {
@@ -34,7 +35,7 @@ class Release {
     const Functional own = held ? Functional{} : held_opening();
     const Functional& gauge = held ? *held : own;
     HeldEquilibrium equilibrium(system_, parameters_, gauge, gauge.value(start_.d, start_.load_factor));
-    auto out = at_share(equilibrium, 1, start_);
+    auto out = towards(equilibrium, 1, start_);
     // Straight as long as no contact changes on the way; where one does, the crossing is sought again.
     constexpr int most_searches = 20;
     double gone = 1;
@@ -42,7 +43,7 @@ class Release {
       const double share = first_crossing(out->state);
       if (share >= 1 - 1e-12) break;
       gone *= share;
-      out = at_share(equilibrium, gone, out->state);
+      out = towards(equilibrium, gone, out->state);
     }
     system_.set_history(before_);
     system_.set_multipliers(start_.multipliers);
@@ -59,6 +60,26 @@ class Release {
     const History released = point.law->release(openings_[newest], before_[newest], point.stiffness, 1);
     const Vec2 direction = point.law->held_direction(openings_[newest], released);
     return system_.equilibrium().opening_gauge(system_.loading(), newest, direction);
+  }
+
+  /// The equilibrium when `gone` has gone. Where Newton's method loses its way among the contacts that change
+  /// meanwhile, it is led there from the start of the piece, by shorter steps of the loss.
+  std::optional<Settled> towards(HeldEquilibrium& equilibrium, double gone, const State& guess) {
+    if (auto found = at_share(equilibrium, gone, guess)) return found;
+    constexpr double shortest = 0.02;
+    std::optional<Settled> last;
+    double reached = 0;
+    for (double step = gone / 2; reached < gone && step > shortest * gone;) {
+      const double next = std::min(reached + step, gone);
+      if (auto found = at_share(equilibrium, next, last ? last->state : start_)) {
+        last = std::move(found);
+        reached = next;
+      } else {
+        step /= 2;
+      }
+    }
+    if (reached < gone) last.reset();
+    return last;
   }
 
   /// The equilibrium when `gone` of what is being lost at the start of the piece has gone.
@@ -109,6 +130,33 @@ bool is_release_pending(const System& system) {
 std::optional<Settled> release_piece(System& system, const State& start, const StepperParameters& parameters,
                                      const Functional* held) {
   return Release(system, start, parameters).next(held);
+}
+
+namespace {
+
+/// Releases in full what stands at its strength or is partly released.
+void release_pending(System& system, const State& at) {
+  std::vector<History> history = system.history();
+  const auto laws = system.laws_at(at.d, at.load_factor);
+  for (std::size_t p = 0; p < history.size(); ++p) {
+    const InterfacePoint& point = system.equilibrium().point(p);
+    if (is_pending(system, p))
+      history[p] = point.law->release(laws->opening[p], history[p], point.stiffness, 0);
+  }
+  system.set_history(std::move(history));
+}
+
+}  // namespace
+
+std::optional<Settled> release_at_load(System& system, const State& start,
+                                       const StepperParameters& parameters, double load_factor) {
+  const std::vector<History> before = system.history();
+  release_pending(system, start);
+  const auto newton = load_solvers().choose("newton").make();
+  auto out = load_increment(system, start, {load_factor - start.load_factor, *newton}, parameters).settled;
+  system.set_history(before);
+  system.set_multipliers(start.multipliers);
+  return out;
 }
 
 }  // namespace dda

@@ -24,4 +24,10 @@ bool is_release_pending(const System& system);
 std::optional<Settled> release_piece(System& system, const State& start, const StepperParameters& parameters,
                                      const Functional* held);
 
+/// Everything pending released in full at a load factor given, and whatever is beyond its strength there: a
+/// release that no continuous path leads through, because friction turns over on the way, jumps to an
+/// equilibrium behind it. Nothing when there is none.
+std::optional<Settled> release_at_load(System& system, const State& start,
+                                       const StepperParameters& parameters, double load_factor);
+
 }  // namespace dda

@@ -154,7 +154,7 @@ void System::screen_intact_points() {
     const InterfacePoint& point = equilibrium_.point(p);
     const History& h = history_[p];
     const bool is_intact = !h.loading && !h.sliding && h.phase == 0 && h.slip == 0 && h.dissipated == 0 &&
-                           h.kappa <= point.law->initial_kappa(point.stiffness);
+                           point.law->kappa(h, point.stiffness) <= point.law->initial_kappa(point.stiffness);
     const double bound = is_intact ? inside * point.law->intact_bound(point.stiffness) : 0;
     screen_[p].bound = bound * bound;
   }

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "framework/suggestion.hpp"
+#include "models/interface/scaled_law.hpp"
 #include "models/treatment/trace_constant.hpp"
 
 namespace dda {
@@ -24,6 +25,8 @@ struct Interface {
   std::shared_ptr<const InterfaceLaw> law;
   std::shared_ptr<const Treatment> treatment;
   PointRule points = PointRule::gauss;
+  std::optional<RandomField> field;
+  double energy_exponent = 0;
   Position where;
   int index = -1;
   // What the sides asked for, for one message per interface.
@@ -89,6 +92,7 @@ class PointMaker {
                    .where = p.where,
                    .index = static_cast<int>(interfaces_.size())};
     made.points = p.points.value_or(usual_points(*made.treatment));
+    if (p.field) add_field(*p.field, made);
     if (p.between.empty())
       by_curve_[name] = made.index;
     else
@@ -96,6 +100,15 @@ class PointMaker {
     for (const std::string& material : p.between)
       if (!model_.material_names.contains(material)) findings_.add(p.where, unknown_material(material));
     interfaces_.push_back(std::move(made));
+  }
+
+  /// A field that does not vary leaves the law as it is.
+  void add_field(const FieldParameters& field, Interface& interface) {
+    if (!std::isfinite(interface.law->initial_kappa(1)))
+      return findings_.add(interface.where, "`field` needs a law with a strength that can vary");
+    if (field.coefficient_of_variation == 0) return;
+    interface.field.emplace(field);
+    interface.energy_exponent = field.energy_exponent;
   }
 
   void check_names() {
@@ -124,6 +137,17 @@ class PointMaker {
     return a < b ? std::pair(std::move(a), std::move(b)) : std::pair(std::move(b), std::move(a));
   }
 
+  /// What a place of an interface is made of.
+  struct Local {
+    double factor = 1;
+    std::shared_ptr<const InterfaceLaw> law;
+  };
+  static Local local_law(const Interface& interface, const Vec2& x) {
+    if (!interface.field) return {1, interface.law};
+    const double f = interface.field->factor(x), opening = std::pow(f, interface.energy_exponent - 1);
+    return {f, std::make_shared<const ScaledLaw>(interface.law, f, opening)};
+  }
+
   /// By curve, else by material pair, else a bond.
   Interface& interface_of(const Side& side) {
     if (side.curve)
@@ -150,40 +174,47 @@ class PointMaker {
                other = body_.block(side.second).moments.centroid;
     const SideFaces faces{faces_[side.first.value()], faces_[side.second.value()], (other - centre).norm(),
                           edge.norm(), Vec2(edge.y(), -edge.x()) / edge.norm()};
-    const double k = stiffness(interface, faces, side);
+    const auto places = quadrature(interface.points);
+    std::vector<Local> laws;
+    for (const auto& [xi, share] : places) laws.push_back(local_law(interface, side.start + xi * edge));
+    const double k = stiffness(interface, laws, faces, side);
     const Treatment& treatment = *interface.treatment;
     const BlockId node{body_.assembly.num_blocks() + out.num_nodes};
     if (treatment.multiplier() == Multiplier::unknown) ++out.num_nodes;
-    int column = 0;
-    for (const auto& [xi, share] : quadrature(interface.points)) {
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const auto& [xi, share] = places[i];
       InterfacePoint point{.first = side.first,
                            .second = side.second,
                            .x = side.start + xi * edge,
                            .normal = faces.normal,
                            .weight = share * edge.norm() * body_.thickness,
                            .stiffness = k,
-                           .law = interface.law.get(),
+                           .law = laws[i].law.get(),
                            .interface = interface.index,
                            .side = index,
                            .rows = {},
                            .multiplier = treatment.multiplier(),
                            .node = node,
-                           .column = column,
+                           .column = static_cast<int>(2 * i),
                            .perturbation = treatment.perturbation(),
                            .physical_stiffness = std::max(k, treatment.physical_stiffness(faces)),
-                           .spring_unit = spring_unit(faces)};
-      column += 2;
+                           .spring_unit = spring_unit(faces),
+                           .strength_factor = laws[i].factor};
       point.rows = treatment.rows(faces, displacement_rows(point.x - centre),
                                   displacement_rows(point.x - other), point.trial_stiffness());
       out.points.push_back(std::move(point));
+      if (interface.field) out.laws.push_back(std::move(laws[i].law));
     }
+    out.has_fields = out.has_fields || interface.field.has_value();
   }
 
   /// The treatment's k, raised where a steep law needs it.
-  double stiffness(Interface& interface, const SideFaces& faces, const Side& side) {
+  double stiffness(Interface& interface, const std::vector<Local>& laws, const SideFaces& faces,
+                   const Side& side) {
     const double beta = interface.law->shear_weight();
     const double own = interface.treatment->stiffness(faces) / std::min(1.0, beta * beta);
-    const double slope = interface.law->steepest_slope();
+    double slope = 0;
+    for (const Local& local : laws) slope = std::max(slope, local.law->steepest_slope());
     if (own >= comfortable_margin * slope) return own;
     const double largest = interface.treatment->largest_stiffness(faces) / std::min(1.0, beta * beta);
     const double raised = std::clamp(comfortable_margin * slope, own, std::max(own, largest));

@@ -35,6 +35,7 @@ struct InterfacePoint {
   double perturbation = 0;        ///< δ of unknown multipliers
   double physical_stiffness = 0;  ///< p̄ [F/L³]
   double spring_unit = 0;         ///< E/(centroid distance) [F/L³]
+  double strength_factor = 1;     ///< of its interface's random field
 
   /// diag P = k (1, β²) [F/L³].
   Vec2 trial_stiffness() const {
@@ -70,6 +71,7 @@ struct InterfaceSet {
   std::vector<InterfacePoint> points;
   std::size_t num_active = 0;
   std::size_t num_nodes = 0;         ///< of unknown multipliers, one per side
+  bool has_fields = false;           ///< some interface varies in space
   std::vector<std::string> notices;  ///< what was adapted, for the log
 
   std::size_t num_crackable() const {
@@ -80,6 +82,7 @@ struct InterfaceSet {
 
 /// Makes the points of every side: which interface, which treatment, which stiffness.
 ///
+/// Where the interface has a random field each point has a law of its own, scaled by the field at its place.
 /// A law that softens with slope |dt/dw| needs k above it; a side whose own k is too small gets a larger one
 /// (and a notice); a block too large even then is a finding at the interface's position in the deck.
 InterfaceSet make_interface_points(const Body& body, const ModelParameters& model, Findings& findings);

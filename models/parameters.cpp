@@ -21,6 +21,7 @@ Kind<InterfaceParameters> interface_kind() {
           {.text =
                "Interface points of a side: two Gauss points, its ends, its middle. Without it the ends for "
                "treatments with multipliers, Gauss points for the others."})
+      .section("field", &P::field, field_schema())
       .check([](const P& p, const Position& where, Findings& findings) {
         if (!p.between.empty() && p.between.size() != 2) findings.add(where, "`between` takes two materials");
       })

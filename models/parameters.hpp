@@ -12,6 +12,7 @@
 #include "models/load/load.hpp"
 #include "models/material/material.hpp"
 #include "models/place.hpp"
+#include "models/random_field.hpp"
 #include "models/treatment/treatment.hpp"
 
 namespace dda {
@@ -25,6 +26,7 @@ struct InterfaceParameters {
   LawChoice law;
   TreatmentChoice treatment;
   std::optional<PointRule> points;  ///< by the treatment when not given
+  std::optional<FieldParameters> field;
   Position where;
 };
 

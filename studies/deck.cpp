@@ -37,6 +37,17 @@ Schema<EigenvalueParameters> eigenvalue_schema() {
                         "μ φ."});
 }
 
+Schema<ReferencePeak> reference_schema() {
+  using P = ReferencePeak;
+  return Schema<P>(
+             "A peak load known from elsewhere, such as that of a straight crack; the run reports by how "
+             "much its "
+             "own differs.")
+      .number("load", &P::load,
+              {.dimension = dimension::force, .bounds = above(0), .text = "The peak load of the reference."})
+      .text("text", &P::text, {.fallback = "", .text = "What it is and where it comes from."});
+}
+
 Schema<RecordParameters> record_schema() {
   using P = RecordParameters;
   return Schema<P>("What is kept beside the curve.")
@@ -57,7 +68,8 @@ Schema<RecordParameters> record_schema() {
                {.fallback = false,
                 .text = "The stiffness at the start and at the end by contribution, in stiffness.txt and "
                         "stiffness.json; for assemblies of at most 10 blocks."})
-      .section("eigenvalues", &P::eigenvalues, eigenvalue_schema());
+      .section("eigenvalues", &P::eigenvalues, eigenvalue_schema())
+      .section("reference_peak", &P::reference_peak, reference_schema());
 }
 
 Schema<Deck> make_schema() {

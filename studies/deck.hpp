@@ -22,6 +22,12 @@ struct EigenvalueParameters {
   bool mass = true;           ///< K φ = μ M φ with M = ∫ TᵀT dV, else K φ = μ φ
 };
 
+/// A peak load known from elsewhere, against which that of the run is reported.
+struct ReferencePeak {
+  double load = 0;   ///< [F]
+  std::string text;  ///< what it is and where it comes from
+};
+
 /// The deck's `record` section: what is kept beside the curve.
 struct RecordParameters {
   int fields_every = 10;
@@ -30,6 +36,7 @@ struct RecordParameters {
   bool condition = false;
   bool stiffness = false;
   EigenvalueParameters eigenvalues;
+  std::optional<ReferencePeak> reference_peak;
 };
 
 /// A whole deck.

@@ -146,6 +146,11 @@ void Fields::add_points(const StoredState& at, Snapshot& out) const {
   out.fields.push_back({"jump", units_.length, FieldPlace::segment, 2, flat(here.jump), "n s"});
   out.fields.push_back({"traction", stress, FieldPlace::segment, 2, flat(here.traction), "n s"});
   out.fields.push_back({"damage", "", FieldPlace::segment, 1, std::move(here.damage), ""});
+  if (!equilibrium_.interfaces().has_fields) return;
+  StoredField strength{"strength_factor", "", FieldPlace::segment, 1, {}, ""};
+  for (std::size_t p = 0; p < segments_.size(); ++p)
+    strength.values.push_back(equilibrium_.point(p).strength_factor);
+  out.fields.push_back(std::move(strength));
 }
 
 Snapshot Fields::snapshot(const StoredState& at) const {

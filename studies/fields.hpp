@@ -22,7 +22,8 @@ struct StoredState {
 ///
 ///     blocks     displacement (vertices), strain ε, stress C ε + σ0(λ)
 ///     modes      φ_1, φ_2, … as displacements (vertices), the largest of each 1
-///     points     jump g = [u] (n, s),  opening w = q − P⁻¹ t,  traction t,  damage
+///     points     jump g = [u] (n, s),  opening w = q − P⁻¹ t,  traction t,  damage,
+///                the strength's factor where some interface has a random field
 ///
 /// Interface points are the active ones (they can crack, or iterate a multiplier); each owns an equal piece
 /// of its side, a segment of the mesh.

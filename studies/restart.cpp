@@ -109,6 +109,20 @@ Measurement take_measurement(const RestartData& data, const std::string& name) {
           .values = {n.begin() + 5, n.end()}};
 }
 
+void put(RestartData& data, const std::vector<FirstCrack>& cracks) {
+  Numbers& numbers = data.numbers["first_cracks"];
+  for (const FirstCrack& crack : cracks)
+    numbers.insert(numbers.end(), {double(crack.step), crack.at.x(), crack.at.y()});
+}
+
+std::vector<FirstCrack> take_cracks(const RestartData& data) {
+  const Numbers& n = data.numbers.at("first_cracks");
+  std::vector<FirstCrack> out;
+  for (std::size_t i = 0; i + 2 < n.size(); i += 3)
+    out.push_back({static_cast<int>(n[i]), {n[i + 1], n[i + 2]}});
+  return out;
+}
+
 void put(RestartData& data, const PathMemory& m) {
   data.numbers["path"] = {m.peak_load,   m.step,  m.largest_displacement, m.jump_energy, m.last_quantum,
                           m.unaccounted, m.driver};
@@ -239,6 +253,7 @@ RestartData restart_data(const Simulation& simulation, const RunMemory& memory, 
   put(out, simulation.path().memory());
   put(out, "start", memory.start);
   put(out, "peak", memory.peak);
+  put(out, memory.first_cracks);
   if (memory.peak_state) put(out, "peak_state", *memory.peak_state);
   const auto spent = static_cast<std::int64_t>(simulation.system().linear().num_factorisations());
   out.numbers["run"] = {memory.largest_gap, memory.indicator.first_stiffness};
@@ -293,6 +308,7 @@ RunMemory restore(const RestartData& data, const fs::path& folder, Simulation& s
   if (data.numbers.contains("peak_state.d")) out.peak_state = take_state(data, "peak_state");
   out.num_factorisations =
       run.at(2) - static_cast<std::int64_t>(simulation.system().linear().num_factorisations());
+  out.first_cracks = take_cracks(data);
   return out;
 }
 

@@ -143,11 +143,16 @@ RunResult resume_run(const fs::path& existing, const std::vector<std::string>& o
 
 std::string last_line(const RunResult& result) {
   const auto& summary = result.summary;
-  return fmt::format(
-      "{}: {}{} — peak {:.6g} {} at step {}, {} steps, {:.2f} s", result.folder.string(),
-      status_of(result.ending), result.ending.reason.empty() ? "" : " (" + result.ending.reason + ")",
-      summary["peak"]["load"].get<double>(), result.measures.load_unit(), summary["peak"]["step"].get<int>(),
-      summary["steps"].get<int>(), summary["timings"]["total"].get<double>());
+  const std::string bias =
+      summary.contains("mesh_bias")
+          ? fmt::format(" ({:+.1f} % of the reference)", 100 * summary["mesh_bias"].get<double>())
+          : "";
+  return fmt::format("{}: {}{} — peak {:.6g} {}{} at step {}, {} steps, {:.2f} s", result.folder.string(),
+                     status_of(result.ending),
+                     result.ending.reason.empty() ? "" : " (" + result.ending.reason + ")",
+                     summary["peak"]["load"].get<double>(), result.measures.load_unit(), bias,
+                     summary["peak"]["step"].get<int>(), summary["steps"].get<int>(),
+                     summary["timings"]["total"].get<double>());
 }
 
 }  // namespace dda

@@ -36,11 +36,9 @@ ResultsFile::Texts texts_of(const DeckFile& deck, const std::string& effective) 
   return out;
 }
 
-CurveTable open_curve(const RunFolder& folder, const Measures& measures, const FailureIndicator& indicator,
+CurveTable open_curve(const RunFolder& folder, const std::vector<Column>& columns,
                       const std::optional<RunMemory>& memory) {
   const auto file = folder.file("curve.csv");
-  std::vector<Column> columns = measures.columns();
-  std::ranges::copy(indicator.columns(), std::back_inserter(columns));
   if (!memory) return {file, columns};
   return CurveTable::resume(file, columns, static_cast<std::size_t>(memory->last_step) + 1);
 }
@@ -65,8 +63,9 @@ RunRecorder::RunRecorder(const RunFolder& folder, Simulation& simulation, const 
       fields_(simulation.body(), simulation.deck(), simulation.equilibrium(), simulation.deck().units),
       memory_(memory.value_or(RunMemory{})),
       events_(measures_, simulation.walker(), memory_.last_step, memory_.events),
+      interfaces_(simulation.equilibrium(), simulation.deck().units, memory_),
       log_(folder.file("log.jsonl"), memory ? FileWriter::Mode::append : FileWriter::Mode::create),
-      curve_(open_curve(folder, measures_, indicator_, memory)),
+      curve_(open_curve(folder, columns(), memory)),
       results_(open_results(folder, fields_, texts_of(deck, effective_), memory)) {
   simulation.path().report_to([this](const std::string& event, const std::string& text) {
     log_.info(event, {{"step", memory_.last_step + 1}, {"text", text}});
@@ -104,8 +103,16 @@ void RunRecorder::write_stiffness() const {
   write_whole(folder_.file("stiffness.json"), both.dump() + "\n", Flush::to_system);
 }
 
+std::vector<Column> RunRecorder::columns() const {
+  std::vector<Column> out = measures_.columns();
+  std::ranges::copy(interfaces_.columns(), std::back_inserter(out));
+  std::ranges::copy(indicator_.columns(), std::back_inserter(out));
+  return out;
+}
+
 void RunRecorder::append_row(const Measurement& now, const Point& point) {
   std::vector<TableCell> cells = Measures::cells(now);
+  std::ranges::copy(interfaces_.cells(now.step, simulation_.system().history()), std::back_inserter(cells));
   const auto of_indicator =
       indicator_.cells({now.step, events_here_, point.num_negative, point.num_negative_under_control});
   std::ranges::copy(of_indicator, std::back_inserter(cells));
@@ -210,6 +217,7 @@ nlohmann::ordered_json RunRecorder::finish(const Ending& ending) {
   }
   log_.info("ended", {{"status", status_of(ending)}, {"reason", ending.reason}});
   out = summarise(simulation_, memory_, measures_, ending);
+  out["interfaces"] = interfaces_.summary(fields_, here());
   out["notices"] = simulation_.notices();
   if (deck_.deck.record.condition) {
     const auto scope = timings_.measure("stiffness quality");

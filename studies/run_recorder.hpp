@@ -6,6 +6,7 @@
 #include "framework/output/progress.hpp"
 #include "framework/output/run_folder.hpp"
 #include "studies/failure_indicator.hpp"
+#include "studies/interface_record.hpp"
 #include "studies/run_memory.hpp"
 #include "studies/simulation.hpp"
 #include "studies/trace.hpp"
@@ -44,6 +45,7 @@ class RunRecorder {
   void write_stiffness() const;
   Flush durability() const;
   void log_step(const Point& point, const Measurement& now);
+  std::vector<Column> columns() const;
   void append_row(const Measurement& now, const Point& point);
   bool is_due(const Point& point) const;
   StoredState here() const;
@@ -59,6 +61,7 @@ class RunRecorder {
   RunMemory memory_;
   PathEvents events_;
   std::set<EventKind> events_here_;
+  InterfaceRecord interfaces_;
   Log log_;
   CurveTable curve_;
   ResultsFile results_;

@@ -32,6 +32,13 @@ Json to_json(const MatrixQuality& quality) {
           {"null_pivots", quality.null_pivots}};
 }
 
+/// How far the peak is from that of a straight crack, say: what the blocks' pattern adds.
+void add_mesh_bias(const std::optional<ReferencePeak>& reference, double peak, Json& out) {
+  if (!reference) return;
+  out["reference_peak"] = {{"load", reference->load}, {"text", reference->text}};
+  out["mesh_bias"] = std::abs(peak) / reference->load - 1;
+}
+
 Json units_of(const Units& units) { return {{"length", units.length}, {"force", units.force}}; }
 
 }  // namespace
@@ -99,6 +106,7 @@ Json summarise(const Simulation& simulation, const RunMemory& memory, const Meas
     out["largest_gap"] = memory.largest_gap;
   }
   out["peak"] = peak_of(memory, measures);
+  add_mesh_bias(simulation.deck().record.reference_peak, memory.peak.load, out);
   out["external_work"] = end.work;
   out["stored_energy"] = end.stored;
   out["dissipated_energy"] = end.dissipated;

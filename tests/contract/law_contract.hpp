@@ -11,11 +11,13 @@ class LawContract : public testing::TestWithParam<std::string> {
  protected:
   static constexpr int cases = 12, draws = 150;
 
-  /// Every other law has what may be absent, and every third has no friction.
+  /// Every other law has what may be absent, every third has no friction, and every fifth is scaled.
   LawCase next_case() {
     ++number_;
     LawCase at = random_law(GetParam(), random_, number_ % 2 == 0);
-    return number_ % 3 == 0 ? without_friction(GetParam(), std::move(at)) : std::move(at);
+    if (number_ % 3 == 0) at = without_friction(GetParam(), std::move(at));
+    if (number_ % 5 == 0) at = scaled(std::move(at), 0.5 + 0.1 * (number_ % 10), 1.7);
+    return at;
   }
   /// A place anywhere from intact to beyond rupture.
   Vec2 random_opening(const LawCase& at) {

@@ -5,6 +5,7 @@
 
 #include "framework/node.hpp"
 #include "models/interface/law.hpp"
+#include "models/interface/scaled_law.hpp"
 #include "support/sample.hpp"
 
 namespace dda {
@@ -16,6 +17,7 @@ struct LawCase {
   double k = 0;
   double first = 1;  ///< κ at initiation, 1 when there is none [L]
   double last = 5;   ///< κ at rupture, five times the first when there is none [L]
+  double unit = 1;   ///< in which its histories measure κ: a scaled law keeps those of the law within
 
   /// The stiffest that the law can answer [F/L³].
   double stiff() const { return k * std::max(1.0, std::pow(law->shear_weight(), 2)); }
@@ -84,6 +86,26 @@ inline LawCase random_law(const std::string& name, Random& random, bool with_opt
   if (std::isfinite(out.law->initial_kappa(out.k))) out.first = out.law->initial_kappa(out.k);
   out.last = std::isfinite(out.law->rupture_kappa(out.k)) ? out.law->rupture_kappa(out.k) : 5 * out.first;
   return out;
+}
+
+/// Strengths × a and energies × a b in the deck.
+inline Node scaled_parameters(Node p, double a, double b) {
+  for (const std::string name : {"tensile_strength", "cohesion"})
+    if (Node* found = p.find(name)) *found = Node::number(a * std::stod(found->text));
+  for (const std::string name : {"fracture_energy", "shear_fracture_energy"})
+    if (Node* found = p.find(name)) *found = Node::number(a * b * std::stod(found->text));
+  return p;
+}
+
+/// The same law with its tractions and openings scaled, as a random field scales them from place to place.
+inline LawCase scaled(LawCase at, double traction, double opening) {
+  at.law = std::make_unique<ScaledLaw>(std::move(at.law), traction, opening);
+  at.parameters = scaled_parameters(std::move(at.parameters), traction, opening);
+  at.k *= traction / opening;
+  at.first *= opening;
+  at.last *= opening;
+  at.unit = opening;
+  return at;
 }
 
 /// The same law without friction.
