@@ -79,11 +79,18 @@ std::optional<Point> Path::jump_to(const Settled& found, const std::string& cont
   return point;
 }
 
+/// Whether a state bears a load the other way: an equilibrium that a release does not lead to.
+bool Path::turns_load_round(const State& state) const {
+  constexpr double hardly = -0.1;  // what is held by friction after unloading
+  const double before = walker_.state().load_factor;
+  return before != 0 && state.load_factor / before < hardly;
+}
+
 /// Next vertex of an instantaneous release.
 std::optional<Point> Path::release_step() {
   const auto held = driver_->held_in_release();
   const auto found = release_piece(walker_.system(), walker_.state(), parameters_, held ? &*held : nullptr);
-  if (found && !is_mechanism(found->state))
+  if (found && !is_mechanism(found->state) && !turns_load_round(found->state))
     if (auto point = jump_to(*found, "release")) return point;
   if (driver_->may_be_rescued())
     if (auto point = release_at_lower_load()) return point;

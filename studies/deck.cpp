@@ -45,7 +45,15 @@ Schema<ReferencePeak> reference_schema() {
              "own differs.")
       .number("load", &P::load,
               {.dimension = dimension::force, .bounds = above(0), .text = "The peak load of the reference."})
-      .text("text", &P::text, {.fallback = "", .text = "What it is and where it comes from."});
+      .text("text", &P::text, {.fallback = "", .text = "What it is and where it comes from."})
+      .map("at", &P::at, number_kind({}, {}),
+           {.fallback = {{}}, .text = "Values of displacement gauges at that peak: where figures mark it."});
+}
+
+Schema<Detail> detail_schema() {
+  return Schema<Detail>("A rectangle of which detail.svg shows the deformed blocks at the end.")
+      .point("from", &Detail::from, {.text = "One corner."})
+      .point("to", &Detail::to, {.text = "The corner opposite."});
 }
 
 Schema<RecordParameters> record_schema() {
@@ -69,7 +77,8 @@ Schema<RecordParameters> record_schema() {
                 .text = "The stiffness at the start and at the end by contribution, in stiffness.txt and "
                         "stiffness.json; for assemblies of at most 10 blocks."})
       .section("eigenvalues", &P::eigenvalues, eigenvalue_schema())
-      .section("reference_peak", &P::reference_peak, reference_schema());
+      .section("reference_peak", &P::reference_peak, reference_schema())
+      .section("detail", &P::detail, detail_schema());
 }
 
 Schema<Deck> make_schema() {

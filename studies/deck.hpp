@@ -24,8 +24,14 @@ struct EigenvalueParameters {
 
 /// A peak load known from elsewhere, against which that of the run is reported.
 struct ReferencePeak {
-  double load = 0;   ///< [F]
-  std::string text;  ///< what it is and where it comes from
+  double load = 0;                   ///< [F]
+  std::string text;                  ///< what it is and where it comes from
+  std::map<std::string, double> at;  ///< values of gauges there, for the figures
+};
+
+/// A rectangle of the structure, by two opposite corners [L].
+struct Detail {
+  Vec2 from = Vec2::Zero(), to = Vec2::Zero();
 };
 
 /// The deck's `record` section: what is kept beside the curve.
@@ -37,6 +43,7 @@ struct RecordParameters {
   bool stiffness = false;
   EigenvalueParameters eigenvalues;
   std::optional<ReferencePeak> reference_peak;
+  std::optional<Detail> detail;
 };
 
 /// A whole deck.

@@ -21,6 +21,30 @@ std::string length_unit_of(const fs::path& folder) {
   return length ? length->text : Units{}.length;
 }
 
+/// Of summary.json, which an unfinished run does not have.
+std::map<std::string, svg::Marker> references_of(const fs::path& folder) {
+  std::error_code none;
+  if (!fs::exists(folder / "summary.json", none)) return {};
+  const auto summary = nlohmann::ordered_json::parse(read_whole(folder / "summary.json"), nullptr, false);
+  if (!summary.is_object() || !summary.contains("reference_peak")) return {};
+  const auto& reference = summary["reference_peak"];
+  std::map<std::string, svg::Marker> out;
+  for (const auto& [gauge, value] : reference["at"].items())
+    out[gauge] = {value.get<double>(), reference["load"].get<double>(), reference["text"].get<std::string>()};
+  return out;
+}
+
+/// Marks the peaks known from elsewhere, each once.
+void mark_references(const std::vector<RunCurve>& runs, const std::string& gauge, svg::Panel& panel) {
+  for (const RunCurve& run : runs) {
+    const auto found = run.references.find(gauge);
+    if (found == run.references.end()) continue;
+    const svg::Marker& marker = found->second;
+    const auto is_same = [&](const svg::Marker& m) { return m.x == marker.x && m.y == marker.y; };
+    if (std::ranges::none_of(panel.markers, is_same)) panel.markers.push_back(marker);
+  }
+}
+
 }  // namespace
 
 RunCurve read_run_curve(const fs::path& folder) {
@@ -31,7 +55,8 @@ RunCurve read_run_curve(const fs::path& folder) {
                read_csv(folder / "curve.csv"),
                length_unit_of(folder),
                units.value("load", ""),
-               {}};
+               {},
+               references_of(folder)};
   for (const std::string& column : out.curve.names())
     if (units.value(column, "") == out.length_unit) out.displacements.push_back(column);
   return out;
@@ -59,6 +84,7 @@ svg::Panel overlay(const std::vector<RunCurve>& runs, const std::string& gauge) 
                  .markers = {}};
   for (const RunCurve& run : runs)
     out.series.push_back({run.name, run.curve.numbers(gauge), run.curve.numbers("load")});
+  mark_references(runs, gauge, out);
   return out;
 }
 

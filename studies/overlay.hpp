@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,8 @@ struct RunCurve {
   std::string name;  ///< in the legend
   CsvTable curve;
   std::string length_unit, load_unit;
-  std::vector<std::string> displacements;  ///< columns in units of length
+  std::vector<std::string> displacements;              ///< columns in units of length
+  std::map<std::string, svg::Marker> references = {};  ///< peak known from elsewhere, by gauge
 };
 
 /// Named after its folder. Throws InputError when a file is missing or wrong.

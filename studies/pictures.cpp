@@ -17,6 +17,12 @@ std::string with_unit(const std::string& name, const std::string& unit) {
   return unit.empty() ? name : fmt::format("{} [{}]", name, unit);
 }
 
+/// Where a peak known from elsewhere stands on the panel of a gauge.
+void mark(const std::optional<ReferencePeak>& reference, const std::string& gauge, svg::Panel& panel) {
+  if (!reference || !reference->at.contains(gauge)) return;
+  panel.markers.push_back({reference->at.at(gauge), reference->load, reference->text});
+}
+
 svg::Panel panel(const CsvTable& curve, const Measures& measures, const RunMemory& memory,
                  std::size_t gauge) {
   const Column& column = measures.names()[gauge];
@@ -52,12 +58,14 @@ void add_primary(const fs::path& file, const std::string& gauge, svg::Panel& pan
                                              .colour = black});
 }
 
-svg::Figure curves(const RunFolder& folder, const Measures& measures, const RunMemory& memory) {
+svg::Figure curves(const RunFolder& folder, const Measures& measures, const RunMemory& memory,
+                   const std::optional<ReferencePeak>& reference) {
   const CsvTable curve = read_csv(folder.file("curve.csv"));
   svg::Figure out;
   for (const std::size_t gauge : measures.displacements()) {
     out.panels.push_back(panel(curve, measures, memory, gauge));
     add_primary(folder.file("primary") / "curve.csv", measures.names()[gauge].name, out.panels.back());
+    mark(reference, measures.names()[gauge].name, out.panels.back());
   }
   if (out.panels.empty()) out.panels.push_back(energy_panel(curve, measures));
   return out;
@@ -92,8 +100,15 @@ class DeformedState {
   DeformedState(const Fields& fields, const StoredState& at, Vec2 shift, double scale)
       : fields_(fields), at_(at), shift_(std::move(shift)), scale_(scale) {}
 
+  /// Leaves out the blocks whose centroids, and the cracks whose points, lie outside a rectangle.
+  DeformedState& within(const Box& box) {
+    box_ = box;
+    return *this;
+  }
+
   void add_to(svg::Drawing& drawing) const {
     for (std::size_t b = 0; b < fields_.equilibrium().num_blocks(); ++b) {
+      if (!shows(fields_.body().block(BlockId(b)).moments.centroid)) continue;
       svg::Fill fill;
       for (const Vec2& x : fields_.body().assembly.blocks[b].outline.vertices)
         fill.outline.push_back(moved(x, fields_.displacement(BlockId(b), x, at_.state.d)));
@@ -103,6 +118,7 @@ class DeformedState {
   }
 
  private:
+  bool shows(const Vec2& x) const { return !box_ || box_->contains(x); }
   Vec2 moved(const Vec2& x, const Vec2& u) const { return x + shift_ + scale_ * u; }
 
   void add_cracks(svg::Drawing& drawing) const {
@@ -110,6 +126,7 @@ class DeformedState {
     for (std::size_t p = 0; p < interface.damage.size(); ++p) {
       if (interface.damage[p] <= 0) continue;
       const InterfacePoint& point = fields_.equilibrium().point(p);
+      if (!shows(point.x)) continue;
       const auto between = [&](const Vec2& x) {
         return moved(x, (fields_.displacement(point.first, x, at_.state.d) +
                          fields_.displacement(point.second, x, at_.state.d)) /
@@ -124,7 +141,26 @@ class DeformedState {
   const StoredState& at_;
   Vec2 shift_;
   double scale_;
+  std::optional<Box> box_;
 };
+
+/// Mean displacement of the blocks in a rectangle, and the largest deviation from it.
+struct Motion {
+  Vec2 mean = Vec2::Zero();
+  double spread = 0;
+};
+Motion motion_within(const Fields& fields, const State& state, const Box& box) {
+  std::vector<Vec2> moves;
+  Motion out;
+  for (std::size_t b = 0; b < fields.equilibrium().num_blocks(); ++b)
+    if (box.contains(fields.body().block(BlockId(b)).moments.centroid)) {
+      moves.emplace_back(Eigen::Map<const Vec2>(state.d.data() + block_unknowns * b));
+      out.mean += moves.back();
+    }
+  if (!moves.empty()) out.mean /= static_cast<double>(moves.size());
+  for (const Vec2& move : moves) out.spread = std::max(out.spread, (move - out.mean).norm());
+  return out;
+}
 
 svg::Drawing deformed(const Fields& fields, const RunMemory& memory, const StoredState& end,
                       const std::string& unit) {
@@ -148,15 +184,35 @@ svg::Drawing deformed(const Fields& fields, const RunMemory& memory, const Store
   return out;
 }
 
+void write_detail(const RunFolder& folder, const Fields& fields, const Detail& detail,
+                  const StoredState& end) {
+  Box box;
+  box.include(detail.from);
+  box.include(detail.to);
+  const Motion motion = motion_within(fields, end.state, box);
+  const double scale = motion.spread > 0 ? round_down(0.1 * box.size() / motion.spread) : 1;
+  svg::Drawing out{.title = "Detail at the end",
+                   .caption = fmt::format("step {}, displacements × {:g}", end.step, scale),
+                   .polygons = {},
+                   .polygon_label = "",
+                   .strokes = {},
+                   .stroke_label = fmt::format("opening [{}]", fields.mesh().length_unit)};
+  DeformedState(fields, end, -scale * motion.mean, scale).within(box).add_to(out);
+  write_whole(folder.file("detail.svg"), svg::to_svg(out), Flush::to_system);
+}
+
 }  // namespace
 
 void write_pictures(const RunFolder& folder, const Fields& fields, const Measures& measures,
-                    const RunMemory& memory, const StoredState& end) {
-  write_whole(folder.file("curve.svg"), svg::to_svg(curves(folder, measures, memory)), Flush::to_system);
+                    const PictureContent& content) {
+  const auto& [memory, end, record] = content;
+  write_whole(folder.file("curve.svg"), svg::to_svg(curves(folder, measures, memory, record.reference_peak)),
+              Flush::to_system);
   constexpr std::size_t most_blocks = 20000;
   if (fields.equilibrium().num_blocks() > most_blocks) return;
   write_whole(folder.file("deformed.svg"),
               svg::to_svg(deformed(fields, memory, end, fields.mesh().length_unit)), Flush::to_system);
+  if (record.detail) write_detail(folder, fields, *record.detail, end);
 }
 
 }  // namespace dda

@@ -2,12 +2,21 @@
 
 #include "framework/output/run_folder.hpp"
 #include "framework/output/svg/plot.hpp"
+#include "studies/deck.hpp"
 #include "studies/run_memory.hpp"
 
 namespace dda {
 
-/// curve.svg and, up to 20 000 blocks, deformed.svg of a run; the curve is read back from curve.csv.
+/// What the pictures of a run show beside its curve.
+struct PictureContent {
+  const RunMemory& memory;
+  const StoredState& end;
+  const RecordParameters& record;
+};
+
+/// curve.svg and, up to 20 000 blocks, deformed.svg of a run; the curve is read back from curve.csv. Where
+/// the deck asks for it detail.svg: the blocks of a rectangle at the end, without what they move together.
 void write_pictures(const RunFolder& folder, const Fields& fields, const Measures& measures,
-                    const RunMemory& memory, const StoredState& end);
+                    const PictureContent& content);
 
 }  // namespace dda

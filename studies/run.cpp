@@ -84,8 +84,8 @@ void copy_run(const fs::path& from, const RunFolder& to) {
 
 /// The conclusions of a run that goes on are not those of the whole.
 void remove_conclusions(const RunFolder& folder) {
-  for (const char* name : {"summary.json", "curve.svg", "deformed.svg", "eigenvalues.svg", "modes.svg",
-                           "stiffness.txt", "stiffness.json"}) {
+  for (const char* name : {"summary.json", "curve.svg", "deformed.svg", "detail.svg", "eigenvalues.svg",
+                           "modes.svg", "stiffness.txt", "stiffness.json"}) {
     std::error_code ignored;
     fs::remove(folder.file(name), ignored);
   }

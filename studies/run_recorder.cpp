@@ -210,7 +210,7 @@ nlohmann::ordered_json RunRecorder::finish(const Ending& ending) {
     if (memory_.peak_state && memory_.peak_state->step == last_stored_) memory_.is_peak_stored = true;
     write_restart_file();
     const auto inner = timings_.measure("figures");
-    write_pictures(folder_, fields_, measures_, memory_, here());
+    write_pictures(folder_, fields_, measures_, {memory_, here(), simulation_.deck().record});
     if (deck_.deck.record.eigenvalues.count > 0)
       write_stability_pictures(folder_, results_, fields_, measures_);
     if (deck_.deck.record.stiffness) write_stiffness();

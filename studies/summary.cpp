@@ -35,7 +35,7 @@ Json to_json(const MatrixQuality& quality) {
 /// How far the peak is from that of a straight crack, say: what the blocks' pattern adds.
 void add_mesh_bias(const std::optional<ReferencePeak>& reference, double peak, Json& out) {
   if (!reference) return;
-  out["reference_peak"] = {{"load", reference->load}, {"text", reference->text}};
+  out["reference_peak"] = {{"load", reference->load}, {"text", reference->text}, {"at", reference->at}};
   out["mesh_bias"] = std::abs(peak) / reference->load - 1;
 }
 

@@ -64,9 +64,23 @@ reference_peak() {
   run biased --set 'record.reference_peak={load: 1000, text: straight crack}'
   same plain/curve.csv biased/curve.csv
   holds "peak against reference" 'abs(s["mesh_bias"] - (s["peak"]["load"] / 1000 - 1)) < 1e-12 and s["reference_peak"]["text"] == "straight crack"' biased
+  run marked --set 'record.reference_peak={load: 9000, text: measured peak, at: {cmod: 0.03}}'
+  [ "$(grep -c 'measured peak' marked/curve.svg)" -eq 1 ] || complain "curve.svg marks no measured peak"
+  "$program" plot plain marked biased --out overlay.svg >said.log 2>&1 || complain "plot: $(tail -n 1 said.log)"
+  [ "$(grep -c 'measured peak' overlay.svg)" -eq 1 ] || complain "the overlay marks no measured peak"
+  "$program" check "$beam" --set 'record.reference_peak={load: 9000, at: {cmdo: 1}}' >said.log 2>&1
+  [ $? -eq 2 ] && grep -q "did you mean 'cmod'" said.log || complain "an unknown gauge: $(tail -n 2 said.log)"
   grep -q '% of the reference' biased.log || complain "the last line says nothing of the reference: $(tail -n 1 biased.log)"
 }
 
-for part in ${PARTS:-energies random_fields reference_peak}
+detail() {
+  [ -e plain/detail.svg ] && complain "a detail that nobody asked for"
+  run close --set 'record.detail={from: [120, 0], to: [180, 60]}'
+  local all shown
+  all=$(grep -c '<path' plain/deformed.svg) shown=$(grep -c '<path' close/detail.svg)
+  [ "$shown" -ge 8 ] && [ "$shown" -lt "$((all / 4))" ] || complain "the detail shows $shown of $all paths"
+}
+
+for part in ${PARTS:-energies random_fields reference_peak detail}
 do $part; done
 exit $failed
