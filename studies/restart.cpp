@@ -304,11 +304,11 @@ RunMemory restore(const RestartData& data, const fs::path& folder, Simulation& s
       .events = nlohmann::ordered_json::parse(data.texts.at("events").at(0)),
       .stiffness = {nlohmann::ordered_json::parse(data.texts.at("stiffness").at(0)),
                     data.texts.at("stiffness").at(1)},
-      .largest_gap = data.numbers.at("run").at(0)};
+      .largest_gap = data.numbers.at("run").at(0),
+      .first_cracks = take_cracks(data)};
   if (data.numbers.contains("peak_state.d")) out.peak_state = take_state(data, "peak_state");
   out.num_factorisations =
       run.at(2) - static_cast<std::int64_t>(simulation.system().linear().num_factorisations());
-  out.first_cracks = take_cracks(data);
   return out;
 }
 
