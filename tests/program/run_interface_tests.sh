@@ -78,7 +78,7 @@ detail() {
   run close --set 'record.detail={from: [120, 0], to: [180, 60]}'
   local all shown
   all=$(grep -c '<path' plain/deformed.svg) shown=$(grep -c '<path' close/detail.svg)
-  [ "$shown" -ge 8 ] && [ "$shown" -lt "$((all / 4))" ] || complain "the detail shows $shown of $all paths"
+  [ "$shown" -ge 8 ] && [ "$shown" -lt "$((all / 2))" ] || complain "the detail shows $shown of $all paths"
 }
 
 for part in ${PARTS:-energies random_fields reference_peak detail}
