@@ -28,9 +28,9 @@ cells() {
 print(*(row.get(sys.argv[2], "no such column") for row in csv.DictReader(open(sys.argv[1]))))' "$1/sweep.csv" "$2"
 }
 has() { [ "$(cells "$1" "$2")" == "$3" ] || complain "$1: $2 is '$(cells "$1" "$2")' instead of '$3'"; }
-# wait_for COMMAND...: until it is true, 20 s at most.
+# wait_for COMMAND...: until it is true, a minute at most.
 wait_for() {
-  for _ in $(seq 2000); do
+  for _ in $(seq 6000); do
     "$@" 2>/dev/null && return
     sleep 0.01
   done
