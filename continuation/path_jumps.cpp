@@ -79,11 +79,12 @@ std::optional<Point> Path::jump_to(const Settled& found, const std::string& cont
   return point;
 }
 
-/// Whether a state bears a load the other way: an equilibrium that a release does not lead to.
+/// Whether a state bears more the other way than it bore before: an equilibrium that a release does not lead
+/// to.
 bool Path::turns_load_round(const State& state) const {
-  constexpr double hardly = -0.1;  // what is held by friction after unloading
+  constexpr double as_much = -1;
   const double before = walker_.state().load_factor;
-  return before != 0 && state.load_factor / before < hardly;
+  return before != 0 && state.load_factor / before < as_much;
 }
 
 /// Next vertex of an instantaneous release.

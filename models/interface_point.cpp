@@ -25,7 +25,7 @@ struct Interface {
   std::shared_ptr<const InterfaceLaw> law;
   std::shared_ptr<const Treatment> treatment;
   PointRule points = PointRule::gauss;
-  std::optional<RandomField> field;
+  std::optional<RandomField> field = {};
   double energy_exponent = 0;
   Position where;
   int index = -1;
