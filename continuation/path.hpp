@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "continuation/path_parameters.hpp"
+#include "continuation/release.hpp"
 #include "continuation/walker.hpp"
 
 namespace dda {
@@ -129,7 +130,7 @@ class Path {
   std::optional<Point> sequential_step(const std::string& control, double quantum);
   std::optional<Point> release_step();
   std::optional<Point> release_at_lower_load();
-  bool turns_load_round(const State& state) const;
+  bool turns_load_round(const ReleasedPiece& piece) const;
   std::optional<Point> increment_step();
   std::optional<Point> unload_step();
   std::optional<Point> jump_to(const Settled& found, const std::string& control);

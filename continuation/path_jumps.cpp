@@ -79,20 +79,20 @@ std::optional<Point> Path::jump_to(const Settled& found, const std::string& cont
   return point;
 }
 
-/// Whether a state bears more the other way than it bore before: an equilibrium that a release does not lead
-/// to.
-bool Path::turns_load_round(const State& state) const {
-  constexpr double as_much = -1;
+/// Whether a release has turned the load round while contacts changed: an equilibrium that it does not lead
+/// to. A straight piece may do so.
+bool Path::turns_load_round(const ReleasedPiece& piece) const {
+  constexpr double hardly = -0.1;  // what is held by friction after unloading
   const double before = walker_.state().load_factor;
-  return before != 0 && state.load_factor / before < as_much;
+  return !piece.is_straight && before != 0 && piece.end.state.load_factor / before < hardly;
 }
 
 /// Next vertex of an instantaneous release.
 std::optional<Point> Path::release_step() {
   const auto held = driver_->held_in_release();
   const auto found = release_piece(walker_.system(), walker_.state(), parameters_, held ? &*held : nullptr);
-  if (found && !is_mechanism(found->state) && !turns_load_round(found->state))
-    if (auto point = jump_to(*found, "release")) return point;
+  if (found && !is_mechanism(found->end.state) && !turns_load_round(*found))
+    if (auto point = jump_to(found->end, "release")) return point;
   if (driver_->may_be_rescued())
     if (auto point = release_at_lower_load()) return point;
   return end(Ending::Kind::stopped_early,

@@ -31,7 +31,7 @@ class Release {
       if (is_pending(system, p)) pending_.push_back(p);
   }
 
-  std::optional<Settled> next(const Functional* held) {
+  std::optional<ReleasedPiece> next(const Functional* held) {
     const Functional own = held ? Functional{} : held_opening();
     const Functional& gauge = held ? *held : own;
     HeldEquilibrium equilibrium(system_, parameters_, gauge, gauge.value(start_.d, start_.load_factor));
@@ -45,12 +45,26 @@ class Release {
       gone *= share;
       out = towards(equilibrium, gone, out->state);
     }
+    std::optional<ReleasedPiece> piece;
+    if (out) {
+      const bool turns = out->state.load_factor * start_.load_factor < 0;
+      piece = ReleasedPiece{*out, !turns || is_straight(equilibrium, gone, *out)};
+    }
     system_.set_history(before_);
     system_.set_multipliers(start_.multipliers);
-    return out;
+    return piece;
   }
 
  private:
+  /// Whether half of the loss lies half way in the load factor: no contact and no friction has changed.
+  bool is_straight(HeldEquilibrium& equilibrium, double gone, const Settled& end) {
+    const auto middle = at_share(equilibrium, 0.5 * gone, start_);
+    if (!middle) return false;
+    constexpr double round_off = 1e-6;
+    const double a = start_.load_factor, b = end.state.load_factor;
+    return std::abs(middle->state.load_factor - 0.5 * (a + b)) <= round_off * (std::abs(a) + std::abs(b));
+  }
+
   /// c·q of the point that reached its strength last.
   Functional held_opening() const {
     std::size_t newest = pending_.front();
@@ -127,8 +141,8 @@ bool is_release_pending(const System& system) {
   return false;
 }
 
-std::optional<Settled> release_piece(System& system, const State& start, const StepperParameters& parameters,
-                                     const Functional* held) {
+std::optional<ReleasedPiece> release_piece(System& system, const State& start,
+                                           const StepperParameters& parameters, const Functional* held) {
   return Release(system, start, parameters).next(held);
 }
 

@@ -18,11 +18,17 @@ namespace dda {
 /// Whether a point stands at its strength or is partly released.
 bool is_release_pending(const System& system);
 
+/// A piece of the path along which points are released.
+struct ReleasedPiece {
+  Settled end;
+  bool is_straight = true;  ///< asked only where the load factor changes its sign
+};
+
 /// Next vertex of a release from an equilibrium: all pending points released, or the next point at its
 /// strength. `held` replaces the held opening by a gauge (load control holds the load). Nothing when there is
 /// no equilibrium.
-std::optional<Settled> release_piece(System& system, const State& start, const StepperParameters& parameters,
-                                     const Functional* held);
+std::optional<ReleasedPiece> release_piece(System& system, const State& start,
+                                           const StepperParameters& parameters, const Functional* held);
 
 /// Everything pending released in full at a load factor given, and whatever is beyond its strength there: a
 /// release that no continuous path leads through, because friction turns over on the way, jumps to an
