@@ -42,21 +42,22 @@ void begin(std::optional<MpiSession>& mpi, Timings& timings) {
   mpi.emplace();
 }
 
-/// Follows the branch that the path has left by switching, in a folder inside that of the run.
-void follow_primary(const DeckFile& deck, const RunFolder& folder, std::optional<MpiSession>& mpi) {
+/// Follows the branch that the path has left by switching, if it has, in a folder inside that of the run.
+void follow_primary(const DeckFile& deck, const RunFolder& folder, const RunMemory& memory,
+                    std::optional<MpiSession>& mpi) {
+  const bool has_switched =
+      std::ranges::any_of(memory.events, [](const auto& event) { return event.contains("switched"); });
+  if (!has_switched || interrupted()) return;
   std::vector<std::string> overrides = deck.overrides;
   overrides.emplace_back("path.branch=follow");
   const RunOptions options{.folder = folder.file("primary"), .overwrite = true, .quiet = true};
   run_deck(deck_from_text(deck.text, deck.path, overrides), options, mpi);
 }
 
-bool has_switched(const RunMemory& memory) {
-  return std::ranges::any_of(memory.events, [](const auto& event) { return event.contains("switched"); });
-}
-
 /// Follows the path to its end.
 Ending follow(Simulation& simulation, RunRecorder& recorder, bool quiet) {
   Progress progress = Progress::for_stream(stderr, quiet);
+  const auto scope = simulation.system().timings().measure("path");
   Path& path = simulation.path();
   path.interrupt_when(interrupted);
   for (const Point& point : path) {
@@ -108,11 +109,8 @@ RunResult run_deck(const DeckFile& deck, const RunOptions& options, std::optiona
   simulation.begin_path();
   RunRecorder recorder(folder, simulation, deck, effective, timings);
   Ending ending{Ending::Kind::stopped_early, obstacle};
-  if (obstacle.empty()) {
-    const auto scope = timings.measure("path");
-    ending = follow(simulation, recorder, options.quiet);
-    if (has_switched(recorder.memory()) && !interrupted()) follow_primary(deck, folder, mpi);
-  }
+  if (obstacle.empty()) ending = follow(simulation, recorder, options.quiet);
+  follow_primary(deck, folder, recorder.memory(), mpi);
   return conclude(folder, recorder, ending);
 }
 
@@ -135,9 +133,8 @@ RunResult resume_run(const fs::path& existing, const std::vector<std::string>& o
   const std::string effective = effective_deck(deck);
   write_decks(folder, deck, effective);
   RunRecorder recorder(folder, simulation, deck, effective, timings, memory);
-  const auto scope = timings.measure("path");
   const Ending ending = follow(simulation, recorder, options.quiet);
-  if (has_switched(recorder.memory()) && !interrupted()) follow_primary(deck, folder, mpi);
+  follow_primary(deck, folder, recorder.memory(), mpi);
   return conclude(folder, recorder, ending);
 }
 

@@ -62,6 +62,20 @@ void add(StiffnessRecord& out, const std::string& which, const StiffnessParts& p
   }
 }
 
+/// Gives back to the contacts what consistent joints subtract at points of which nothing is left.
+void drop_released(StiffnessParts& parts, const Equilibrium& equilibrium, const LawValues& laws) {
+  std::vector<std::pair<BlockId, BlockId>> pairs;
+  for (std::size_t p = 0; p < laws.tangent.size(); ++p)
+    pairs.emplace_back(equilibrium.point(p).first, equilibrium.point(p).second);
+  BlockMatrix back(equilibrium.num_blocks(), pairs);
+  for (std::size_t p = 0; p < laws.tangent.size(); ++p)
+    if (laws.is_released(p)) add_stress_energy(back, equilibrium.point(p));
+  for (std::size_t row = 0; row < back.num_rows(); ++row)
+    for (std::size_t slot = back.row_start()[row]; slot < back.row_start()[row + 1]; ++slot)
+      parts.contact.block<6, 6>(static_cast<Eigen::Index>(6 * row),
+                                static_cast<Eigen::Index>(6 * back.columns()[slot])) += back.value(slot);
+}
+
 }  // namespace
 
 StiffnessRecord stiffness_record(const Simulation& simulation) {
@@ -70,7 +84,9 @@ StiffnessRecord stiffness_record(const Simulation& simulation) {
   const LawValues laws = system.laws(here.d, here.load_factor);
   StiffnessRecord out{.numbers = Json::object(), .text = {}};
   add(out, "algorithmic", stiffness_parts(simulation.equilibrium(), system.all_tangents(laws, false)));
-  add(out, "physical", stiffness_parts(simulation.equilibrium(), system.all_tangents(laws, true)));
+  StiffnessParts physical = stiffness_parts(simulation.equilibrium(), system.all_tangents(laws, true));
+  drop_released(physical, simulation.equilibrium(), laws);
+  add(out, "physical", physical);
   return out;
 }
 

@@ -8,7 +8,7 @@
 namespace dda {
 
 /// The stiffness of a small assembly by contribution, K = K⁰ + Kᶜ + Kˢ + Kʷ: the `algorithmic` one with the
-/// joint stiffness of the iteration, and the `physical` one of the eigenvalues (System::path_stiffness), at a
+/// joint stiffness of the iteration, and the `physical` one of the eigenvalues (System::physical_stiffness), at a
 /// state of the path.
 struct StiffnessRecord {
   static constexpr std::size_t most_blocks = 10;  ///< that can be read on paper

@@ -34,7 +34,8 @@ std::optional<StiffnessModes> stiffness_modes(System& system, const State& state
   const auto laws = system.laws_at(state.d, state.load_factor);
   const bool is_whole = wanted.is_physical && !system.is_path_physical(*laws);
   const auto matrix = [&] {
-    return wanted.is_physical ? system.physical_stiffness(*laws) : system.stiffness(state);
+    const bool has_own_stiffness = wanted.is_physical || system.iterates_multipliers();
+    return has_own_stiffness ? system.physical_stiffness(*laws) : system.stiffness(state);
   };
   EigenProblem problem{.solve = {}, .shifted = {}, .mass = wanted.mass, .count = wanted.count};
   std::optional<WholeMatrix> whole, shifted;

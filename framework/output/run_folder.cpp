@@ -108,6 +108,11 @@ void remove_run_files(const fs::path& folder) {
     fs::remove(entry.path(), error);
     if (error) refuse(folder, fmt::format("cannot remove '{}': {}", entry.path().string(), error.message()));
   }
+  // The run of the branch that an earlier one left: it must not be taken for this one's.
+  if (const fs::path primary = folder / "primary"; fs::is_directory(primary, error)) {
+    remove_run_files(primary);
+    fs::remove(primary, error);  // stays when it holds anything else
+  }
 }
 
 }  // namespace

@@ -8,18 +8,6 @@ beam=$(realpath "$3")
 source "$(dirname "${BASH_SOURCE[0]}")/scratch.sh"
 open_scratch
 
-# expect CODE WHAT COMMAND...: the command's exit code; its output goes to said.log.
-expect() {
-  local code=$1 what=$2
-  shift 2
-  "$@" >said.log 2>&1
-  local got=$?
-  [ $got -eq "$code" ] || complain "$what: exit code $got instead of $code; it said: $(tail -n 3 said.log)"
-}
-
-said() { grep -qF -- "$1" said.log || complain "expected '$1' in: $(tail -n 3 said.log)"; }
-exists() { [ -e "$1" ] || complain "there is no $1"; }
-is_absent() { [ ! -e "$1" ] || complain "there is a $1"; }
 status_is() { grep -q "\"status\": \"$2\"" "$1/summary.json" || complain "$1 is not $2"; }
 
 whole_run() {
@@ -101,6 +89,19 @@ eigenvalues() {
   [ "$(grep -c ',nan,nan,nan$' seldom/curve.csv)" -eq $(($(wc -l < seldom/curve.csv) - 4)) ] ||
     complain "eigenvalues at steps that were not asked for"
   for file in eigenvalues.svg modes.svg; do [ -s seldom/$file ] || complain "no $file"; done
+  # By contribution, at the end with a released joint: the eigenvalues are those of the sum.
+  expect 0 "stiffness by contribution" "$program" run "$bar" --folder parts --quiet --set record.stiffness=true \
+    --set record.eigenvalues.count=4 --set record.eigenvalues.mass=false --set path.stop.load_below=0
+  /usr/bin/python3 - <<'PYTHON' || complain "the contributions do not add up to the eigenvalues"
+import csv, json
+import numpy
+end = json.load(open("parts/stiffness.json"))["end"]["physical"]
+values = numpy.linalg.eigvalsh(sum(numpy.array(part) for part in end.values()))
+row = list(csv.DictReader(open("parts/curve.csv")))[-1]
+assert row["rigid_modes"] == "1", row["rigid_modes"]
+for i in (2, 3, 4):
+    assert abs(float(row[f"mu_{i}"]) / values[i - 1] - 1) < 1e-6, (i, row[f"mu_{i}"], values[i - 1])
+PYTHON
   grep -q '"kind": "limit_point"' seldom/summary.json || complain "the limit point is not among the events"
 }
 

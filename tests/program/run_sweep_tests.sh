@@ -9,18 +9,6 @@ meshed=$(realpath "$4")
 source "$(dirname "${BASH_SOURCE[0]}")/scratch.sh"
 open_scratch
 
-# expect CODE WHAT COMMAND...: the command's exit code; its output goes to said.log.
-expect() {
-  local code=$1 what=$2
-  shift 2
-  "$@" >said.log 2>&1
-  local got=$?
-  [ $got -eq "$code" ] || complain "$what: exit code $got instead of $code; it said: $(tail -n 3 said.log)"
-}
-
-said() { grep -qF -- "$1" said.log || complain "expected '$1' in: $(cat said.log)"; }
-is_absent() { [ ! -e "$1" ] || complain "there is a $1"; }
-exists() { [ -e "$1" ] || complain "there is no $1"; }
 
 # cells FOLDER COLUMN: a column of sweep.csv as one line.
 cells() {

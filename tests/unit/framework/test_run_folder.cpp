@@ -46,6 +46,20 @@ TEST(RunFolder, OverwritingRemovesOnlyFilesOfARun) {
   EXPECT_FALSE(fs::exists(scratch / "curve.csv.part"));
 }
 
+TEST(RunFolder, OverwritingForgetsTheBranchThatAnEarlierRunLeft) {
+  const Scratch scratch;
+  fs::create_directories(scratch / "run/primary");
+  test::put(scratch / "run/primary/summary.json", "{}");
+  RunFolder::create(scratch / "run", IfExists::overwrite);
+  EXPECT_FALSE(fs::exists(scratch / "run/primary"));
+  fs::create_directories(scratch / "run/primary");
+  test::put(scratch / "run/primary/mine.txt", "kept");
+  test::put(scratch / "run/primary/summary.json", "{}");
+  RunFolder::create(scratch / "run", IfExists::overwrite);
+  EXPECT_TRUE(fs::exists(scratch / "run/primary/mine.txt"));
+  EXPECT_FALSE(fs::exists(scratch / "run/primary/summary.json"));
+}
+
 TEST(RunFolder, SaysWhyAPlaceCannotBeWrittenAndLeavesNothing) {
   const Scratch scratch;
   test::put(scratch / "file.txt", "a file, not a folder");
