@@ -44,6 +44,15 @@ Ends ends(double from, double to, double rate_from, double rate_to, double step)
 
 }  // namespace
 
+Functional displacement_of_load(const Loading& loading) {
+  Functional out;
+  for (std::size_t i = 0; i + block_unknowns <= loading.reference_work.size(); i += block_unknowns)
+    if (const Eigen::Map<const Vec6> row(loading.reference_work.data() + i); !row.isZero(0))
+      out.rows.emplace_back(BlockId{i / block_unknowns}, row);
+  for (const WorkPair& pair : loading.driven) out.add(1, pair.displacement);
+  return out;
+}
+
 double external_work(const System& system, const State& from, const State& to, const Tangent& leaving,
                      const Tangent& arriving, double step) {
   const Loading& loading = system.loading();

@@ -4,6 +4,9 @@
 
 namespace dda {
 
+/// The displacement on which the load works: their product is the work per load factor.
+Functional displacement_of_load(const Loading& loading);
+
 /// External work of a step, integrated from forces and displacements alone (never from the energies it is
 /// compared with): ∫ F du by cubic Hermite interpolation of both with the path's tangents, exact on straight
 /// steps.

@@ -1,7 +1,8 @@
 #include "continuation/held_equilibrium.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -31,29 +32,57 @@ std::optional<State> HeldEquilibrium::solve(State at) {
 
 bool HeldEquilibrium::converge(State& at) {
   bool polished = false;
-  std::array<double, 2> before{};  // the excess of the last two iterations
+  std::vector<double> before;  // the excess of the iterations
   for (int iteration = 0; iteration < 4 * parameters_.newton.max_iterations; ++iteration) {
     const auto laws = system_.laws_at(at.d, at.load_factor);
     std::vector<double> residual(at.d.size()), slope(at.d.size());
     system_.residual(at.d, at.load_factor, *laws, residual);
     const double excess = system_.excess_residual(residual, at.d, at.load_factor);
     if (!std::isfinite(excess)) return false;
-    if (excess <= parameters_.newton.tolerance && std::exchange(polished, true)) return true;
+    const bool is_good = excess <= parameters_.newton.tolerance;
+    if (is_good && std::exchange(polished, true)) return true;
     constexpr double same = 1e-9;
-    if (excess > parameters_.newton.tolerance && std::abs(excess - before[1]) <= same * excess)
-      return false;  // to and fro between two sets of contacts
-    before = {excess, before[0]};
+    const auto is_here_again = [&](double value) { return std::abs(excess - value) <= same * excess; };
+    if (!is_good && std::ranges::any_of(before, is_here_again)) return false;  // round and round
+    before.push_back(excess);
     system_.load_derivative(*laws, slope);
     if (!system_.use_tangent(system_.new_stamp(), laws->tangent)) return false;
-    correct(at, residual, slope);
+    const Correction correction = correct(at, residual, slope);
     ++iterations_;
+    at = is_good || !meets_gauge(at) ? moved(at, correction, 1)
+                                     : search(at, correction, system_.residual_norm(residual));
   }
   return false;
 }
 
-/// d −= K⁻¹ R + δλ K⁻¹ ∂R/∂λ, with δλ from the gauge.
-void HeldEquilibrium::correct(State& at, const std::vector<double>& residual,
-                              const std::vector<double>& slope) {
+bool HeldEquilibrium::meets_gauge(const State& at) const {
+  constexpr double round_off = 1e-9;
+  return std::abs(held_.value(at.d, at.load_factor) - value_) <= round_off * std::abs(value_);
+}
+
+/// Along a correction to where the residual has become smaller by some of what a smooth one would, or is
+/// least among what was tried: contacts that change make the full step overshoot.
+State HeldEquilibrium::search(const State& from, const Correction& correction, double norm) const {
+  constexpr double cut = 0.6, of_smooth = 0.1;
+  constexpr int most = 8;
+  State best;
+  double least = std::numeric_limits<double>::infinity(), share = 1;
+  for (int i = 0; i < most; ++i, share *= cut) {
+    State tried = moved(from, correction, share);
+    std::vector<double> residual(tried.d.size());
+    system_.residual(tried.d, tried.load_factor, *system_.laws_at(tried.d, tried.load_factor), residual);
+    const double now = system_.residual_norm(residual);
+    if (now >= least) continue;
+    least = now;
+    best = std::move(tried);
+    if (least <= (1 - of_smooth * share) * norm) break;
+  }
+  return best.d.empty() ? moved(from, correction, 1) : best;
+}
+
+/// −K⁻¹ R + δλ K⁻¹ ∂R/∂λ and δλ, from the gauge.
+HeldEquilibrium::Correction HeldEquilibrium::correct(const State& at, const std::vector<double>& residual,
+                                                     const std::vector<double>& slope) {
   std::vector<double> y(at.d.size()), z(at.d.size());
   system_.linear().solve(residual, y);
   system_.linear().solve(slope, z);
@@ -62,8 +91,15 @@ void HeldEquilibrium::correct(State& at, const std::vector<double>& residual,
   };
   const double miss = held_.value(at.d, at.load_factor) - value_;
   const double change = (miss - gauge(y)) / (gauge(z) - held_.per_load_factor);
-  for (std::size_t i = 0; i < at.d.size(); ++i) at.d[i] -= y[i] + change * z[i];
-  at.load_factor += change;
+  for (std::size_t i = 0; i < y.size(); ++i) y[i] = -(y[i] + change * z[i]);
+  return {std::move(y), change};
+}
+
+State HeldEquilibrium::moved(const State& from, const Correction& correction, double share) {
+  State out = from;
+  for (std::size_t i = 0; i < out.d.size(); ++i) out.d[i] += share * correction.d[i];
+  out.load_factor += share * correction.load_factor;
+  return out;
 }
 
 }  // namespace dda

@@ -7,7 +7,8 @@
 
 namespace dda {
 
-/// Newton's method for equilibrium with one linear gauge prescribed and the load factor free.
+/// Newton's method for equilibrium with one linear gauge prescribed and the load factor free, with a line
+/// search on the residual.
 class HeldEquilibrium {
  public:
   HeldEquilibrium(System& system, const StepperParameters& parameters, const Functional& held, double value);
@@ -19,8 +20,16 @@ class HeldEquilibrium {
   int iterations() const { return iterations_; }
 
  private:
+  struct Correction {
+    std::vector<double> d;
+    double load_factor;
+  };
+
   bool converge(State& at);
-  void correct(State& at, const std::vector<double>& residual, const std::vector<double>& slope);
+  bool meets_gauge(const State& at) const;
+  Correction correct(const State& at, const std::vector<double>& residual, const std::vector<double>& slope);
+  State search(const State& from, const Correction& correction, double norm) const;
+  static State moved(const State& from, const Correction& correction, double share);
 
   System& system_;
   const StepperParameters& parameters_;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "continuation/energy.hpp"
+
 namespace dda {
 namespace {
 
@@ -26,6 +28,7 @@ Path::Path(Walker& walker, const PathParameters& parameters, const GaugeBook& ga
       parameters_(parameters),
       driver_(parameters.control.make(gauges)),
       load_(find_load(parameters.load_gauge, gauges, walker.system().loading().load, parameters.where)),
+      displacement_(displacement_of_load(walker.system().loading())),
       landings_(std::move(landings)),
       legs_(std::move(legs)) {
   for (const auto& law : walker.system().equilibrium().interfaces().laws)
@@ -48,13 +51,10 @@ double Path::load_of(const State& state) const {
 }
 
 double Path::displacement_of(const State& state) const {
-  const Loading& loading = walker_.system().loading();
-  double sum = std::inner_product(state.d.begin(), state.d.end(), loading.reference_work.begin(), 0.0);
-  for (const WorkPair& pair : loading.driven) sum += pair.displacement.value(state.d, state.load_factor);
-  return sum;
+  return displacement_.value(state.d, state.load_factor);
 }
 
-double Path::displacement_rate(const Tangent& tangent) const { return displacement_of({tangent.d, 0}); }
+double Path::displacement_rate(const Tangent& tangent) const { return tangent.rate(displacement_); }
 
 std::optional<Point> Path::end(Ending::Kind kind, std::string reason) {
   ending_ = {kind, std::move(reason)};

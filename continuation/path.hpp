@@ -129,11 +129,14 @@ class Path {
   std::optional<Point> controlled_step(const Move& move);
   std::optional<Point> sequential_step(const std::string& control, double quantum);
   std::optional<Point> release_step();
-  std::optional<Point> release_at_lower_load();
+  std::optional<Point> release_holding(const Functional* held);
+  std::optional<Point> release_by_jump();
+  std::optional<Point> driven_step();
+  std::optional<Point> end_without_equilibrium(const std::string& why);
   bool turns_load_round(const ReleasedPiece& piece) const;
   std::optional<Point> increment_step();
   std::optional<Point> unload_step();
-  std::optional<Point> jump_to(const Settled& found, const std::string& control);
+  std::optional<Point> jump_to(Candidate beyond, const std::string& control);
   std::optional<Point> land_ahead(double amount);
   std::optional<Point> approach(double amount);
   std::optional<Point> land_on_turn(double failed, bool on_new_cracks, const Move& move);
@@ -143,6 +146,7 @@ class Path {
   std::string objection(const Candidate& candidate) const;
   double unaccounted(const Candidate& candidate) const;
   bool is_coarse(const Candidate& candidate) const;
+  bool is_jump(const Candidate& candidate) const;
 
   // Refinements of a converged step.
   std::optional<double> before_peak(const Candidate& candidate) const;
@@ -184,7 +188,7 @@ class Path {
   Walker& walker_;
   const PathParameters& parameters_;
   std::unique_ptr<Driver> driver_;
-  Functional load_;
+  Functional load_, displacement_;  ///< of the load, their product being work
   std::vector<Landing> landings_;
   std::vector<Leg> legs_;
   bool releases_at_once_ = false;  ///< some law does

@@ -12,6 +12,9 @@
 namespace dda {
 namespace {
 
+/// A release is tried again with this share of its length when no continuous path leads so far.
+constexpr double cut = 0.25;
+
 /// |R·Δd|, R of a state with its history: by so much its energies may be off those of the equilibrium which
 /// it is within the tolerance.
 double residual_work(System& system, const Candidate& at, const std::vector<double>& along) {
@@ -32,7 +35,7 @@ std::optional<Point> Path::sequential_step(const std::string& control, double qu
   const auto found = sequentially_linear(walker_.system(), walker_.state(), quantum);
   if (!found || is_mechanism(found->state)) return {};
   const double dissipated = walker_.here().dissipated;
-  auto point = jump_to(*found, control);
+  auto point = jump_to(walker_.settled(*found), control);
   if (point && control != "event") {
     ++walker_.effort().rescues;
     report("rescued", fmt::format("sequentially linear steps dissipated {:.3e}",
@@ -57,8 +60,7 @@ bool Path::creates_energy(const Candidate& beyond) const {
 }
 
 /// Accepts an equilibrium that no control led to; a wanted value can be passed but not landed on.
-std::optional<Point> Path::jump_to(const Settled& found, const std::string& control) {
-  Candidate beyond = walker_.settled(found);
+std::optional<Point> Path::jump_to(Candidate beyond, const std::string& control) {
   if (!(beyond.residual <= parameters_.newton.tolerance)) {
     report("rejected", fmt::format("{}: relative residual {:.1e}", control, beyond.residual));
     return {};
@@ -87,33 +89,87 @@ bool Path::turns_load_round(const ReleasedPiece& piece) const {
   return !piece.is_straight && before != 0 && piece.end.state.load_factor / before < hardly;
 }
 
-/// Next vertex of an instantaneous release.
+/// Next vertex of an instantaneous release; where no continuous path leads on, what a test would find after a
+/// jump.
 std::optional<Point> Path::release_step() {
   const auto held = driver_->held_in_release();
-  const auto found = release_piece(walker_.system(), walker_.state(), parameters_, held ? &*held : nullptr);
-  if (found && !is_mechanism(found->end.state) && !turns_load_round(*found))
-    if (auto point = jump_to(found->end, "release")) return point;
-  if (driver_->may_be_rescued())
-    if (auto point = release_at_lower_load()) return point;
-  return end(Ending::Kind::stopped_early,
-             held ? "failure: what is released leaves no equilibrium under this control; use `staged`"
-                  : "what is released leaves no equilibrium");
+  if (auto point = release_holding(held ? &*held : nullptr)) return point;
+  if (!driver_->may_be_rescued())
+    return end(Ending::Kind::stopped_early,
+               held ? "failure: what is released leaves no equilibrium under this control; use `staged`"
+                    : "what is released leaves no equilibrium");
+  return release_by_jump();
 }
 
-/// The largest of some shares of the load at which an equilibrium is left after everything pending has been
-/// released: what a test would find after a jump, booked as one.
-std::optional<Point> Path::release_at_lower_load() {
-  const double load_factor = walker_.state().load_factor;
-  for (const double share : {1.0, 0.9, 0.75, 0.5, 0.25, 0.1, 0.0}) {
-    const auto found = release_at_load(walker_.system(), walker_.state(), parameters_, share * load_factor);
+/// The farthest vertex, of some, to which a release leads. Where contacts change on the way the path is not
+/// straight, and its end is told from another equilibrium by going less far.
+std::optional<Point> Path::release_holding(const Functional* held) {
+  constexpr double nearest = 0.05, of_spent = 0.1, of_work = 1e-3;
+  const Candidate& here = walker_.here();
+  for (double most = 1; most > nearest; most *= cut) {
+    const auto found = release_piece(walker_.system(), walker_.state(), parameters_, held, most);
+    if (!found || is_mechanism(found->end.state) || turns_load_round(*found)) continue;
+    Candidate beyond = walker_.settled(found->end);
+    const double spent = std::abs(beyond.dissipated - here.dissipated),
+                 work = std::abs(beyond.work - here.work);
+    const bool is_straight = unaccounted(beyond) <= of_spent * spent + of_work * work;
+    if (!is_straight && most * cut > nearest) continue;
+    if (auto point = jump_to(std::move(beyond), "release")) return point;
+  }
+  return {};
+}
+
+/// What a test finds that prescribes the displacement on which the load works: the pending points lose their
+/// strength while it is held, together or at last at once; else the largest of some shares of the load.
+std::optional<Point> Path::release_by_jump() {
+  System& system = walker_.system();
+  const State start = walker_.state();
+  const auto accepted = [&](const std::optional<Settled>& found) {
+    if (!found || is_mechanism(found->state)) return std::optional<Point>();
+    return jump_to(walker_.settled(*found), "release");
+  };
+  std::optional<Point> point;
+  const auto piece = release_piece(system, start, parameters_, &displacement_, 1);
+  if (piece) point = accepted(piece->end);
+  if (!point)
+    point = accepted(release_at_gauge(system, start, parameters_, displacement_, displacement_of(start)));
+  for (const double share : {1.0, 0.9, 0.75, 0.5, 0.25, 0.1})
+    if (!point) point = accepted(release_at_load(system, start, parameters_, share * start.load_factor));
+  if (!point) return end_without_equilibrium("what is released leaves no equilibrium");
+  ++walker_.effort().rescues;
+  report("rescued", fmt::format("the release jumped from a load factor of {:g} to {:g}", start.load_factor,
+                                walker_.state().load_factor));
+  return point;
+}
+
+/// The largest of some steps of the displacement on which the load works that ends in an equilibrium, what is
+/// beyond its strength there released at once: a path through contacts that change is not found by its
+/// tangent.
+std::optional<Point> Path::driven_step() {
+  constexpr double largest = 0.02, smallest = 1e-4;  // of the displacement so far
+  const State& start = walker_.state();
+  const double here = displacement_of(start);
+  for (double share = largest; share > smallest; share *= cut) {
+    const double value = here + std::copysign(share * memory_.largest_displacement, here);
+    const auto found = release_at_gauge(walker_.system(), start, parameters_, displacement_, value);
     if (!found || is_mechanism(found->state)) continue;
-    auto point = jump_to(*found, "release");
+    auto point = jump_to(walker_.settled(*found), "displacement");
     if (!point) continue;
     ++walker_.effort().rescues;
-    report("rescued", fmt::format("the release jumped to {:g} of the load factor", share));
+    report("rescued", fmt::format("the displacement of the load was raised by {:.1e} of its largest", share));
     return point;
   }
   return {};
+}
+
+/// The end where nothing is found any more: rupture if hardly any load is left.
+std::optional<Point> Path::end_without_equilibrium(const std::string& why) {
+  constexpr double hardly_any = 0.01;
+  const double left = std::abs(load_of(walker_.state())) / memory_.peak_load;
+  if (left < hardly_any)
+    return end(Ending::Kind::goal_reached,
+               fmt::format("complete rupture: {:.1e} of the peak was left", left));
+  return end(Ending::Kind::stopped_early, why);
 }
 
 /// The load raised by the largest of halved increments that still finds an equilibrium.
@@ -135,7 +191,7 @@ std::optional<Point> Path::increment_step() {
       report("rejected", fmt::format("load_increments: {}", why));
       continue;
     }
-    auto point = jump_to(*found.settled, "load_increments");
+    auto point = jump_to(walker_.settled(*found.settled), "load_increments");
     if (!point) {
       why = "what was found is not the next point of this path";
       continue;

@@ -31,14 +31,14 @@ class Release {
       if (is_pending(system, p)) pending_.push_back(p);
   }
 
-  std::optional<ReleasedPiece> next(const Functional* held) {
+  std::optional<ReleasedPiece> next(const Functional* held, double most) {
     const Functional own = held ? Functional{} : held_opening();
     const Functional& gauge = held ? *held : own;
     HeldEquilibrium equilibrium(system_, parameters_, gauge, gauge.value(start_.d, start_.load_factor));
-    auto out = towards(equilibrium, 1, start_);
+    auto out = towards(equilibrium, most, start_);
     // Straight as long as no contact changes on the way; where one does, the crossing is sought again.
     constexpr int most_searches = 20;
-    double gone = 1;
+    double gone = most;
     for (int search = 0; out && search < most_searches; ++search) {
       const double share = first_crossing(out->state);
       if (share >= 1 - 1e-12) break;
@@ -65,16 +65,17 @@ class Release {
     return std::abs(middle->state.load_factor - 0.5 * (a + b)) <= round_off * (std::abs(a) + std::abs(b));
   }
 
-  /// c·q of the point that reached its strength last.
+  /// c·q of the point that reached its strength last: it has lost least.
   Functional held_opening() const {
-    std::size_t newest = pending_.front();
-    for (const std::size_t p : pending_)
-      if (before_[p].share == 0) newest = p;
+    const std::size_t newest = std::ranges::max(pending_, {}, [&](std::size_t p) { return share(p); });
     const InterfacePoint& point = system_.equilibrium().point(newest);
     const History released = point.law->release(openings_[newest], before_[newest], point.stiffness, 1);
     const Vec2 direction = point.law->held_direction(openings_[newest], released);
     return system_.equilibrium().opening_gauge(system_.loading(), newest, direction);
   }
+
+  /// What a pending point still bears of what it loses.
+  double share(std::size_t p) const { return before_[p].share > 0 ? before_[p].share : 1; }
 
   /// The equilibrium when `gone` has gone. Where Newton's method loses its way among the contacts that change
   /// meanwhile, it is led there from the start of the piece, by shorter steps of the loss.
@@ -101,8 +102,7 @@ class Release {
     std::vector<History> releasing = before_;
     for (const std::size_t p : pending_) {
       const InterfacePoint& point = system_.equilibrium().point(p);
-      const double share = before_[p].share > 0 ? before_[p].share : 1;
-      releasing[p] = point.law->release(openings_[p], before_[p], point.stiffness, (1 - gone) * share);
+      releasing[p] = point.law->release(openings_[p], before_[p], point.stiffness, (1 - gone) * share(p));
     }
     system_.set_history(std::move(releasing));
     system_.set_multipliers(guess.multipliers);
@@ -142,8 +142,9 @@ bool is_release_pending(const System& system) {
 }
 
 std::optional<ReleasedPiece> release_piece(System& system, const State& start,
-                                           const StepperParameters& parameters, const Functional* held) {
-  return Release(system, start, parameters).next(held);
+                                           const StepperParameters& parameters, const Functional* held,
+                                           double most) {
+  return Release(system, start, parameters).next(held, most);
 }
 
 namespace {
@@ -160,17 +161,48 @@ void release_pending(System& system, const State& at) {
   system.set_history(std::move(history));
 }
 
+/// Everything pending and whatever follows released in full, equilibrium found by a solver.
+std::optional<Settled> release_all(System& system, const State& start, const LoadStep& step,
+                                   const StepperParameters& parameters) {
+  const std::vector<History> before = system.history();
+  release_pending(system, start);
+  auto out = load_increment(system, start, step, parameters).settled;
+  system.set_history(before);
+  system.set_multipliers(start.multipliers);
+  return out;
+}
+
+/// Newton's method with a gauge held, whatever the load.
+class AtGauge final : public LoadSolver {
+ public:
+  AtGauge(const Functional& gauge, double value) : gauge_(gauge), value_(value) {}
+
+  Found solve(System& system, const State& from, double, const StepperParameters& parameters) override {
+    HeldEquilibrium equilibrium(system, parameters, gauge_, value_);
+    Found out;
+    out.state = equilibrium.solve(from);
+    out.newton_iterations = equilibrium.iterations();
+    return out;
+  }
+
+ private:
+  const Functional& gauge_;
+  double value_;
+};
+
 }  // namespace
 
 std::optional<Settled> release_at_load(System& system, const State& start,
                                        const StepperParameters& parameters, double load_factor) {
-  const std::vector<History> before = system.history();
-  release_pending(system, start);
   const auto newton = load_solvers().choose("newton").make();
-  auto out = load_increment(system, start, {load_factor - start.load_factor, *newton}, parameters).settled;
-  system.set_history(before);
-  system.set_multipliers(start.multipliers);
-  return out;
+  return release_all(system, start, {load_factor - start.load_factor, *newton}, parameters);
+}
+
+std::optional<Settled> release_at_gauge(System& system, const State& start,
+                                        const StepperParameters& parameters, const Functional& gauge,
+                                        double value) {
+  AtGauge solver(gauge, value);
+  return release_all(system, start, {0, solver}, parameters);
 }
 
 }  // namespace dda

@@ -28,12 +28,18 @@ struct ReleasedPiece {
 /// strength. `held` replaces the held opening by a gauge (load control holds the load). Nothing when there is
 /// no equilibrium.
 std::optional<ReleasedPiece> release_piece(System& system, const State& start,
-                                           const StepperParameters& parameters, const Functional* held);
+                                           const StepperParameters& parameters, const Functional* held,
+                                           double most);
 
 /// Everything pending released in full at a load factor given, and whatever is beyond its strength there: a
 /// release that no continuous path leads through, because friction turns over on the way, jumps to an
 /// equilibrium behind it. Nothing when there is none.
 std::optional<Settled> release_at_load(System& system, const State& start,
                                        const StepperParameters& parameters, double load_factor);
+
+/// The same with the load factor free and a gauge held at a value.
+std::optional<Settled> release_at_gauge(System& system, const State& start,
+                                        const StepperParameters& parameters, const Functional& gauge,
+                                        double value);
 
 }  // namespace dda

@@ -18,6 +18,8 @@ bool is_same(const Mat2& a, const Mat2& b) {
   return (a - b).cwiseAbs().maxCoeff() <= round_off * b.cwiseAbs().maxCoeff();
 }
 
+bool is_symmetric(const Mat2& a) { return is_same(a.transpose(), a); }
+
 }  // namespace
 
 LinearSystem::LinearSystem(const Equilibrium& equilibrium, const DirectSolverChoice& solver, Update update)
@@ -25,10 +27,9 @@ LinearSystem::LinearSystem(const Equilibrium& equilibrium, const DirectSolverCho
       solver_(solver.make()),
       update_(update),
       slot_(equilibrium.num_active(), -1) {
-  std::vector<Mat2> intact(equilibrium.num_active());
-  for (std::size_t p = 0; p < intact.size(); ++p)
-    intact[p] = equilibrium.point(p).intact_stiffness().asDiagonal();
-  if (!rebase(intact)) throw InputError({}, "the stiffness matrix is singular; check supports and materials");
+  for (std::size_t p = 0; p < equilibrium.num_active(); ++p)
+    base_.emplace_back(equilibrium.point(p).intact_stiffness().asDiagonal());
+  if (!factor_base()) throw InputError({}, "the stiffness matrix is singular; check supports and materials");
 }
 
 BlockMatrix LinearSystem::matrix_with(std::span<const Mat2> tangents) const {
@@ -46,12 +47,28 @@ BlockMatrix LinearSystem::matrix_with(std::span<const Mat2> tangents) const {
 }
 
 bool LinearSystem::rebase(std::span<const Mat2> tangents) {
-  const std::vector<Mat2> before = std::exchange(base_, {});
-  for (const Mat2& tangent : tangents) base_.emplace_back(0.5 * (tangent + tangent.transpose()));
-  if (factor_base()) return true;
+  const std::size_t friction =
+      num_columns(tangents, [](const Mat2& tangent, std::size_t) { return !is_symmetric(tangent); });
+  const std::vector<Mat2> before = base_;
+  if (!takes_friction(friction)) {
+    for (std::size_t p = 0; p < tangents.size(); ++p)
+      base_[p] = 0.5 * (tangents[p] + tangents[p].transpose());
+    if (factor_base() && friction <= columns_->most_at_once()) return true;
+  }
+  if (friction > 0) {
+    base_.assign(tangents.begin(), tangents.end());
+    if (factor_base()) return true;
+  }
   base_ = before;  // a singular tangent is no base: the old one stays in force
-  if (!base_.empty()) factor_base();
+  factor_base();
   return false;
+}
+
+/// Whether a base takes the friction whose columns these are, because it would have to be replaced at once
+/// beside them. Where columns of half solutions can be had is seen when the symmetric part is factorised.
+bool LinearSystem::takes_friction(std::size_t columns) const {
+  if (columns == 0) return false;
+  return update_ == Update::refactorise || columns > (general_ ? most_whole_columns : most_columns());
 }
 
 bool LinearSystem::factor_base() {
@@ -64,16 +81,32 @@ bool LinearSystem::factor_base() {
   reference_.solution.clear();
   dead_.solution.clear();
   ++num_factorisations_;
+  if (columns_) num_solves_ += columns_->num_solves();
+  columns_.reset();
+  if (!std::ranges::all_of(base_, is_symmetric)) {
+    if (!general_) general_.emplace(MumpsMatrix::Symmetry::none);
+    general_->set(matrix_with(base_));
+    return general_->factor();
+  }
+  general_.reset();
   if (!solver_->factor(matrix_with(base_))) return false;
   constexpr std::size_t of_many = 4, of_few = 16;
-  if (columns_) num_solves_ += columns_->num_solves();
-  columns_ = update_columns(equilibrium_, *solver_,
-                            2 * equilibrium_.num_active() <= most_columns() ? of_few : of_many);
+  batch_ = 2 * equilibrium_.num_active() <= most_columns() ? of_few : of_many;
+  columns_ = update_columns(equilibrium_, *solver_);
   return true;
 }
 
+void LinearSystem::solve_with_base(std::span<double> x) {
+  if (general_)
+    general_->solve(x, 1);
+  else
+    solver_->solve(x, 1);
+  ++num_solves_;
+}
+
 bool LinearSystem::restore(std::span<const Mat2> base, std::span<const std::size_t> updated) {
-  if (!rebase(base)) return false;
+  base_.assign(base.begin(), base.end());
+  if (!factor_base()) return false;
   for (const std::size_t point : updated)
     if (slot_[point] < 0) add_columns(point);
   return true;
@@ -88,19 +121,28 @@ std::size_t LinearSystem::most_columns() const {
       std::max(fewest, std::cbrt(1.5 * sparse_over_dense * solver_->factor_flops() / iterations_per_base)));
 }
 
-bool LinearSystem::set_tangent(std::span<const Mat2> tangents) {
-  if (update_ == Update::refactorise && !std::ranges::equal(tangents, base_, is_same) && !rebase(tangents))
-    return false;
-  const std::size_t batch = columns_->batch();
-  std::vector<bool> new_batch(tangents.size() / batch + 1, false);
-  std::size_t columns = 2 * updated_.size();
+std::size_t LinearSystem::num_columns(std::span<const Mat2> tangents,
+                                      const std::function<bool(const Mat2&, std::size_t)>& needs) const {
+  std::vector<bool> is_counted(tangents.size() / batch_ + 1, false);
+  std::size_t out = 0;
   for (std::size_t p = 0; p < tangents.size(); ++p) {
-    if (is_same(tangents[p], base_[p]) || slot_[p] >= 0 || new_batch[p / batch]) continue;
-    new_batch[p / batch] = true;
-    columns += 2 * batch;
+    if (is_counted[p / batch_] || !needs(tangents[p], p)) continue;
+    is_counted[p / batch_] = true;
+    out += 2 * batch_;
   }
-  const bool too_many = columns > most_columns() || columns - 2 * updated_.size() > columns_->most_at_once();
-  if (too_many && update_ == Update::low_rank && !rebase(tangents)) return false;
+  return out;
+}
+
+bool LinearSystem::needs_new_base(std::span<const Mat2> tangents) const {
+  if (!updates()) return !std::ranges::equal(tangents, base_, is_same);
+  const std::size_t more = num_columns(tangents, [&](const Mat2& tangent, std::size_t p) {
+    return slot_[p] < 0 && !is_same(tangent, base_[p]);
+  });
+  return 2 * updated_.size() + more > most_columns() || more > columns_->most_at_once();
+}
+
+bool LinearSystem::set_tangent(std::span<const Mat2> tangents) {
+  if (needs_new_base(tangents) && !rebase(tangents)) return false;
   tangent_.assign(tangents.begin(), tangents.end());
   active_.clear();
   for (std::size_t p = 0; p < tangents.size(); ++p) {
@@ -118,10 +160,11 @@ bool LinearSystem::is_as_in_base(std::size_t point, const Vec2& q, const Respons
 }
 
 bool LinearSystem::make_columns(std::span<const std::size_t> points) {
+  if (!updates()) return false;
   std::vector<std::size_t> batches;
   for (const std::size_t p : points)
-    if (batches.empty() || batches.back() != p / columns_->batch()) batches.push_back(p / columns_->batch());
-  const std::size_t columns = 2 * columns_->batch() * batches.size();
+    if (batches.empty() || batches.back() != p / batch_) batches.push_back(p / batch_);
+  const std::size_t columns = 2 * batch_ * batches.size();
   if (columns > columns_->most_at_once() || 2 * updated_.size() + columns > most_columns()) return false;
   for (const std::size_t p : points)
     if (slot_[p] < 0) add_columns(p);
@@ -157,8 +200,8 @@ Eigen::VectorXd LinearSystem::along_columns(const Functional& gauge) {
 /// Computes Z for the batch of a point, and its couplings in G with every point before it.
 void LinearSystem::add_columns(std::size_t point) {
   const auto scope = timings_->measure("columns");
-  const std::size_t batch = columns_->batch(), first = updated_.size(), begin = point / batch * batch;
-  const std::size_t end = std::min(begin + batch, equilibrium_.num_active());
+  const std::size_t first = updated_.size(), begin = point / batch_ * batch_;
+  const std::size_t end = std::min(begin + batch_, equilibrium_.num_active());
   for (std::size_t p = begin; p < end; ++p) {
     slot_[p] = static_cast<int>(updated_.size());
     updated_.push_back(p);
@@ -182,6 +225,7 @@ bool LinearSystem::factor_small() {
 }
 
 std::optional<int> LinearSystem::num_negative_eigenvalues() const {
+  if (general_) return {};
   int out = solver_->num_negative_pivots();
   if (out < 0) return {};
   std::vector<double> e;                         // eigenvalues of E that are not zero
@@ -220,13 +264,12 @@ const std::vector<double>& LinearSystem::solution_of(Kept& kept) {
   const auto scope = timings_->measure("solutions");
   kept.solution = kept.right;
   if (std::ranges::all_of(kept.right, [](double value) { return value == 0; })) return kept.solution;
-  solver_->solve(kept.solution, 1);
+  solve_with_base(kept.solution);
   std::vector<double> rest(n());  // refined once: iterates that are put together from it cannot be
   multiply(base_, kept.solution, rest);
   for (std::size_t i = 0; i < rest.size(); ++i) rest[i] = kept.right[i] - rest[i];
-  solver_->solve(rest, 1);
+  solve_with_base(rest);
   for (std::size_t i = 0; i < rest.size(); ++i) kept.solution[i] += rest[i];
-  num_solves_ += 2;
   return kept.solution;
 }
 
@@ -238,12 +281,12 @@ void LinearSystem::solve_base(std::span<const double> b, std::span<double> y) {
   } else {
     const auto scope = timings_->measure("solutions");
     std::ranges::copy(b, y.begin());
-    solver_->solve(y, 1);
-    ++num_solves_;
+    solve_with_base(y);
   }
 }
 
 bool LinearSystem::solve_base_residual(const Iterate& at, std::span<double> y) {
+  if (!columns_ || !columns_->product_is_cheap()) return false;
   std::vector<std::size_t> points;
   std::vector<double> minus_z;
   for (std::size_t p = 0; p < at.traction.size(); ++p) {
@@ -255,7 +298,6 @@ bool LinearSystem::solve_base_residual(const Iterate& at, std::span<double> y) {
     points.push_back(p);
     for (const double component : z) minus_z.push_back(-equilibrium_.point(p).weight * component);
   }
-  if (!columns_->product_is_cheap()) return false;
   const Eigen::MatrixXd forces =
       Eigen::Map<const Eigen::VectorXd>(minus_z.data(), static_cast<Eigen::Index>(minus_z.size()));
   const std::vector<double>&live = solution_of(reference_), &dead = solution_of(dead_);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -7,6 +8,7 @@
 
 #include "continuation/linear/dense_lu.hpp"
 #include "continuation/linear/direct_solver.hpp"
+#include "continuation/linear/mumps_matrix.hpp"
 #include "continuation/linear/update_columns.hpp"
 #include "framework/output/timings.hpp"
 #include "models/equilibrium.hpp"
@@ -21,7 +23,9 @@ namespace dda {
 /// Sherman-Morrison-Woodbury. Z and G grow by the columns of points that change for the first time. When so
 /// many points have changed that the dense part costs more than a factorisation, the present tangent becomes
 /// the base; that is decided by counts, never by clocks, so that runs repeat. The base is symmetric: of a
-/// frictional tangent it takes the symmetric part, and the rest stays an update.
+/// frictional tangent it takes the symmetric part, and the rest stays an update. Where more slides than is
+/// worth updating, and wherever nothing is updated, the unsymmetric tangent is the base itself, by LU, and
+/// every other tangent a new one.
 class LinearSystem {
  public:
   enum class Update { low_rank, refactorise };
@@ -69,8 +73,8 @@ class LinearSystem {
   /// K_base⁻¹ of these (and of their negatives) is computed once per base.
   void keep_solutions_of(std::vector<double> reference, std::vector<double> dead);
 
-  /// Whether cracked points are updates of a base.
-  bool updates() const { return update_ == Update::low_rank; }
+  /// Whether cracked points are updates of the base.
+  bool updates() const { return update_ == Update::low_rank && !general_; }
   /// Whether a point answers at q as its part of the base does.
   bool is_as_in_base(std::size_t point, const Vec2& q, const Response& now) const;
   bool has_columns(std::size_t point) const { return slot_[point] >= 0; }
@@ -94,7 +98,7 @@ class LinearSystem {
   bool restore(std::span<const Mat2> base, std::span<const std::size_t> updated);
 
   std::size_t num_factorisations() const { return num_factorisations_; }
-  std::size_t num_solves() const { return num_solves_ + columns_->num_solves(); }
+  std::size_t num_solves() const { return num_solves_ + (columns_ ? columns_->num_solves() : 0); }
 
  private:
   struct Kept {
@@ -103,6 +107,12 @@ class LinearSystem {
 
   /// Makes K_base the stiffness with these D. False when singular; then the base stays what it was.
   bool rebase(std::span<const Mat2> tangents);
+  bool needs_new_base(std::span<const Mat2> tangents) const;
+  bool takes_friction(std::size_t columns) const;
+  /// Columns of the batches with a point that needs one.
+  std::size_t num_columns(std::span<const Mat2> tangents,
+                          const std::function<bool(const Mat2&, std::size_t)>& needs) const;
+  void solve_with_base(std::span<double> x);
   /// Factorises K_base and forgets all columns.
   bool factor_base();
   /// Columns beyond which a new base is cheaper.
@@ -122,11 +132,13 @@ class LinearSystem {
 
   const Equilibrium& equilibrium_;
   std::unique_ptr<DirectSolver> solver_;
+  std::optional<MumpsMatrix> general_;  ///< the base where it is not symmetric
   Update update_;
   std::vector<Mat2> base_, tangent_;
+  std::size_t batch_ = 1;                   ///< points that get their columns together
   std::vector<std::size_t> updated_;        ///< points with columns, in order
   std::vector<int> slot_;                   ///< point → index in updated_, −1 when none
-  std::unique_ptr<UpdateColumns> columns_;  ///< Z
+  std::unique_ptr<UpdateColumns> columns_;  ///< Z; none beside an unsymmetric base
   Eigen::MatrixXd g_;                       ///< U K_base⁻¹ Uᵀ, at least 2 · updated square
   std::vector<std::size_t> active_;         ///< updated points with E ≠ 0 now
   DenseLu small_;                           ///< of 1 + E G

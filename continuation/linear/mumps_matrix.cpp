@@ -16,11 +16,11 @@ constexpr int job_initialise = -1, job_end = -2, job_analyse = 1, job_factor = 2
 
 }  // namespace
 
-MumpsMatrix::MumpsMatrix() {
+MumpsMatrix::MumpsMatrix(Symmetry symmetry) {
   start_mpi();
   id_.comm_fortran = static_cast<MUMPS_INT>(MPI_Comm_c2f(MPI_COMM_SELF));
   id_.par = 1;
-  id_.sym = 2;
+  id_.sym = static_cast<MUMPS_INT>(symmetry);
   call(job_initialise);
   for (const int stream : {1, 2, 3}) control(stream) = -1;  // silent
   control(4) = 0;
@@ -60,9 +60,9 @@ void MumpsMatrix::set(const BlockMatrix& a) {
   for (std::size_t r = 0; r < a.num_rows(); ++r)
     for (std::size_t s = a.row_start()[r]; s < a.row_start()[r + 1]; ++s) {
       const std::size_t c = a.columns()[s];
-      if (c > r) continue;
+      if (is_symmetric() && c > r) continue;
       for (int i = 0; i < block_unknowns; ++i)
-        for (int j = 0; j < (c == r ? i + 1 : block_unknowns); ++j) {
+        for (int j = 0; j < (is_symmetric() && c == r ? i + 1 : block_unknowns); ++j) {
           rows.push_back(static_cast<MUMPS_INT>(6 * r + i + 1));
           columns.push_back(static_cast<MUMPS_INT>(6 * c + j + 1));
           values_.push_back(a.value(s)(i, j));
@@ -138,7 +138,7 @@ void MumpsMatrix::subtract_product(const double* x, double* y) const {
   for (std::size_t e = 0; e < values_.size(); ++e) {
     const auto row = rows_[e] - 1, column = columns_[e] - 1;
     y[row] -= values_[e] * x[column];
-    if (row != column) y[column] -= values_[e] * x[row];
+    if (is_symmetric() && row != column) y[column] -= values_[e] * x[row];
   }
 }
 

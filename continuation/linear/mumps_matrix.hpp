@@ -9,25 +9,29 @@
 
 namespace dda {
 
-/// An instance of MUMPS for symmetric, possibly indefinite matrices (sym = 2) of one rank, with its matrix.
+/// An instance of MUMPS of one rank, with its matrix: symmetric and possibly indefinite (sym = 2), or
+/// unsymmetric with a symmetric pattern (sym = 0).
 ///
 /// Controls and results have the numbers of MUMPS' users' guide: `control(24)` is ICNTL(24), `count(12)` is
 /// INFOG(12). Must not outlive the MPI session.
 class MumpsMatrix {
  public:
-  MumpsMatrix();
+  enum class Symmetry { none = 0, general = 2 };
+
+  explicit MumpsMatrix(Symmetry symmetry = Symmetry::general);
   ~MumpsMatrix();
   MumpsMatrix(const MumpsMatrix&) = delete;
   MumpsMatrix& operator=(const MumpsMatrix&) = delete;
 
-  /// Takes the lower triangle of A; the pattern may be another one than last time.
+  /// Takes A, its lower triangle if it is symmetric; the pattern may be another one than last time.
   ///
   /// Multipliers are eliminated after the blocks they tie: a tie contributes P to the blocks' part and δ P to
   /// its own, so that both stay definite and no pivot has to wait. In an ordering that knows nothing of it
   /// the redundant multipliers of bonded polygons do, by the thousand. Pivots δ P cost digits: solutions are
   /// refined.
   void set(const BlockMatrix& a);
-  /// LDLᵀ of the matrix, analysed before when its pattern is new. False when it is numerically singular.
+  /// LDLᵀ or LU of the matrix, analysed before when its pattern is new. False when it is numerically
+  /// singular.
   bool factor();
   /// Memory that a factorisation of A will take, its own copy of A included [bytes].
   double factor_bytes(const BlockMatrix& a);
@@ -40,6 +44,7 @@ class MumpsMatrix {
   double real_result(int number) const { return id_.rinfog[number - 1]; }  ///< RINFOG
 
  private:
+  bool is_symmetric() const { return id_.sym != 0; }
   /// Enlarges the workspace when MUMPS asks for it; false when the matrix is singular.
   bool call(int job);
   void point_at(std::size_t n);

@@ -18,10 +18,8 @@ Eigen::Index row_of(std::size_t place) { return 2 * static_cast<Eigen::Index>(pl
 /// that memory follows the factor and not the cracks.
 class WholeColumns final : public UpdateColumns {
  public:
-  WholeColumns(const Equilibrium& equilibrium, DirectSolver& solver, std::size_t batch)
-      : equilibrium_(equilibrium), solver_(solver), batch_(batch) {}
-
-  std::size_t batch() const override { return batch_; }
+  WholeColumns(const Equilibrium& equilibrium, DirectSolver& solver)
+      : equilibrium_(equilibrium), solver_(solver) {}
 
   void add(std::span<const std::size_t> points, Matrix& g) override {
     std::vector<double> columns(2 * points.size() * n(), 0.0);
@@ -51,9 +49,7 @@ class WholeColumns final : public UpdateColumns {
 
   bool product_is_cheap() const override { return keeps_z_; }
 
-  std::size_t most_at_once() const override {
-    return 160;  // more are soon made again, and a factorisation is cheaper
-  }
+  std::size_t most_at_once() const override { return most_whole_columns; }
 
  private:
   std::size_t n() const { return equilibrium_.num_unknowns(); }
@@ -103,7 +99,6 @@ class WholeColumns final : public UpdateColumns {
 
   const Equilibrium& equilibrium_;
   DirectSolver& solver_;
-  const std::size_t batch_;
   std::vector<std::size_t> points_;
   bool keeps_z_ = true;
   std::vector<double> z_;  ///< n × 2 per point
@@ -117,14 +112,11 @@ class WholeColumns final : public UpdateColumns {
 /// product half a solution.
 class HalfColumns final : public UpdateColumns {
  public:
-  HalfColumns(const Equilibrium& equilibrium, const HalfSolver& solver, std::size_t batch)
+  HalfColumns(const Equilibrium& equilibrium, const HalfSolver& solver)
       : equilibrium_(equilibrium),
         solver_(solver),
-        batch_(batch),
         watched_(equilibrium.watched()),
         way_(solver.narrow_way(watched_)) {}
-
-  std::size_t batch() const override { return batch_; }
 
   void add(std::span<const std::size_t> points, Matrix& g) override {
     for (const std::size_t point : points) {
@@ -179,7 +171,6 @@ class HalfColumns final : public UpdateColumns {
 
   const Equilibrium& equilibrium_;
   const HalfSolver& solver_;
-  const std::size_t batch_;
   const std::vector<BlockId> watched_;
   const std::optional<std::vector<int>> way_;  ///< of the watched ones, where it is narrow
   std::vector<HalfSolution> y_;
@@ -187,11 +178,9 @@ class HalfColumns final : public UpdateColumns {
 
 }  // namespace
 
-std::unique_ptr<UpdateColumns> update_columns(const Equilibrium& equilibrium, DirectSolver& solver,
-                                              std::size_t batch) {
-  if (const HalfSolver* halves = solver.halves())
-    return std::make_unique<HalfColumns>(equilibrium, *halves, batch);
-  return std::make_unique<WholeColumns>(equilibrium, solver, batch);
+std::unique_ptr<UpdateColumns> update_columns(const Equilibrium& equilibrium, DirectSolver& solver) {
+  if (const HalfSolver* halves = solver.halves()) return std::make_unique<HalfColumns>(equilibrium, *halves);
+  return std::make_unique<WholeColumns>(equilibrium, solver);
 }
 
 }  // namespace dda

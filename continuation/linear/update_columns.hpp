@@ -10,13 +10,13 @@
 
 namespace dda {
 
+/// Whole columns that are worth making at once: more are soon made again, and a factorisation is cheaper.
+inline constexpr std::size_t most_whole_columns = 160;
+
 /// Columns of Z = K⁻¹ Uᵀ, two for every point whose rows U = B were added, in that order.
 class UpdateColumns {
  public:
   virtual ~UpdateColumns() = default;
-  /// Points that had better be added together; always the same partition of them all, so that a restored run
-  /// makes the same numbers.
-  virtual std::size_t batch() const = 0;
   /// Adds two columns for each point, and what they have in common with all that were there to G = U Z,
   /// which is large enough for it.
   virtual void add(std::span<const std::size_t> points, Eigen::MatrixXd& g) = 0;
@@ -41,7 +41,6 @@ class UpdateColumns {
 };
 
 /// Columns for what the solver has factorised last.
-std::unique_ptr<UpdateColumns> update_columns(const Equilibrium& equilibrium, DirectSolver& solver,
-                                              std::size_t batch);
+std::unique_ptr<UpdateColumns> update_columns(const Equilibrium& equilibrium, DirectSolver& solver);
 
 }  // namespace dda
