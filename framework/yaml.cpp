@@ -135,10 +135,10 @@ class Builder {
     std::string text(reinterpret_cast<const char*>(scalar.value), scalar.length);
     const bool quoted = scalar.style != YAML_PLAIN_SCALAR_STYLE || tag == "!" || tag.ends_with(":str");
     const bool is_null = !quoted && tag.empty() && means_nothing(text);
-    Node& node = begin(is_null ? Node::Kind::null : Node::Kind::scalar, where, text_of(scalar.anchor));
+    Node node = make(is_null ? Node::Kind::null : Node::Kind::scalar, where);
     if (!is_null) node.text = std::move(text);
     node.quoted = quoted;
-    end();
+    finish(std::move(node), text_of(scalar.anchor));
   }
 
   void add_alias(const std::string& anchor, const Position& where) {
@@ -147,27 +147,34 @@ class Builder {
     const auto known = anchors_.find(anchor);
     if (known == anchors_.end()) throw InputError(where, "nothing is named '&" + anchor + "' before this");
     count(count_nodes(known->second), where);
-    place(known->second);
+    place(Node(known->second));
   }
 
-  Node& begin(Node::Kind kind, const Position& where, std::string anchor) {
+  Node make(Node::Kind kind, const Position& where) {
+    if (open_.size() > max_depth) throw InputError(where, "nested too deeply");
+    count(1, where);
     Node node;
     node.kind = kind;
     node.where = where;
-    if (open_.size() > max_depth) throw InputError(where, "nested too deeply");
-    count(1, where);
-    open_.push_back({std::move(node), std::move(anchor)});
-    return open_.back().node;
+    return node;
+  }
+
+  void begin(Node::Kind kind, const Position& where, std::string anchor) {
+    open_.push_back({make(kind, where), std::move(anchor)});
   }
 
   void end() {
-    Node node = std::move(open_.back().node);
-    if (!open_.back().anchor.empty()) anchors_[open_.back().anchor] = node;
+    Open done = std::move(open_.back());
     open_.pop_back();
+    finish(std::move(done.node), done.anchor);
+  }
+
+  void finish(Node node, const std::string& anchor) {
+    if (!anchor.empty()) anchors_[anchor] = node;
     place(std::move(node));
   }
 
-  void place(Node node) {
+  void place(Node&& node) {
     if (open_.empty())
       root_ = std::move(node);
     else if (open_.back().node.is_sequence())
@@ -178,7 +185,7 @@ class Builder {
       add_entry(open_.back(), std::move(node));
   }
 
-  void add_entry(Open& map, Node value) {
+  void add_entry(Open& map, Node&& value) {
     const Node key = *std::exchange(map.key, std::nullopt);
     if (!key.is_scalar()) {
       findings_.add(key.where, "a key must be a plain name");

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
+#include <utility>
 
 #include "framework/settings.hpp"
 
@@ -49,15 +51,33 @@ std::string scalar_text(const std::string& text, bool quoted) {
   return quoted || !is_plain(text) ? quote(text) : text;
 }
 
-/// One line: "null", "3", "[1, 2]", "[[0, 0], [1, 0]]", "{}", "{a: 1, b: [2, 3]}".
+constexpr std::size_t any_length = std::string::npos;
+
+/// Adds one line: "null", "3", "[1, 2]", "[[0, 0], [1, 0]]", "{}", "{a: 1, b: [2, 3]}". What would come after
+/// the limit may be left out.
+void add_inline(std::string& line, const Node& node, std::size_t limit) {
+  if (node.is_null()) line += "null";
+  if (node.is_scalar()) line += scalar_text(node.text, node.quoted);
+  if (node.is_null() || node.is_scalar()) return;
+  line += node.is_map() ? "{" : "[";
+  const char* between = "";
+  for (const Node& item : node.items) {
+    if (line.size() > limit) return;
+    line += std::exchange(between, ", ");
+    add_inline(line, item, limit);
+  }
+  for (const auto& [key, where, value] : node.entries) {
+    if (line.size() > limit) return;
+    line += std::exchange(between, ", ") + scalar_text(key, false) + ": ";
+    add_inline(line, value, limit);
+  }
+  line += node.is_map() ? "}" : "]";
+}
+
 std::string inline_text(const Node& node) {
-  if (node.is_null()) return "null";
-  if (node.is_scalar()) return scalar_text(node.text, node.quoted);
-  std::string text;
-  for (const Node& item : node.items) text += (text.empty() ? "" : ", ") + inline_text(item);
-  for (const auto& [key, where, value] : node.entries)
-    text += (text.empty() ? "" : ", ") + scalar_text(key, false) + ": " + inline_text(value);
-  return node.is_map() ? "{" + text + "}" : "[" + text + "]";
+  std::string line;
+  add_inline(line, node, any_length);
+  return line;
 }
 
 bool holds_map(const Node& node) {
@@ -65,14 +85,21 @@ bool holds_map(const Node& node) {
          std::any_of(node.items.begin(), node.items.end(), holds_map);
 }
 
-bool fits_one_line(const Node& node) { return !holds_map(node) && inline_text(node).size() <= line_width; }
+/// The node where it stands in one line: every scalar, lists and maps that are short and hold no map.
+std::optional<std::string> one_line(const Node& node) {
+  if (node.is_null() || node.is_scalar()) return inline_text(node);
+  if (holds_map(node)) return std::nullopt;
+  std::string line;
+  add_inline(line, node, line_width);
+  return line.size() <= line_width ? std::optional(std::move(line)) : std::nullopt;
+}
 
 std::string block(const Node& node, std::size_t indent);
 
 /// What follows "key:" or "-": the value on the same line, or a block on the next ones.
 std::string after_marker(const Node& node, std::size_t indent) {
-  const bool is_block = !node.is_null() && !node.is_scalar() && !fits_one_line(node);
-  return is_block ? "\n" + block(node, indent) : " " + inline_text(node) + "\n";
+  const std::optional<std::string> line = one_line(node);
+  return line ? " " + *line + "\n" : "\n" + block(node, indent);
 }
 
 /// A map under a dash starts on the dash's line.
@@ -95,7 +122,8 @@ std::string block(const Node& node, std::size_t indent) {
 }  // namespace
 
 std::string to_yaml(const Node& node) {
-  return fits_one_line(node) ? inline_text(node) + "\n" : block(node, 0);
+  const std::optional<std::string> line = one_line(node);
+  return line ? *line + "\n" : block(node, 0);
 }
 
 std::string to_flow_yaml(const Node& node) { return node.is_null() ? "" : inline_text(node); }

@@ -25,18 +25,26 @@ Vec2 point_inside(const Polygon& polygon);
 /// Clips many polygons by one figure.
 class Clipper {
  public:
-  explicit Clipper(const Figure& figure);
-  ~Clipper();
+  static std::unique_ptr<const Clipper> of(const Figure& figure);
+
+  Clipper() = default;
+  virtual ~Clipper() = default;
   Clipper(const Clipper&) = delete;
   Clipper& operator=(const Clipper&) = delete;
 
   /// What of the polygon lies in the figure: none, one or several pieces.
-  std::vector<Figure> clip(const Polygon& polygon) const;
-  bool holds(const Vec2& x) const;
+  virtual std::vector<Figure> clip(const Polygon& polygon) const = 0;
+  virtual bool holds(const Vec2& x) const = 0;
+};
 
- private:
-  struct State;
-  std::unique_ptr<State> state_;
+/// What the GEOS module gives out under the symbol `dda_geos_module`. It is loaded with the first question: a
+/// scene of triangles, grids or convex polygons has none, and GEOS makes the start of a process 5 ms longer.
+struct GeosModule {
+  double (*common_area)(const Figure&, const Figure&);
+  std::vector<Figure> (*cut)(const Figure&, const std::vector<std::vector<Vec2>>&);
+  std::vector<Polygon> (*voronoi_cells)(const std::vector<Vec2>&, const Box&);
+  Vec2 (*point_inside)(const Polygon&);
+  std::unique_ptr<const Clipper> (*clipper)(const Figure&);
 };
 
 }  // namespace dda

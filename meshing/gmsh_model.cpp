@@ -1,35 +1,15 @@
 #include "meshing/gmsh_model.hpp"
 
-#include <dlfcn.h>
-
-#include <filesystem>
-#include <stdexcept>
-
+#include "framework/loaded.hpp"
 #include "meshing/mesh_file.hpp"
 
 namespace dda {
 namespace {
 
-constexpr const char* file_name = "dda_gmsh.so";
-
-/// Beside the program when installed there, else where it was built.
-std::string module_path() {
-  std::error_code failure;
-  const auto beside = std::filesystem::read_symlink("/proc/self/exe", failure).parent_path() / file_name;
-  return std::filesystem::exists(beside, failure) ? beside.string() : DDA_GMSH_MODULE;
-}
-
-const GmshModule& load() {
-  void* handle = dlopen(module_path().c_str(), RTLD_LAZY | RTLD_LOCAL);
-  const void* symbol = handle ? dlsym(handle, "dda_gmsh_module") : nullptr;
-  if (!symbol) throw std::runtime_error(std::string("cannot load gmsh: ") + dlerror());
-  return *static_cast<const GmshModule*>(symbol);
-}
-
-/// Stays loaded: gmsh's libraries do not survive being unloaded and loaded again.
 const GmshModule& module() {
-  static const GmshModule& loaded = load();
-  return loaded;
+  static const auto* loaded =
+      static_cast<const GmshModule*>(symbol_of(module_file(DDA_GMSH_MODULE), "dda_gmsh_module"));
+  return *loaded;
 }
 
 }  // namespace

@@ -143,12 +143,12 @@ void sort_by_centroid(std::vector<Polygon>& cells) {
 }  // namespace
 
 std::vector<Polygon> centroidal_voronoi(const Figure& figure, const VoronoiWish& wish) {
-  const Clipper region(figure);
+  const std::unique_ptr<const Clipper> region = Clipper::of(figure);
   const Box box = bounding_box(figure.outline.vertices);
-  std::vector<Vec2> sites = random_sites(region, box, wish);
-  for (int i = 0; i < wish.iterations; ++i) sites = relaxed(sites, region, box);
+  std::vector<Vec2> sites = random_sites(*region, box, wish);
+  for (int i = 0; i < wish.iterations; ++i) sites = relaxed(sites, *region, box);
   std::vector<Polygon> cells;
-  for (const Pieces& pieces : clipped_cells(sites, region, box))
+  for (const Pieces& pieces : clipped_cells(sites, *region, box))
     for (const Figure& piece : pieces) add_without_holes(piece, cells);
   const double size = std::sqrt(area(figure) / static_cast<double>(wish.blocks));
   cells = without_short_edges(cells, figure, size);

@@ -105,8 +105,9 @@ int check_sweep(const CommandLine& command) {
 }  // namespace
 
 int command_check(const CommandLine& command) {
-  if (is_sweep(command.deck, command.overrides)) return check_sweep(command);
-  const DeckFile file = read_deck(command.deck, command.overrides);
+  DeckSource source = read_source(command.deck);
+  if (is_sweep(source.root, command.overrides)) return check_sweep(command);
+  const DeckFile file = read_deck(std::move(source), command.overrides);
   Timings timings;
   const MpiSession mpi;
   const Simulation simulation(file.deck, timings);

@@ -8,8 +8,9 @@
 namespace dda {
 
 int command_run(const CommandLine& line) {
-  if (is_sweep(line.deck, line.overrides)) return command_sweep(line);
-  const DeckFile deck = read_deck(line.deck, line.overrides);
+  DeckSource source = read_source(line.deck);
+  if (is_sweep(source.root, line.overrides)) return command_sweep(line);
+  const DeckFile deck = read_deck(std::move(source), line.overrides);
   std::optional<MpiSession> mpi;
   const RunResult result = run_deck(deck, line.run, mpi);
   if (line.run.profile) fmt::print("{}", profile_table(result.summary));

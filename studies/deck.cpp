@@ -111,18 +111,28 @@ const Schema<Deck>& deck_schema() {
   return schema;
 }
 
+DeckSource read_source(const std::filesystem::path& path) {
+  std::string text = read_whole(path);
+  Node root = parse_yaml(text, path.string());
+  return {path, std::move(text), std::move(root)};
+}
+
+DeckFile read_deck(DeckSource source, const std::vector<std::string>& overrides) {
+  for (const std::string& assignment : overrides) set_value(source.root, assignment);
+  refuse_sweep(source.root);
+  return {.path = std::move(source.path),
+          .text = std::move(source.text),
+          .overrides = overrides,
+          .deck = deck_schema().read(source.root)};
+}
+
 DeckFile read_deck(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
-  return deck_from_text(read_whole(path), path, overrides);
+  return read_deck(read_source(path), overrides);
 }
 
 DeckFile deck_from_text(const std::string& text, const std::filesystem::path& path,
                         const std::vector<std::string>& overrides) {
-  DeckFile out{.path = path, .text = text, .overrides = overrides, .deck = {}};
-  Node root = parse_yaml(text, path.string());
-  for (const std::string& assignment : overrides) set_value(root, assignment);
-  refuse_sweep(root);
-  out.deck = deck_schema().read(root);
-  return out;
+  return read_deck({path, text, parse_yaml(text, path.string())}, overrides);
 }
 
 std::string effective_deck(const DeckFile& file) {

@@ -59,6 +59,16 @@ struct Deck : ModelParameters {
 /// The one declaration of a deck: reading, explain, JSON schema and effective deck come from it.
 const Schema<Deck>& deck_schema();
 
+/// A file with a deck or a sweep: its text, and the tree of the text.
+struct DeckSource {
+  std::filesystem::path path;
+  std::string text;
+  Node root;
+};
+
+/// Throws InputError when the file cannot be read or is no YAML.
+DeckSource read_source(const std::filesystem::path& path);
+
 /// A deck as read: its text, its tree with overrides, and its values.
 struct DeckFile {
   std::filesystem::path path;
@@ -68,6 +78,7 @@ struct DeckFile {
 };
 
 /// Reads, overrides and validates a deck. Throws InputError with every finding.
+DeckFile read_deck(DeckSource source, const std::vector<std::string>& overrides);
 DeckFile read_deck(const std::filesystem::path& path, const std::vector<std::string>& overrides);
 
 /// The same for a deck held as text; `path` is what positions say and where relative file names start.

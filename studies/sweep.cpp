@@ -178,11 +178,12 @@ std::vector<SweptKey> Sweep::keys() const {
   return out;
 }
 
-bool is_sweep(const fs::path& file, const std::vector<std::string>& overrides) {
-  Node root = parse_yaml(read_whole(file), file.string());
+bool is_sweep(const Node& root, const std::vector<std::string>& overrides) {
+  Node own = Node::map();
+  if (const Node* given = root.find(section)) own.set(section, *given);
   for (const std::string& text : overrides)
-    if (concerns_section(text)) set_in_section(root, text);
-  const Node* found = root.find(section);
+    if (concerns_section(text)) set_in_section(own, text);
+  const Node* found = own.find(section);
   return found && !found->is_null();
 }
 

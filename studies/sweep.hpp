@@ -33,8 +33,8 @@ struct Sweep {
   std::vector<SweptKey> keys() const;
 };
 
-/// Whether a YAML file has a `sweep` section, after the overrides. InputError when it cannot be read.
-bool is_sweep(const std::filesystem::path& file, const std::vector<std::string>& overrides);
+/// Whether a file's tree has a `sweep` section, after the overrides.
+bool is_sweep(const Node& root, const std::vector<std::string>& overrides);
 
 /// Reads a sweep file and the decks of all cases; overrides of `sweep.…` belong to the section, others to
 /// each deck. Nothing is meshed. Throws InputError with every finding, at the entries of the sweep file.

@@ -8,11 +8,19 @@
 #include <string>
 
 #include "continuation/mpi_session.hpp"
+#include "framework/loaded.hpp"
 
 namespace dda {
 namespace {
 
 constexpr int job_initialise = -1, job_end = -2, job_analyse = 1, job_factor = 2, job_solve = 3;
+
+/// MUMPS, loaded with the first matrix: most runs never meet an indefinite one.
+void run_mumps(DMUMPS_STRUC_C& instance) {
+  static const auto function =
+      reinterpret_cast<decltype(&dmumps_c)>(symbol_of(DDA_MUMPS_LIBRARY, "dmumps_c"));
+  function(&instance);
+}
 
 }  // namespace
 
@@ -145,7 +153,7 @@ void MumpsMatrix::subtract_product(const double* x, double* y) const {
 bool MumpsMatrix::call(int job) {
   for (;;) {
     id_.job = job;
-    dmumps_c(&id_);
+    run_mumps(id_);
     const int error = count(1);
     if (error >= 0) return true;
     constexpr int workspace_too_small = -9, other_workspace_too_small = -8, singular = -10;

@@ -39,7 +39,7 @@ std::string header_of(const std::vector<Column>& columns) {
 void write_units(const fs::path& table, const std::vector<Column>& columns) {
   nlohmann::ordered_json units = nlohmann::ordered_json::object();
   for (const Column& column : columns) units[column.name] = column.unit;
-  write_whole(fs::path(table).replace_extension(".units.json"), units.dump(2) + '\n');
+  write_whole(fs::path(table).replace_extension(".units.json"), units.dump(2) + '\n', Flush::to_system);
 }
 
 /// Where the record that starts at `begin` ends, newline included; npos when the newline is missing.

@@ -92,13 +92,22 @@ Handle space_of(std::size_t size, std::size_t width) {
   return Handle(H5Screate_simple(width == 1 ? 1 : 2, extent.data(), nullptr), H5Sclose, "array size");
 }
 
+/// HDF5 clears both buffers in which it converts texts; by default each has 1 MiB, whatever is to be
+/// converted.
+Handle transfer() {
+  constexpr std::size_t buffer = 1 << 12;
+  const hid_t list = H5Pcreate(H5P_DATASET_XFER);
+  H5Pset_buffer(list, buffer, nullptr, nullptr);
+  return Handle(list, H5Pclose, "transfer");
+}
+
 /// A type for storage and for memory; the same layout in both, so values pass bit for bit.
 void write_array(hid_t file, const std::string& name, hid_t type, std::pair<const void*, hid_t> values) {
   const Handle links = making_groups();
   const Handle set(H5Dcreate2(file, name.c_str(), type, values.second, links, H5P_DEFAULT, H5P_DEFAULT),
                    H5Dclose, name);
   if (H5Sget_simple_extent_npoints(values.second) == 0) return;
-  checked(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.first), name);
+  checked(H5Dwrite(set, type, H5S_ALL, H5S_ALL, transfer(), values.first), name);
 }
 
 Handle open_array(hid_t file, const std::string& name) {
@@ -114,7 +123,7 @@ template <class Value>
 std::vector<Value> read_array(hid_t file, const std::string& name, hid_t type) {
   const Handle set = open_array(file, name);
   std::vector<Value> values(size_of(set, name));
-  if (!values.empty()) checked(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), name);
+  if (!values.empty()) checked(H5Dread(set, type, H5S_ALL, H5S_ALL, transfer(), values.data()), name);
   return values;
 }
 

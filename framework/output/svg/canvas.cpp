@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 
 namespace dda::svg {
 namespace {
@@ -35,10 +37,9 @@ const char* name_of(Anchor anchor) {
 }
 
 std::string stroke_of(const LineStyle& style) {
-  const std::string dashes =
-      style.dashed
-          ? fmt::format(" stroke-dasharray=\"5 9\" stroke-dashoffset=\"{}\"", coordinate(style.dash_offset))
-          : "";
+  const std::string dashes = style.dashed ? fmt::format(" stroke-dasharray=\"5 9\" stroke-dashoffset=\"{}\"",
+                                                        coordinate(style.dash_offset))
+                                          : "";
   return fmt::format("stroke=\"{}\" stroke-width=\"{}\"{}", style.colour, coordinate(style.width), dashes);
 }
 
@@ -62,7 +63,9 @@ std::string fitted(std::string_view text, double size, double room) {
 }
 
 std::string coordinate(double value) {
-  std::string text = fmt::format("{:.2f}", value);
+  std::array<char, 320> buffer;  // the largest number has 309 digits
+  const auto end = std::to_chars(buffer.begin(), buffer.end(), value, std::chars_format::fixed, 2).ptr;
+  std::string text(buffer.begin(), end);
   while (text.back() == '0') text.pop_back();
   if (text.back() == '.') text.pop_back();
   return text == "-0" ? "0" : text;

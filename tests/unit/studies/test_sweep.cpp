@@ -33,9 +33,9 @@ TEST(Sweep, OfTheDeckItStandsIn) {
   EXPECT_EQ(sweep.title, "A small beam");
   EXPECT_EQ(sweep.cases[0].deck, example.folder() / "s.yaml");
   EXPECT_THAT(sweep.cases[0].overrides, ElementsAre("sweep=", "thickness=1"));
-  EXPECT_TRUE(is_sweep(example.folder() / "s.yaml", {}));
-  EXPECT_FALSE(is_sweep(example.folder() / "s.yaml", {"sweep="}));
-  EXPECT_FALSE(is_sweep(example.folder() / "a.yaml", {"thickness=1"}));
+  EXPECT_TRUE(is_sweep(read_yaml(example.folder() / "s.yaml"), {}));
+  EXPECT_FALSE(is_sweep(read_yaml(example.folder() / "s.yaml"), {"sweep="}));
+  EXPECT_FALSE(is_sweep(read_yaml(example.folder() / "a.yaml"), {"thickness=1"}));
 }
 
 TEST(Sweep, OfSeveralDecks) {
