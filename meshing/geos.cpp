@@ -169,6 +169,8 @@ Clipper::Clipper(const Figure& figure) : state_(std::make_unique<State>()) {
 
 Clipper::~Clipper() = default;
 
+const Figure& Clipper::figure() const { return state_->figure; }
+
 std::vector<Figure> Clipper::clip(const Polygon& polygon) const {
   const Polygon& outline = state_->figure.outline;
   if (state_->convex && is_convex(polygon)) {

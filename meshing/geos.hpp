@@ -22,7 +22,7 @@ std::vector<Polygon> voronoi_cells(const std::vector<Vec2>& sites, const Box& bo
 /// A point in the interior of a polygon, near its middle.
 Vec2 point_inside(const Polygon& polygon);
 
-/// Clips many polygons by one figure.
+/// Clips many polygons by one figure, for one thread.
 class Clipper {
  public:
   explicit Clipper(const Figure& figure);
@@ -33,6 +33,7 @@ class Clipper {
   /// What of the polygon lies in the figure: none, one or several pieces.
   std::vector<Figure> clip(const Polygon& polygon) const;
   bool holds(const Vec2& x) const;
+  const Figure& figure() const;
 
  private:
   struct State;

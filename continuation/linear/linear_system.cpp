@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "continuation/linear/dense_inertia.hpp"
+#include "framework/threads.hpp"
 
 namespace dda {
 
@@ -74,8 +75,7 @@ bool LinearSystem::factor_base() {
 
 bool LinearSystem::restore(std::span<const Mat2> base, std::span<const std::size_t> updated) {
   if (!rebase(base)) return false;
-  for (const std::size_t point : updated)
-    if (slot_[point] < 0) add_columns(point);
+  add_columns(updated);
   return true;
 }
 
@@ -103,11 +103,9 @@ bool LinearSystem::set_tangent(std::span<const Mat2> tangents) {
   if (too_many && update_ == Update::low_rank && !rebase(tangents)) return false;
   tangent_.assign(tangents.begin(), tangents.end());
   active_.clear();
-  for (std::size_t p = 0; p < tangents.size(); ++p) {
-    if (is_same(tangents[p], base_[p])) continue;
-    if (slot_[p] < 0) add_columns(p);
-    active_.push_back(p);
-  }
+  for (std::size_t p = 0; p < tangents.size(); ++p)
+    if (!is_same(tangents[p], base_[p])) active_.push_back(p);
+  add_columns(active_);
   return factor_small();
 }
 
@@ -123,8 +121,7 @@ bool LinearSystem::make_columns(std::span<const std::size_t> points) {
     if (batches.empty() || batches.back() != p / columns_->batch()) batches.push_back(p / columns_->batch());
   const std::size_t columns = 2 * columns_->batch() * batches.size();
   if (columns > columns_->most_at_once() || 2 * updated_.size() + columns > most_columns()) return false;
-  for (const std::size_t p : points)
-    if (slot_[p] < 0) add_columns(p);
+  add_columns(points);
   return true;
 }
 
@@ -154,15 +151,19 @@ Eigen::VectorXd LinearSystem::along_columns(const Functional& gauge) {
   return out;
 }
 
-/// Computes Z for the batch of a point, and its couplings in G with every point before it.
-void LinearSystem::add_columns(std::size_t point) {
-  const auto scope = timings_->measure("columns");
-  const std::size_t batch = columns_->batch(), first = updated_.size(), begin = point / batch * batch;
-  const std::size_t end = std::min(begin + batch, equilibrium_.num_active());
-  for (std::size_t p = begin; p < end; ++p) {
-    slot_[p] = static_cast<int>(updated_.size());
-    updated_.push_back(p);
+/// Computes Z for the batches of the points that have none, and their couplings in G with every point before.
+void LinearSystem::add_columns(std::span<const std::size_t> points) {
+  const std::size_t batch = columns_->batch(), first = updated_.size();
+  for (const std::size_t point : points) {
+    if (slot_[point] >= 0) continue;
+    const std::size_t begin = point / batch * batch, end = std::min(begin + batch, equilibrium_.num_active());
+    for (std::size_t p = begin; p < end; ++p) {
+      slot_[p] = static_cast<int>(updated_.size());
+      updated_.push_back(p);
+    }
   }
+  if (updated_.size() == first) return;
+  const auto scope = timings_->measure("columns");
   const auto needed = static_cast<Eigen::Index>(2 * updated_.size());
   if (g_.rows() < needed) g_.conservativeResize(2 * needed, 2 * needed);
   columns_->add(std::span<const std::size_t>(updated_).subspan(first), g_);
@@ -302,11 +303,12 @@ void LinearSystem::multiply(std::span<const Mat2> tangents, std::span<const doub
   std::ranges::fill(y, 0.0);
   equilibrium_.intact().multiply_add(x, y);
   std::vector<double> t(2 * equilibrium_.num_active());
-  for (std::size_t p = 0; p < equilibrium_.num_active(); ++p) {
+  constexpr std::size_t points_at_once = 4000;
+  parallel_for(equilibrium_.num_active(), points_at_once, [&](std::size_t p) {
     const Mat2 change = tangents[p] - Mat2(equilibrium_.point(p).intact_stiffness().asDiagonal());
     Eigen::Map<Vec2>(t.data() + 2 * p) =
         change.isZero(0) ? Vec2(Vec2::Zero()) : Vec2(change * rows_times(p, x));
-  }
+  });
   equilibrium_.scatter_add(t, y);
 }
 

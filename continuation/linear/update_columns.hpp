@@ -14,11 +14,10 @@ namespace dda {
 class UpdateColumns {
  public:
   virtual ~UpdateColumns() = default;
-  /// Points that had better be added together; always the same partition of them all, so that a restored run
-  /// makes the same numbers.
+  /// Points that are always added together, in order: those between two multiples of it.
   virtual std::size_t batch() const = 0;
-  /// Adds two columns for each point, and what they have in common with all that were there to G = U Z,
-  /// which is large enough for it.
+  /// Adds two columns for each point of these batches, and what they have in common with all that were there
+  /// to G = U Z, which is large enough for it.
   virtual void add(std::span<const std::size_t> points, Eigen::MatrixXd& g) = 0;
   /// x −= Z s for each x, s in the columns of `shares`, which has 2 rows for each of the places.
   virtual void subtract(std::span<const std::size_t> places, const Eigen::MatrixXd& shares,
