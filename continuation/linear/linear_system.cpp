@@ -173,12 +173,14 @@ bool LinearSystem::factor_small() {
   const auto r = static_cast<Eigen::Index>(2 * active_.size());
   if (r == 0) return true;
   Eigen::MatrixXd m = Eigen::MatrixXd::Identity(r, r);
-  for (std::size_t a = 0; a < active_.size(); ++a) {
-    const Mat2 e = equilibrium_.point(active_[a]).weight * (tangent_[active_[a]] - base_[active_[a]]);
-    for (std::size_t b = 0; b < active_.size(); ++b)
+  std::vector<Mat2> e;
+  for (const std::size_t p : active_) e.push_back(equilibrium_.point(p).weight * (tangent_[p] - base_[p]));
+  constexpr std::size_t columns_at_once = 64;
+  parallel_for(active_.size(), columns_at_once, [&](std::size_t b) {
+    for (std::size_t a = 0; a < active_.size(); ++a)
       m.block<2, 2>(2 * static_cast<Eigen::Index>(a), 2 * static_cast<Eigen::Index>(b)) +=
-          e * g_.block<2, 2>(2 * slot_[active_[a]], 2 * slot_[active_[b]]);
-  }
+          e[a] * g_.block<2, 2>(2 * slot_[active_[a]], 2 * slot_[active_[b]]);
+  });
   return small_.compute(std::move(m));
 }
 
@@ -245,16 +247,21 @@ void LinearSystem::solve_base(std::span<const double> b, std::span<double> y) {
 }
 
 bool LinearSystem::solve_base_residual(const Iterate& at, std::span<double> y) {
+  constexpr std::size_t points_at_once = 4000;
+  std::vector<Vec2> z(at.traction.size());
+  parallel_for(z.size(), points_at_once, [&](std::size_t p) {
+    const Vec2 linear = base_[p] * equilibrium_.opening(p, at.d);
+    z[p] = at.traction[p] - linear;
+    constexpr double round_off = 1e-14;
+    if (z[p].norm() <= round_off * linear.norm()) z[p].setZero();
+  });
   std::vector<std::size_t> points;
   std::vector<double> minus_z;
-  for (std::size_t p = 0; p < at.traction.size(); ++p) {
-    const Vec2 linear = base_[p] * equilibrium_.opening(p, at.d);
-    const Vec2 z = at.traction[p] - linear;
-    constexpr double round_off = 1e-14;
-    if (z.norm() <= round_off * linear.norm()) continue;
+  for (std::size_t p = 0; p < z.size(); ++p) {
+    if (z[p].isZero(0)) continue;
     if (slot_[p] < 0) return false;
     points.push_back(p);
-    for (const double component : z) minus_z.push_back(-equilibrium_.point(p).weight * component);
+    for (const double component : z[p]) minus_z.push_back(-equilibrium_.point(p).weight * component);
   }
   if (!columns_->product_is_cheap()) return false;
   const Eigen::MatrixXd forces =
