@@ -67,8 +67,8 @@ class Template {
     Words words{"parallel", "-j", std::to_string(jobs), "--will-cite", program_file(), "run"};
     const std::size_t deck = place_of("deck");
     const bool has_decks = deck < sweep_.keys().size();
-    std::string out =
-        setting() + line_of(words) + " " + (has_decks ? place(deck) : inner(sweep_.cases.front().deck.string()));
+    std::string out = setting() + line_of(words) + " " +
+                      (has_decks ? place(deck) : inner(sweep_.cases.front().deck.string()));
     const auto digits = case_folder(sweep_, 0).filename().string().size();
     out += " --quiet --folder " + inner((folder_ / "cases").string() + "/") +
            fmt::format("'{{=1 $_=sprintf(\"%0{}d\",seq()) =}}'", digits);
