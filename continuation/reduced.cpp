@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "framework/threads.hpp"
+
 namespace dda {
 namespace {
 
@@ -105,16 +107,23 @@ class CrackedPoints {
 
   /// q − q_dead − λ q_ref + G z.
   Vector gap() {
+    constexpr std::size_t rows_at_once = 500;
     Vector out = q_ - dead_ - load_factor_ * live_;
-    for (const std::size_t i : active_) out.noalias() += couplings(i) * pair(z_, i);
+    parallel_pieces(static_cast<std::size_t>(size()), rows_at_once, [&](std::size_t begin, std::size_t end) {
+      const auto first = static_cast<Eigen::Index>(begin), rows = static_cast<Eigen::Index>(end - begin);
+      for (const std::size_t i : active_)
+        out.segment(first, rows).noalias() += couplings(i).middleRows(first, rows) * pair(z_, i);
+    });
     return out;
   }
 
   /// One Newton step; its largest change of an opening.
   double correct() {
     Matrix columns(size(), 2 * static_cast<Eigen::Index>(active_.size()));
-    for (std::size_t a = 0; a < active_.size(); ++a)
+    constexpr std::size_t columns_at_once = 64;
+    parallel_for(active_.size(), columns_at_once, [&](std::size_t a) {
       columns.middleCols<2>(2 * static_cast<Eigen::Index>(a)) = couplings(active_[a]) * change_[active_[a]];
+    });
     Matrix x(size(), 2);
     x.col(0) = gap();
     x.col(1) = live_;

@@ -2,13 +2,20 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 
 #include "continuation/mpi_session.hpp"
+#include "framework/threads.hpp"
 #include "models/stiffness_parts.hpp"
 
 namespace dda {
+namespace {
+
+constexpr std::size_t points_at_once = 2000, blocks_at_once = 8000, numbers_at_once = 50'000;
+
+}  // namespace
 
 System::System(const Equilibrium& equilibrium, const DirectSolverChoice& solver, LinearSystem::Update update)
     : equilibrium_(equilibrium),
@@ -150,14 +157,14 @@ void System::set_history(std::vector<History> history) {
 
 void System::screen_intact_points() {
   constexpr double inside = 1 - 1e-9;  // at the bound itself the law decides
-  for (std::size_t p = 0; p < screen_.size(); ++p) {
+  parallel_for(screen_.size(), points_at_once, [&](std::size_t p) {
     const InterfacePoint& point = equilibrium_.point(p);
     const History& h = history_[p];
     const bool is_intact = !h.loading && !h.sliding && h.phase == 0 && h.slip == 0 && h.dissipated == 0 &&
                            point.law->kappa(h, point.stiffness) <= point.law->initial_kappa(point.stiffness);
     const double bound = is_intact ? inside * point.law->intact_bound(point.stiffness) : 0;
     screen_[p].bound = bound * bound;
-  }
+  });
 }
 
 void System::set_frozen(bool frozen) {
@@ -184,38 +191,47 @@ LawValues System::laws(std::span<const double> d, double load_factor) const {
   const auto scope = timings_->measure("laws");
   const std::size_t n = equilibrium_.num_active();
   LawValues out{openings(d, load_factor), std::vector<Vec2>(n), std::vector<Mat2>(n)};
-  for (std::size_t p = 0; p < n; ++p) {
-    const Vec2& q = out.opening[p];
-    const double normal = std::max(q.x(), 0.0);
-    if (const Screen& s = screen_[p]; normal * normal + s.shear * q.y() * q.y() < s.bound) {
-      out.traction[p] = s.stiffness.cwiseProduct(q);
-      out.tangent[p] = s.stiffness.asDiagonal();
-      ++num_screened_;
-      continue;
+  std::atomic<std::int64_t> num_screened = 0;
+  parallel_pieces(n, points_at_once, [&](std::size_t begin, std::size_t end) {
+    std::int64_t screened = 0;
+    for (std::size_t p = begin; p < end; ++p) {
+      const Vec2& q = out.opening[p];
+      const double normal = std::max(q.x(), 0.0);
+      if (const Screen& s = screen_[p]; normal * normal + s.shear * q.y() * q.y() < s.bound) {
+        out.traction[p] = s.stiffness.cwiseProduct(q);
+        out.tangent[p] = s.stiffness.asDiagonal();
+        ++screened;
+      } else {
+        const Response response = respond(p, q);
+        out.traction[p] = response.traction;
+        out.tangent[p] = response.tangent;
+      }
     }
-    const InterfacePoint& point = equilibrium_.point(p);
-    const Response response = frozen_
-                                  ? point.law->respond_frozen(out.opening[p], history_[p], point.stiffness)
-                                  : point.law->respond(out.opening[p], history_[p], point.stiffness);
-    out.traction[p] = response.traction;
-    out.tangent[p] = response.tangent;
-  }
+    num_screened += screened;
+  });
+  num_screened_ += num_screened;
   return out;
+}
+
+Response System::respond(std::size_t p, const Vec2& q) const {
+  const InterfacePoint& point = equilibrium_.point(p);
+  return frozen_ ? point.law->respond_frozen(q, history_[p], point.stiffness)
+                 : point.law->respond(q, history_[p], point.stiffness);
 }
 
 void System::residual(std::span<const double> d, double load_factor, const LawValues& laws,
                       std::span<double> out) const {
   const auto scope = timings_->measure("residuals");
-  for (std::size_t i = 0; i < out.size(); ++i)
-    out[i] = -loading_->dead[i] - load_factor * loading_->reference[i];
+  parallel_for(out.size(), numbers_at_once,
+               [&](std::size_t i) { out[i] = -loading_->dead[i] - load_factor * loading_->reference[i]; });
   equilibrium_.intact().multiply_add(d, out);
   std::vector<Vec2> correction(laws.traction.size());
-  for (std::size_t p = 0; p < correction.size(); ++p) {
+  parallel_for(correction.size(), points_at_once, [&](std::size_t p) {
     const Vec2 stiffness = equilibrium_.point(p).intact_stiffness();
     Vec2 jump = laws.opening[p] - loading_->dead_opening(p) - load_factor * loading_->reference_opening(p);
     if (!multipliers_.empty()) jump -= multipliers_[p];
     correction[p] = laws.traction[p] - stiffness.cwiseProduct(jump);
-  }
+  });
   equilibrium_.scatter_add({correction.data()->data(), 2 * correction.size()}, out);
 }
 
@@ -256,13 +272,12 @@ void System::apply_metric(Metric metric, std::span<double> v) const {
 }
 
 double System::residual_norm(std::span<const double> r) const {
-  double sum = 0;
   const std::size_t blocks = equilibrium_.num_blocks();
-  for (std::size_t b = 0; b < blocks; ++b) {
+  double sum = parallel_sum(blocks, blocks_at_once, [&](std::size_t b) {
     const Eigen::Map<const Vec6> at(r.data() + 6 * b);
     const double size = equilibrium_.block_size()[b];
-    sum += at.head<2>().squaredNorm() + at.tail<4>().squaredNorm() / (size * size);
-  }
+    return at.head<2>().squaredNorm() + at.tail<4>().squaredNorm() / (size * size);
+  });
   for (std::size_t i = block_unknowns * blocks; i < r.size(); ++i) sum += r[i] * r[i];
   return std::sqrt(sum);
 }
@@ -271,11 +286,12 @@ double System::excess_residual(std::span<const double> r, std::span<const double
                                double load_factor) const {
   constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
   std::vector<double> terms(d.size());
-  for (std::size_t i = 0; i < terms.size(); ++i)
+  parallel_for(terms.size(), numbers_at_once, [&](std::size_t i) {
     terms[i] = std::abs(loading_->dead[i]) + std::abs(load_factor * loading_->reference[i]);
+  });
   equilibrium_.intact().multiply_add_absolute(d, terms);
-  for (std::size_t i = 0; i < terms.size(); ++i)
-    terms[i] = std::max(0.0, std::abs(r[i]) - rounding * terms[i]);
+  parallel_for(terms.size(), numbers_at_once,
+               [&](std::size_t i) { terms[i] = std::max(0.0, std::abs(r[i]) - rounding * terms[i]); });
   return relative(residual_norm(terms), d);
 }
 
@@ -296,13 +312,11 @@ double System::force_level(std::span<const double> d) const {
 }
 
 double System::block_forces(std::span<const double> d) const {
-  double sum = 0;
-  for (std::size_t b = 0; b < equilibrium_.num_blocks(); ++b) {
+  return std::sqrt(parallel_sum(equilibrium_.num_blocks(), blocks_at_once, [&](std::size_t b) {
     const Vec3 resultant = equilibrium_.strain_stiffness()[b] * Eigen::Map<const Vec3>(d.data() + 6 * b + 3);
     const double size = equilibrium_.block_size()[b];
-    sum += resultant.squaredNorm() / (size * size);
-  }
-  return std::sqrt(sum);
+    return resultant.squaredNorm() / (size * size);
+  }));
 }
 
 double System::kappa(std::size_t p, const History& h) const {
@@ -318,10 +332,10 @@ bool System::is_broken(std::size_t p) const {
 std::vector<History> System::next_history(std::span<const double> d, double load_factor) const {
   const std::vector<Vec2> q = openings(d, load_factor);
   std::vector<History> out = history_;
-  for (std::size_t p = 0; p < q.size(); ++p) {
+  parallel_for(q.size(), points_at_once, [&](std::size_t p) {
     const InterfacePoint& point = equilibrium_.point(p);
     out[p] = point.law->accept(q[p], history_[p], point.stiffness);
-  }
+  });
   return out;
 }
 
@@ -343,15 +357,14 @@ double System::dissipated(const std::vector<History>& history) const {
 }
 
 double System::stored(const State& state, const LawValues& laws) const {
-  double energy = equilibrium_.passive_energy(state.d);
-  for (std::size_t p = 0; p < laws.opening.size(); ++p) {
+  const double of_joints = parallel_sum(laws.opening.size(), points_at_once, [&](std::size_t p) {
     const InterfacePoint& point = equilibrium_.point(p);
-    energy += point.weight * point.law->stored(laws.opening[p], history_[p], point.stiffness);
-    if (point.multiplier == Multiplier::iterated)
-      energy -=
-          0.5 * point.weight * multipliers_[p].dot(point.trial_stiffness().cwiseProduct(multipliers_[p]));
-  }
-  return energy;
+    const double energy = point.law->stored(laws.opening[p], history_[p], point.stiffness);
+    if (point.multiplier != Multiplier::iterated) return point.weight * energy;
+    return point.weight *
+           (energy - 0.5 * multipliers_[p].dot(point.trial_stiffness().cwiseProduct(multipliers_[p])));
+  });
+  return equilibrium_.passive_energy(state.d) + of_joints;
 }
 
 }  // namespace dda

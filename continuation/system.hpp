@@ -155,6 +155,8 @@ class System {
  private:
   void screen_intact_points();
   std::vector<Mat2> path_tangents(const LawValues& laws) const;
+  /// What the law of a point says at q.
+  Response respond(std::size_t p, const Vec2& q) const;
   double block_forces(std::span<const double> d) const;
   std::vector<Vec2> openings(std::span<const double> d, double load_factor) const;
 

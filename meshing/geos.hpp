@@ -22,7 +22,7 @@ std::vector<Polygon> voronoi_cells(const std::vector<Vec2>& sites, const Box& bo
 /// A point in the interior of a polygon, near its middle.
 Vec2 point_inside(const Polygon& polygon);
 
-/// Clips many polygons by one figure.
+/// Clips many polygons by one figure, for one thread.
 class Clipper {
  public:
   static std::unique_ptr<const Clipper> of(const Figure& figure);
@@ -35,6 +35,7 @@ class Clipper {
   /// What of the polygon lies in the figure: none, one or several pieces.
   virtual std::vector<Figure> clip(const Polygon& polygon) const = 0;
   virtual bool holds(const Vec2& x) const = 0;
+  virtual const Figure& figure() const = 0;
 };
 
 /// What the GEOS module gives out under the symbol `dda_geos_module`. It is loaded with the first question: a

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <random>
 
+#include "framework/threads.hpp"
 #include "meshing/box_grid.hpp"
 
 namespace dda {
@@ -29,12 +30,22 @@ std::vector<Vec2> random_sites(const Clipper& region, const Box& box, const Voro
 /// A cell of one site inside the region, in as many pieces as the outline leaves of it.
 using Pieces = std::vector<Figure>;
 
+/// visit(i, region) for each i below a number; GEOS prepares a region for one thread.
+template <class Visit>
+void for_each_cell(std::size_t count, const Clipper& region, Visit&& visit) {
+  constexpr std::size_t cells_at_once = 500;
+  parallel_pieces(count, cells_at_once, [&](std::size_t begin, std::size_t end) {
+    const auto own = Clipper::of(region.figure());
+    for (std::size_t i = begin; i < end; ++i) visit(i, *own);
+  });
+}
+
 std::vector<Pieces> clipped_cells(const std::vector<Vec2>& sites, const Clipper& region, const Box& box) {
-  std::vector<Pieces> result;
-  for (const Polygon& cell : voronoi_cells(sites, box)) {
-    Pieces pieces = region.clip(cell);
-    if (!pieces.empty()) result.push_back(std::move(pieces));
-  }
+  const std::vector<Polygon> cells = voronoi_cells(sites, box);
+  std::vector<Pieces> result(cells.size());
+  for_each_cell(cells.size(), region,
+                [&](std::size_t i, const Clipper& own) { result[i] = own.clip(cells[i]); });
+  std::erase_if(result, [](const Pieces& pieces) { return pieces.empty(); });
   return result;
 }
 
@@ -49,8 +60,10 @@ Vec2 next_site(const Pieces& pieces, const Clipper& region) {
 bool by_place(const Vec2& a, const Vec2& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); }
 
 std::vector<Vec2> relaxed(const std::vector<Vec2>& sites, const Clipper& region, const Box& box) {
-  std::vector<Vec2> next;
-  for (const Pieces& pieces : clipped_cells(sites, region, box)) next.push_back(next_site(pieces, region));
+  const std::vector<Pieces> cells = clipped_cells(sites, region, box);
+  std::vector<Vec2> next(cells.size());
+  for_each_cell(cells.size(), region,
+                [&](std::size_t i, const Clipper& own) { next[i] = next_site(cells[i], own); });
   // The library's order of cells is not promised; a sorted one makes the next round repeatable.
   std::sort(next.begin(), next.end(), by_place);
   return next;

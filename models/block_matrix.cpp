@@ -3,7 +3,14 @@
 #include <algorithm>
 #include <cassert>
 
+#include "framework/threads.hpp"
+
 namespace dda {
+namespace {
+
+constexpr std::size_t rows_at_once = 2000;
+
+}  // namespace
 
 BlockMatrix::BlockMatrix(std::size_t num_rows, std::vector<std::pair<BlockId, BlockId>> pairs,
                          std::size_t num_leading)
@@ -31,21 +38,21 @@ std::size_t BlockMatrix::slot(BlockId i, BlockId j) const {
 }
 
 void BlockMatrix::multiply_add(std::span<const double> x, std::span<double> y) const {
-  for (std::size_t r = 0; r + 1 < row_start_.size(); ++r) {
+  parallel_for(num_rows(), rows_at_once, [&](std::size_t r) {
     Vec6 sum = Vec6::Zero();
     for (std::size_t s = row_start_[r]; s < row_start_[r + 1]; ++s)
       sum.noalias() += values_[s] * Eigen::Map<const Vec6>(x.data() + 6 * columns_[s]);
     Eigen::Map<Vec6>(y.data() + 6 * r) += sum;
-  }
+  });
 }
 
 void BlockMatrix::multiply_add_absolute(std::span<const double> x, std::span<double> y) const {
-  for (std::size_t r = 0; r + 1 < row_start_.size(); ++r) {
+  parallel_for(num_rows(), rows_at_once, [&](std::size_t r) {
     Vec6 sum = Vec6::Zero();
     for (std::size_t s = row_start_[r]; s < row_start_[r + 1]; ++s)
       sum.noalias() += values_[s].cwiseAbs() * Eigen::Map<const Vec6>(x.data() + 6 * columns_[s]).cwiseAbs();
     Eigen::Map<Vec6>(y.data() + 6 * r) += sum;
-  }
+  });
 }
 
 }  // namespace dda

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/threads.hpp"
 #include "models/loading.hpp"
 
 namespace dda {
 namespace {
+
+constexpr std::size_t parts_at_once = 4000;  // blocks or points
 
 std::vector<std::pair<BlockId, BlockId>> touching_blocks(const Body& body) {
   std::vector<std::pair<BlockId, BlockId>> pairs;
@@ -177,34 +180,35 @@ std::vector<BlockId> Equilibrium::watched() const {
 }
 
 double Equilibrium::passive_energy(std::span<const double> d) const {
-  double twice = 0;
-  for (std::size_t b = 0; b < num_blocks_; ++b) {
+  double twice = parallel_sum(num_blocks_, parts_at_once, [&](std::size_t b) {
     const Eigen::Map<const Vec6> at(d.data() + 6 * b);
     const double area = block_size_[b] * block_size_[b];
-    twice += at.tail<3>().dot(strain_stiffness_[b] * at.tail<3>()) +
-             weak_stiffness_ * (at.head<2>().squaredNorm() + area * at[2] * at[2]);
-  }
+    return at.tail<3>().dot(strain_stiffness_[b] * at.tail<3>()) +
+           weak_stiffness_ * (at.head<2>().squaredNorm() + area * at[2] * at[2]);
+  });
   for (const Spring& spring : supports_) {
     const double u = spring.displacement.value(d, 0);
     twice += spring.stiffness * u * u;
   }
-  for (std::size_t p = 0; p < set_.points.size(); ++p) {
-    const InterfacePoint& point = set_.points[p];
-    const Vec2 stress =
-        point.rows.first_stress * Eigen::Map<const Vec6>(d.data() + 6 * point.first.value()) +
-        point.rows.second_stress * Eigen::Map<const Vec6>(d.data() + 6 * point.second.value());
-    const Vec2 stiffness = point.trial_stiffness();
-    twice -= point.weight * stress.dot(stress.cwiseQuotient(stiffness));
-    if (point.multiplier == Multiplier::unknown) {
-      const Vec2 m(d.data() + 6 * point.node.value() + static_cast<std::size_t>(point.column));
-      twice -= point.weight * (1 + point.perturbation) * m.dot(stiffness.cwiseProduct(m));
-    }
-    if (p < set_.num_active) continue;
-    const Vec2 q = opening(p, d);
-    twice += point.weight * q.dot(point.intact_stiffness().cwiseProduct(q));
-  }
+  twice += parallel_sum(set_.points.size(), parts_at_once,
+                        [&](std::size_t p) { return twice_passive_energy(p, d); });
   for (const std::size_t i : held_) twice += held_stiffness_ * d[i] * d[i];
   return twice / 2;
+}
+
+double Equilibrium::twice_passive_energy(std::size_t p, std::span<const double> d) const {
+  const InterfacePoint& point = set_.points[p];
+  const Vec2 stress = point.rows.first_stress * Eigen::Map<const Vec6>(d.data() + 6 * point.first.value()) +
+                      point.rows.second_stress * Eigen::Map<const Vec6>(d.data() + 6 * point.second.value());
+  const Vec2 stiffness = point.trial_stiffness();
+  double out = -point.weight * stress.dot(stress.cwiseQuotient(stiffness));
+  if (point.multiplier == Multiplier::unknown) {
+    const Vec2 m(d.data() + 6 * point.node.value() + static_cast<std::size_t>(point.column));
+    out -= point.weight * (1 + point.perturbation) * m.dot(stiffness.cwiseProduct(m));
+  }
+  if (p < set_.num_active) return out;
+  const Vec2 q = opening(p, d);
+  return out + point.weight * q.dot(point.intact_stiffness().cwiseProduct(q));
 }
 
 Functional Equilibrium::opening_gauge(const Loading& loading, std::size_t p, const Vec2& e) const {
@@ -216,7 +220,8 @@ Functional Equilibrium::opening_gauge(const Loading& loading, std::size_t p, con
 }
 
 void Equilibrium::gather(std::span<const double> d, std::span<double> q) const {
-  for (std::size_t p = 0; p < set_.num_active; ++p) Eigen::Map<Vec2>(q.data() + 2 * p) = opening(p, d);
+  parallel_for(set_.num_active, parts_at_once,
+               [&](std::size_t p) { Eigen::Map<Vec2>(q.data() + 2 * p) = opening(p, d); });
 }
 
 void Equilibrium::gather(const Loading& loading, std::span<const double> d, double load_factor,

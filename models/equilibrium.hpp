@@ -114,6 +114,8 @@ class Equilibrium {
   void assemble(const Body& body, const ModelParameters& model, const std::vector<Spring>& springs);
   void add_spring(const Spring& spring);
   void hold_unused_unknowns();
+  /// What a point adds to twice the passive energy.
+  double twice_passive_energy(std::size_t p, std::span<const double> d) const;
 
   std::size_t num_blocks_;
   InterfaceSet set_;

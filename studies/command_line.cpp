@@ -5,10 +5,12 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <functional>
 
 #include "framework/output/provenance.hpp"
 #include "framework/suggestion.hpp"
+#include "framework/threads.hpp"
 #include "studies/commands.hpp"
 
 namespace dda {
@@ -20,6 +22,12 @@ constexpr const char* footer =
     "Exit codes: 0 goal reached, 2 wrong input, 3 stopped early (results valid), 4 output or internal "
     "error,\n"
     "130 interrupted (continue with `dda resume`).";
+
+/// Here, and in the processes that are started from here.
+void use_threads(int count) {
+  set_num_threads(count);
+  setenv("OMP_NUM_THREADS", std::to_string(count).c_str(), 1);
+}
 
 /// The program's grammar; the values land in a CommandLine.
 class Grammar {
@@ -68,6 +76,12 @@ class Grammar {
   void add_profile(CLI::App* sub) {
     sub->add_flag("--profile", line_.run.profile, "Print time, calls and work that was skipped, by phase");
   }
+  void add_threads(CLI::App* sub) {
+    sub->add_option_function<int>("--threads", use_threads,
+                                  "Threads of a run; OMP_NUM_THREADS if not given, else one per processor; 1 "
+                                  "for the runs of a sweep")
+        ->check(CLI::PositiveNumber);
+  }
   void add_jobs(CLI::App* sub) {
     sub->add_option("--jobs", line_.jobs, "Runs of a sweep at a time; one per processor if not given")
         ->check(CLI::PositiveNumber);
@@ -87,6 +101,7 @@ void Grammar::add_solving() {
   add_deck(run);
   add_output(run);
   add_jobs(run);
+  add_threads(run);
   add_profile(run);
   CLI::App* resume =
       add("resume",
@@ -96,6 +111,7 @@ void Grammar::add_solving() {
   add_set(resume);
   add_output(resume);
   add_jobs(resume);
+  add_threads(resume);
   add_profile(resume);
 }
 
@@ -106,6 +122,7 @@ void Grammar::add_many() {
   add_deck(sweep);
   add_output(sweep);
   add_jobs(sweep);
+  add_threads(sweep);
   sweep->add_flag("--dry-run", line_.dry_run, "Print the cases and a line for GNU parallel, and run nothing");
   CLI::App* compare =
       add("compare", "Run a deck under several controls and compare the paths", command_compare);
@@ -114,12 +131,15 @@ void Grammar::add_many() {
       ->delimiter(',')
       ->required();
   add_output(compare);
+  add_threads(compare);
 }
 
 void Grammar::add_looking() {
-  add_deck(add("check",
-               "Read, mesh and validate a deck; print counts, quality and predicted size without solving",
-               command_check));
+  CLI::App* check =
+      add("check", "Read, mesh and validate a deck; print counts, quality and predicted size without solving",
+          command_check);
+  add_deck(check);
+  add_threads(check);
   CLI::App* explain =
       add("explain", "The manual of the deck: a section, a family, or family/name", command_explain);
   explain->add_option("topic", line_.topic, "Such as `path`, `law` or `law/linear_softening`");

@@ -32,6 +32,9 @@ std::string line_of(const Words& words) {
   return out;
 }
 
+/// Runs side by side leave the processors to one another.
+std::string setting() { return "OMP_NUM_THREADS=" + quoted(threads_of_processes()) + " "; }
+
 /// Whether every case is told the same, but for the values: only seeds may stand at different places.
 bool are_alike(const Sweep& sweep) {
   const SweepCase& first = sweep.cases.front();
@@ -64,8 +67,8 @@ class Template {
     Words words{"parallel", "-j", std::to_string(jobs), "--will-cite", program_file(), "run"};
     const std::size_t deck = place_of("deck");
     const bool has_decks = deck < sweep_.keys().size();
-    std::string out =
-        line_of(words) + " " + (has_decks ? place(deck) : inner(sweep_.cases.front().deck.string()));
+    std::string out = setting() + line_of(words) + " " +
+                      (has_decks ? place(deck) : inner(sweep_.cases.front().deck.string()));
     const auto digits = case_folder(sweep_, 0).filename().string().size();
     out += " --quiet --folder " + inner((folder_ / "cases").string() + "/") +
            fmt::format("'{{=1 $_=sprintf(\"%0{}d\",seq()) =}}'", digits);
@@ -125,7 +128,7 @@ class Template {
 };
 
 std::string one_by_one(const Sweep& sweep, const fs::path& folder, int jobs) {
-  std::string out = fmt::format("parallel -j {} --will-cite :::", jobs);
+  std::string out = setting() + fmt::format("parallel -j {} --will-cite :::", jobs);
   for (std::size_t i = 0; i < sweep.cases.size(); ++i) {
     Words words{program_file(), "run",      sweep.cases[i].deck.string(),
                 "--quiet",      "--folder", (folder / case_folder(sweep, i)).string()};

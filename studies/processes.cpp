@@ -61,7 +61,7 @@ Processes::~Processes() {
 }
 
 void Processes::start(std::size_t id, const std::vector<std::string>& arguments) {
-  setenv("OMP_NUM_THREADS", "1", 0);
+  setenv("OMP_NUM_THREADS", threads_of_processes().c_str(), 1);
   const std::string program = program_file();
   std::vector<char*> words{const_cast<char*>(program.c_str())};
   for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
@@ -95,5 +95,10 @@ void Processes::stop() {
 }
 
 std::string program_file() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
+
+std::string threads_of_processes() {
+  const char* const set = std::getenv("OMP_NUM_THREADS");
+  return set ? set : "1";
+}
 
 }  // namespace dda

@@ -28,7 +28,7 @@ class Processes {
   Processes(const Processes&) = delete;
   Processes& operator=(const Processes&) = delete;
 
-  /// `arguments` are those behind the program's name; OMP_NUM_THREADS is 1 unless it is set.
+  /// `arguments` are those behind the program's name; OMP_NUM_THREADS is `threads_of_processes`.
   void start(std::size_t id, const std::vector<std::string>& arguments);
   /// One that is over; nothing when none is.
   std::optional<EndedProcess> take_ended();
@@ -47,5 +47,8 @@ class Processes {
 
 /// The file of this program.
 std::string program_file();
+
+/// OMP_NUM_THREADS of processes that run side by side: as it is set, else 1.
+std::string threads_of_processes();
 
 }  // namespace dda

@@ -4,6 +4,7 @@
 
 #include "continuation/linear/matrix_quality.hpp"
 #include "framework/output/provenance.hpp"
+#include "framework/threads.hpp"
 
 namespace dda {
 namespace {
@@ -119,6 +120,7 @@ Json summarise(const Simulation& simulation, const RunMemory& memory, const Meas
   out["dissipated_energy"] = end.dissipated;
   out["stored_energy"] = end.stored;
   out["units"] = units_of(simulation.deck().units);
+  out["threads"] = num_threads();
   out["peak_memory_mib"] = peak_memory_mib();
   out["version"] = provenance().version;
   return out;

@@ -1,5 +1,7 @@
 #include "continuation/linear/cholmod_matrix.hpp"
 
+#include <omp.h>
+
 #include <algorithm>
 #include <limits>
 #include <set>
@@ -16,13 +18,23 @@ double* reals(void* p) { return static_cast<double*>(p); }
 
 std::size_t count(int i) { return static_cast<std::size_t>(i); }
 
-using Columns = Eigen::Map<Eigen::MatrixX2d, 0, Eigen::OuterStride<>>;
-using Part = Eigen::Map<const Eigen::MatrixX2d>;
+/// A matrix of this thread for sparse right-hand sides, zero between the calls.
+Eigen::Map<Eigen::MatrixXd> scratch(std::size_t rows, Eigen::Index columns) {
+  thread_local std::vector<double> values;
+  if (values.size() < rows * static_cast<std::size_t>(columns))
+    values.assign(rows * static_cast<std::size_t>(columns), 0.0);
+  return {values.data(), static_cast<Eigen::Index>(rows), columns};
+}
+
+using Part = Eigen::Map<const Eigen::MatrixXd>;
 using Entries = Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
 
 }  // namespace
 
+/// CHOLMOD asks OpenMP for four threads in loops of microseconds, whatever OMP_NUM_THREADS says: they cost
+/// more than they bring.
 CholmodMatrix::CholmodMatrix() {
+  omp_set_max_active_levels(0);
   cholmod_start(&common_);
   common_.supernodal = CHOLMOD_SUPERNODAL;
   common_.print = 0;
@@ -138,7 +150,13 @@ void CholmodMatrix::index_supernodes() {
     std::fill(supernode_of_.begin() + super_[s], supernode_of_.begin() + super_[s + 1], s);
   position_.resize(factor_->n);
   for (int i = 0; i < static_cast<int>(factor_->n); ++i) position_[count(integers(factor_->Perm)[i])] = i;
-  sparse_.assign(2 * factor_->n, 0.0);
+  std::vector<int> parents;
+  std::vector<double> work;
+  for (int s = 0; s < static_cast<int>(factor_->nsuper); ++s) {
+    parents.push_back(parent_of(s));
+    work.push_back(entries_of(s));
+  }
+  whole_ = EliminationOrder(parents, work);
 }
 
 CholmodMatrix::Supernode CholmodMatrix::supernode(int s) const {
@@ -147,30 +165,40 @@ CholmodMatrix::Supernode CholmodMatrix::supernode(int s) const {
           integers(factor_->s) + start[s]};
 }
 
+int CholmodMatrix::parent_of(int s) const {
+  const Supernode node = supernode(s);
+  return node.rows == node.size ? -1 : supernode_of_[count(node.row[node.size])];
+}
+
+double CholmodMatrix::entries_of(int s) const {
+  const Supernode node = supernode(s);
+  return static_cast<double>(node.rows) * node.size;
+}
+
 std::vector<int> CholmodMatrix::way_of(std::span<const BlockId> blocks) const {
   std::set<int> out;
   for (const BlockId block : blocks) {
     const int* rows = position_.data() + block_unknowns * block.value();
     int s = supernode_of_[count(*std::min_element(rows, rows + block_unknowns))];
-    while (out.insert(s).second) {
-      const Supernode node = supernode(s);
-      if (node.rows == node.size) break;
-      s = supernode_of_[count(node.row[node.size])];
-    }
+    while (s >= 0 && out.insert(s).second) s = parent_of(s);
   }
   return {out.begin(), out.end()};
 }
 
 HalfSolution CholmodMatrix::half_solve(std::span<const Entry> entries) const {
   std::vector<BlockId> blocks;
-  for (const Entry& entry : entries) blocks.push_back(entry.block);
-  HalfSolution out{way_of(blocks), {}};
-  const auto n = static_cast<Eigen::Index>(factor_->n);
-  Eigen::Map<Eigen::MatrixX2d> x(sparse_.data(), n, 2);
+  HalfSolution out;
+  for (const Entry& entry : entries) {
+    blocks.push_back(entry.block);
+    out.columns = std::max(out.columns, 2 * entry.pair + 2);
+  }
+  out.parts = way_of(blocks);
+  Eigen::Map<Eigen::MatrixXd> x = scratch(factor_->n, out.columns);
   for (const Entry& entry : entries)
     for (int i = 0; i < block_unknowns; ++i)
-      x.row(position_[block_unknowns * entry.block.value() + count(i)]) += entry.rows.row(i);
-  Eigen::MatrixX2d below;
+      x.block<1, 2>(position_[block_unknowns * entry.block.value() + count(i)], 2 * entry.pair) +=
+          entry.rows.row(i);
+  Eigen::MatrixXd below;
   for (const int s : out.parts) {
     const Supernode node = supernode(s);
     const Entries l(node.values, node.rows, node.size, Eigen::OuterStride<>(node.rows));
@@ -179,69 +207,90 @@ HalfSolution CholmodMatrix::half_solve(std::span<const Entry> entries) const {
     const int more = node.rows - node.size;
     below.noalias() = l.bottomRows(more) * here;
     for (int i = 0; i < more; ++i) x.row(node.row[node.size + i]) -= below.row(i);
-    out.values.insert(out.values.end(), here.col(0).begin(), here.col(0).end());
-    out.values.insert(out.values.end(), here.col(1).begin(), here.col(1).end());
+    for (const auto& column : here.colwise())
+      out.values.insert(out.values.end(), column.begin(), column.end());
     here.setZero();
   }
   return out;
 }
 
-Mat2 CholmodMatrix::product(const HalfSolution& left, const HalfSolution& right) const {
-  Mat2 out = Mat2::Zero();
+Eigen::MatrixXd CholmodMatrix::product(const HalfSolution& left, const HalfSolution& right) const {
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(left.columns, right.columns);
   // The ways meet somewhere and are one from there to the root: walk back from it.
   auto i = left.parts.size(), j = right.parts.size();
   const double *x = left.values.data() + left.values.size(), *y = right.values.data() + right.values.size();
   while (i > 0 && j > 0) {
     const int s = left.parts[i - 1], t = right.parts[j - 1];
-    if (s >= t) x -= 2 * size_of(s);
-    if (t >= s) y -= 2 * size_of(t);
-    if (s == t) out.noalias() += Part(x, size_of(s), 2).transpose() * Part(y, size_of(s), 2);
+    if (s >= t) x -= left.columns * size_of(s);
+    if (t >= s) y -= right.columns * size_of(t);
+    if (s == t)
+      out.noalias() += Part(x, size_of(s), left.columns).transpose() * Part(y, size_of(s), right.columns);
     if (s >= t) --i;
     if (t >= s) --j;
   }
   return out;
 }
 
-void CholmodMatrix::add(const HalfSolution& y, const Vec2& s, std::span<double> sum) const {
+void CholmodMatrix::add(const HalfSolution& y, Eigen::Index first, const Eigen::VectorXd& s,
+                        std::span<double> sum) const {
   const double* values = y.values.data();
   for (const int part : y.parts) {
     const int size = size_of(part);
-    Eigen::Map<Eigen::VectorXd>(sum.data() + super_[part], size).noalias() += Part(values, size, 2) * s;
-    values += 2 * size;
+    Eigen::Map<Eigen::VectorXd>(sum.data() + super_[part], size).noalias() +=
+        Part(values, size, y.columns).middleCols(first, s.size()) * s;
+    values += y.columns * size;
   }
 }
 
 void CholmodMatrix::complete(std::span<double> sums, int columns) const {
-  apply(CHOLMOD_Lt, sums, columns);
-  apply(CHOLMOD_Pt, sums, columns);
+  Eigen::Map<Eigen::MatrixXd> x(sums.data(), static_cast<Eigen::Index>(factor_->n), columns);
+  whole_.from_the_root([&](int s) { complete_supernode(s, x); });
+  for (int c = 0; c < columns; ++c) to_blocks(sums.subspan(count(c) * factor_->n, factor_->n));
 }
 
-std::optional<std::vector<int>> CholmodMatrix::narrow_way(std::span<const BlockId> blocks) const {
-  std::vector<int> way = way_of(blocks);
-  double entries = 0;
-  for (const int s : way) {
-    const Supernode node = supernode(s);
-    entries += static_cast<double>(node.rows) * node.size;
-  }
+std::optional<EliminationOrder> CholmodMatrix::narrow_way(std::span<const BlockId> blocks) const {
+  std::vector<int> parents;
+  std::vector<double> work(factor_->nsuper, 0.0);
+  for (int s = 0; s < static_cast<int>(factor_->nsuper); ++s) parents.push_back(parent_of(s));
+  for (const int s : way_of(blocks)) work[count(s)] = entries_of(s);
+  EliminationOrder way(parents, work);
   constexpr double narrow = 0.5;
-  if (entries > narrow * static_cast<double>(factor_->xsize)) return {};
+  if (way.work() > narrow * static_cast<double>(factor_->xsize)) return {};
   return way;
 }
 
-void CholmodMatrix::complete_on(const std::vector<int>& way, std::span<double> sum) const {
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(factor_->n)), below;
-  for (auto s = way.rbegin(); s != way.rend(); ++s) {
-    const Supernode node = supernode(*s);
-    const Entries l(node.values, node.rows, node.size, Eigen::OuterStride<>(node.rows));
-    const int more = node.rows - node.size;
-    below.resize(more);
-    for (int i = 0; i < more; ++i) below[i] = x[node.row[node.size + i]];
-    auto here = x.segment(node.first, node.size);
-    here = Eigen::Map<const Eigen::VectorXd>(sum.data() + node.first, node.size);
+void CholmodMatrix::complete_on(const EliminationOrder& way, std::span<double> sum) const {
+  std::vector<double> out(sum.size(), 0.0);
+  Eigen::Map<Eigen::MatrixXd> from(sum.data(), static_cast<Eigen::Index>(sum.size()), 1);
+  Eigen::Map<Eigen::MatrixXd> x(out.data(), from.rows(), 1);
+  way.from_the_root([&](int s) {
+    x.middleRows(super_[s], size_of(s)) = from.middleRows(super_[s], size_of(s));
+    complete_supernode(s, x);
+  });
+  std::ranges::copy(out, sum.begin());
+  to_blocks(sum);
+}
+
+void CholmodMatrix::complete_supernode(int s, Eigen::Map<Eigen::MatrixXd>& x) const {
+  const Supernode node = supernode(s);
+  const Entries l(node.values, node.rows, node.size, Eigen::OuterStride<>(node.rows));
+  const int more = node.rows - node.size;
+  thread_local Eigen::VectorXd below;
+  below.resize(more);
+  for (Eigen::Index c = 0; c < x.cols(); ++c) {
+    for (int i = 0; i < more; ++i) below[i] = x(node.row[node.size + i], c);
+    auto here = x.col(c).segment(node.first, node.size);
     here.noalias() -= l.bottomRows(more).transpose() * below;
     l.topRows(node.size).triangularView<Eigen::Lower>().transpose().solveInPlace(here);
   }
-  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = x[position_[i]];
+}
+
+void CholmodMatrix::to_blocks(std::span<double> x) const {
+  std::vector<double>& out = turned_;
+  out.resize(x.size());
+  constexpr std::size_t grain = 50'000;
+  parallel_for(x.size(), grain, [&](std::size_t i) { out[i] = x[count(position_[i])]; });
+  parallel_for(x.size(), grain, [&](std::size_t i) { x[i] = out[i]; });
 }
 
 void CholmodMatrix::solve(std::span<double> x, int columns) const { apply(CHOLMOD_A, x, columns); }

@@ -35,11 +35,12 @@ class CholmodMatrix final : public HalfSolver {
   double factor_flops() const { return common_.fl; }
 
   HalfSolution half_solve(std::span<const Entry> entries) const override;
-  Mat2 product(const HalfSolution& left, const HalfSolution& right) const override;
-  void add(const HalfSolution& y, const Vec2& s, std::span<double> sum) const override;
+  Eigen::MatrixXd product(const HalfSolution& left, const HalfSolution& right) const override;
+  void add(const HalfSolution& y, Eigen::Index first, const Eigen::VectorXd& s,
+           std::span<double> sum) const override;
   void complete(std::span<double> sums, int columns) const override;
-  std::optional<std::vector<int>> narrow_way(std::span<const BlockId> blocks) const override;
-  void complete_on(const std::vector<int>& way, std::span<double> sum) const override;
+  std::optional<EliminationOrder> narrow_way(std::span<const BlockId> blocks) const override;
+  void complete_on(const EliminationOrder& way, std::span<double> sum) const override;
 
  private:
   /// One supernode of L: `size` columns from `first` on, `rows` of them below one another in `values`.
@@ -56,8 +57,16 @@ class CholmodMatrix final : public HalfSolver {
   void index_supernodes();
   Supernode supernode(int s) const;
   int size_of(int s) const { return super_[s + 1] - super_[s]; }
+  /// The supernode above; −1 of a root.
+  int parent_of(int s) const;
+  /// Entries of L in a supernode.
+  double entries_of(int s) const;
   /// Supernodes on the ways from the blocks to the root.
   std::vector<int> way_of(std::span<const BlockId> blocks) const;
+  /// The columns of a supernode in L⁻ᵀ x, from all above it.
+  void complete_supernode(int s, Eigen::Map<Eigen::MatrixXd>& x) const;
+  /// From the order of L to that of the blocks.
+  void to_blocks(std::span<double> x) const;
   /// x ← (what CHOLMOD calls) `system` applied to x.
   void apply(int system, std::span<double> x, int columns) const;
   void check(const char* what) const;
@@ -72,7 +81,8 @@ class CholmodMatrix final : public HalfSolver {
   const int* super_ = nullptr;                               ///< first column of each supernode
   std::vector<int> supernode_of_;                            ///< of each column of L
   std::vector<int> position_;                                ///< of each unknown in the order of L
-  mutable std::vector<double> sparse_;                       ///< n × 2, zero between calls
+  EliminationOrder whole_;                                   ///< of all supernodes
+  mutable std::vector<double> turned_;                       ///< of to_blocks
 };
 
 }  // namespace dda

@@ -5,43 +5,47 @@
 #include <span>
 #include <vector>
 
+#include "continuation/linear/elimination_order.hpp"
 #include "framework/index.hpp"
 #include "models/kinematics/first_order.hpp"
 
 namespace dda {
 
-/// Half of the solutions of A z = u for two right-hand sides with few entries: y = L⁻¹ u, A = L Lᵀ.
+/// Half of the solutions of A z = u for a few right-hand sides with few entries: y = L⁻¹ u, A = L Lᵀ.
 ///
 /// y differs from zero only along the way from the blocks of u to the root of the elimination tree, some
 /// thousand numbers where z has all n.
 struct HalfSolution {
   std::vector<int> parts;      ///< groups of rows of L on that way, ascending
-  std::vector<double> values;  ///< rows of the parts, one part after another, 2 columns each
+  std::vector<double> values;  ///< rows of the parts, one part after another, each by columns
+  Eigen::Index columns = 0;
 };
 
 /// What a Cholesky factorisation A = L Lᵀ of n rows gives for half of the price of a solution, or less.
 class HalfSolver {
  public:
-  /// The rows of a block in the two right-hand sides.
+  /// The rows of a block in two right-hand sides, 2 · pair and the next.
   struct Entry {
     BlockId block;
     Mat62 rows;
+    Eigen::Index pair = 0;
   };
 
   virtual ~HalfSolver() = default;
-  /// L⁻¹ u of the two right-hand sides with these entries.
+  /// L⁻¹ u of the right-hand sides with these entries. May be called by several threads.
   virtual HalfSolution half_solve(std::span<const Entry> entries) const = 0;
-  /// y ᵀ y' = uᵀ A⁻¹ u', 2 × 2.
-  virtual Mat2 product(const HalfSolution& left, const HalfSolution& right) const = 0;
-  /// sum += y s, with s of size 2 and the sum of size n in the order of L.
-  virtual void add(const HalfSolution& y, const Vec2& s, std::span<double> sum) const = 0;
+  /// yᵀ y' = uᵀ A⁻¹ u'. May be called by several threads.
+  virtual Eigen::MatrixXd product(const HalfSolution& left, const HalfSolution& right) const = 0;
+  /// sum += y s, with the columns of y from `first` on and the sum of size n in the order of L.
+  virtual void add(const HalfSolution& y, Eigen::Index first, const Eigen::VectorXd& s,
+                   std::span<double> sum) const = 0;
   /// Overwrites each column of a sum Σ y s by A⁻¹ Σ u s.
   virtual void complete(std::span<double> sums, int columns) const = 0;
 
-  /// Parts of L on the ways of these blocks to the root; nothing when they are more than half of L.
-  virtual std::optional<std::vector<int>> narrow_way(std::span<const BlockId> blocks) const = 0;
+  /// The ways of these blocks to the root; nothing when they are more than half of L.
+  virtual std::optional<EliminationOrder> narrow_way(std::span<const BlockId> blocks) const = 0;
   /// Overwrites a sum Σ y s by A⁻¹ Σ u s at the blocks of a way and by zero elsewhere.
-  virtual void complete_on(const std::vector<int>& way, std::span<double> sum) const = 0;
+  virtual void complete_on(const EliminationOrder& way, std::span<double> sum) const = 0;
 };
 
 }  // namespace dda

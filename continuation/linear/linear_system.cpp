@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "continuation/linear/dense_inertia.hpp"
+#include "framework/threads.hpp"
 
 namespace dda {
 
@@ -92,7 +93,7 @@ bool LinearSystem::factor_base() {
   if (!solver_->factor(matrix_with(base_))) return false;
   constexpr std::size_t of_many = 4, of_few = 16;
   batch_ = 2 * equilibrium_.num_active() <= most_columns() ? of_few : of_many;
-  columns_ = update_columns(equilibrium_, *solver_);
+  columns_ = update_columns(equilibrium_, *solver_, batch_);
   return true;
 }
 
@@ -107,8 +108,7 @@ void LinearSystem::solve_with_base(std::span<double> x) {
 bool LinearSystem::restore(std::span<const Mat2> base, std::span<const std::size_t> updated) {
   base_.assign(base.begin(), base.end());
   if (!factor_base()) return false;
-  for (const std::size_t point : updated)
-    if (slot_[point] < 0) add_columns(point);
+  add_columns(updated);
   return true;
 }
 
@@ -145,11 +145,9 @@ bool LinearSystem::set_tangent(std::span<const Mat2> tangents) {
   if (needs_new_base(tangents) && !rebase(tangents)) return false;
   tangent_.assign(tangents.begin(), tangents.end());
   active_.clear();
-  for (std::size_t p = 0; p < tangents.size(); ++p) {
-    if (is_same(tangents[p], base_[p])) continue;
-    if (slot_[p] < 0) add_columns(p);
-    active_.push_back(p);
-  }
+  for (std::size_t p = 0; p < tangents.size(); ++p)
+    if (!is_same(tangents[p], base_[p])) active_.push_back(p);
+  add_columns(active_);
   return factor_small();
 }
 
@@ -166,8 +164,7 @@ bool LinearSystem::make_columns(std::span<const std::size_t> points) {
     if (batches.empty() || batches.back() != p / batch_) batches.push_back(p / batch_);
   const std::size_t columns = 2 * batch_ * batches.size();
   if (columns > columns_->most_at_once() || 2 * updated_.size() + columns > most_columns()) return false;
-  for (const std::size_t p : points)
-    if (slot_[p] < 0) add_columns(p);
+  add_columns(points);
   return true;
 }
 
@@ -197,15 +194,20 @@ Eigen::VectorXd LinearSystem::along_columns(const Functional& gauge) {
   return out;
 }
 
-/// Computes Z for the batch of a point, and its couplings in G with every point before it.
-void LinearSystem::add_columns(std::size_t point) {
-  const auto scope = timings_->measure("columns");
-  const std::size_t first = updated_.size(), begin = point / batch_ * batch_;
-  const std::size_t end = std::min(begin + batch_, equilibrium_.num_active());
-  for (std::size_t p = begin; p < end; ++p) {
-    slot_[p] = static_cast<int>(updated_.size());
-    updated_.push_back(p);
+/// Computes Z for the batches of the points that have none, and their couplings in G with every point before.
+void LinearSystem::add_columns(std::span<const std::size_t> points) {
+  const std::size_t first = updated_.size();
+  for (const std::size_t point : points) {
+    if (slot_[point] >= 0) continue;
+    const std::size_t begin = point / batch_ * batch_;
+    const std::size_t end = std::min(begin + batch_, equilibrium_.num_active());
+    for (std::size_t p = begin; p < end; ++p) {
+      slot_[p] = static_cast<int>(updated_.size());
+      updated_.push_back(p);
+    }
   }
+  if (updated_.size() == first) return;
+  const auto scope = timings_->measure("columns");
   const auto needed = static_cast<Eigen::Index>(2 * updated_.size());
   if (g_.rows() < needed) g_.conservativeResize(2 * needed, 2 * needed);
   columns_->add(std::span<const std::size_t>(updated_).subspan(first), g_);
@@ -215,12 +217,14 @@ bool LinearSystem::factor_small() {
   const auto r = static_cast<Eigen::Index>(2 * active_.size());
   if (r == 0) return true;
   Eigen::MatrixXd m = Eigen::MatrixXd::Identity(r, r);
-  for (std::size_t a = 0; a < active_.size(); ++a) {
-    const Mat2 e = equilibrium_.point(active_[a]).weight * (tangent_[active_[a]] - base_[active_[a]]);
-    for (std::size_t b = 0; b < active_.size(); ++b)
+  std::vector<Mat2> e;
+  for (const std::size_t p : active_) e.push_back(equilibrium_.point(p).weight * (tangent_[p] - base_[p]));
+  constexpr std::size_t columns_at_once = 64;
+  parallel_for(active_.size(), columns_at_once, [&](std::size_t b) {
+    for (std::size_t a = 0; a < active_.size(); ++a)
       m.block<2, 2>(2 * static_cast<Eigen::Index>(a), 2 * static_cast<Eigen::Index>(b)) +=
-          e * g_.block<2, 2>(2 * slot_[active_[a]], 2 * slot_[active_[b]]);
-  }
+          e[a] * g_.block<2, 2>(2 * slot_[active_[a]], 2 * slot_[active_[b]]);
+  });
   return small_.compute(std::move(m));
 }
 
@@ -287,16 +291,21 @@ void LinearSystem::solve_base(std::span<const double> b, std::span<double> y) {
 
 bool LinearSystem::solve_base_residual(const Iterate& at, std::span<double> y) {
   if (!columns_ || !columns_->product_is_cheap()) return false;
+  constexpr std::size_t points_at_once = 4000;
+  std::vector<Vec2> z(at.traction.size());
+  parallel_for(z.size(), points_at_once, [&](std::size_t p) {
+    const Vec2 linear = base_[p] * equilibrium_.opening(p, at.d);
+    z[p] = at.traction[p] - linear;
+    constexpr double round_off = 1e-14;
+    if (z[p].norm() <= round_off * linear.norm()) z[p].setZero();
+  });
   std::vector<std::size_t> points;
   std::vector<double> minus_z;
-  for (std::size_t p = 0; p < at.traction.size(); ++p) {
-    const Vec2 linear = base_[p] * equilibrium_.opening(p, at.d);
-    const Vec2 z = at.traction[p] - linear;
-    constexpr double round_off = 1e-14;
-    if (z.norm() <= round_off * linear.norm()) continue;
+  for (std::size_t p = 0; p < z.size(); ++p) {
+    if (z[p].isZero(0)) continue;
     if (slot_[p] < 0) return false;
     points.push_back(p);
-    for (const double component : z) minus_z.push_back(-equilibrium_.point(p).weight * component);
+    for (const double component : z[p]) minus_z.push_back(-equilibrium_.point(p).weight * component);
   }
   const Eigen::MatrixXd forces =
       Eigen::Map<const Eigen::VectorXd>(minus_z.data(), static_cast<Eigen::Index>(minus_z.size()));
@@ -344,11 +353,12 @@ void LinearSystem::multiply(std::span<const Mat2> tangents, std::span<const doub
   std::ranges::fill(y, 0.0);
   equilibrium_.intact().multiply_add(x, y);
   std::vector<double> t(2 * equilibrium_.num_active());
-  for (std::size_t p = 0; p < equilibrium_.num_active(); ++p) {
+  constexpr std::size_t points_at_once = 4000;
+  parallel_for(equilibrium_.num_active(), points_at_once, [&](std::size_t p) {
     const Mat2 change = tangents[p] - Mat2(equilibrium_.point(p).intact_stiffness().asDiagonal());
     Eigen::Map<Vec2>(t.data() + 2 * p) =
         change.isZero(0) ? Vec2(Vec2::Zero()) : Vec2(change * rows_times(p, x));
-  }
+  });
   equilibrium_.scatter_add(t, y);
 }
 

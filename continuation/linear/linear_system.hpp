@@ -118,7 +118,7 @@ class LinearSystem {
   /// Columns beyond which a new base is cheaper.
   std::size_t most_columns() const;
   std::size_t n() const { return equilibrium_.num_unknowns(); }
-  void add_columns(std::size_t point);
+  void add_columns(std::span<const std::size_t> points);
   /// y = K x for the K with these D.
   void multiply(std::span<const Mat2> tangents, std::span<const double> x, std::span<double> y) const;
   bool factor_small();

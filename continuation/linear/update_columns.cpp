@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "continuation/linear/half_solver.hpp"
+#include "framework/threads.hpp"
 
 namespace dda {
 namespace {
@@ -14,24 +15,25 @@ using Matrix = Eigen::MatrixXd;
 
 Eigen::Index row_of(std::size_t place) { return 2 * static_cast<Eigen::Index>(place); }
 
+/// Runs of points between the multiples of a number.
+std::vector<std::span<const std::size_t>> neighbours(std::span<const std::size_t> points, std::size_t most) {
+  std::vector<std::span<const std::size_t>> out;
+  for (std::size_t begin = 0, end; begin < points.size(); begin = end) {
+    for (end = begin + 1; end < points.size() && points[end] / most == points[begin] / most;) ++end;
+    out.push_back(points.subspan(begin, end - begin));
+  }
+  return out;
+}
+
 /// Z column by column. It is kept while it is small and replaced by a solution per product from then on, so
 /// that memory follows the factor and not the cracks.
 class WholeColumns final : public UpdateColumns {
  public:
-  WholeColumns(const Equilibrium& equilibrium, DirectSolver& solver)
-      : equilibrium_(equilibrium), solver_(solver) {}
+  WholeColumns(const Equilibrium& equilibrium, DirectSolver& solver, std::size_t batch)
+      : equilibrium_(equilibrium), solver_(solver), batch_(batch) {}
 
   void add(std::span<const std::size_t> points, Matrix& g) override {
-    std::vector<double> columns(2 * points.size() * n(), 0.0);
-    for (std::size_t i = 0; i < points.size(); ++i)
-      for (std::size_t c = 0; c < 2; ++c)
-        add_rows(points[i], Vec2::Unit(static_cast<Eigen::Index>(c)), columns.data() + (2 * i + c) * n());
-    solve(columns, 2 * points.size());
-    const std::size_t first = points_.size();
-    points_.insert(points_.end(), points.begin(), points.end());
-    for (std::size_t s = first; s < points_.size(); ++s)
-      couple(s, first, std::span<const double>(columns).subspan(2 * (s - first) * n(), 2 * n()), g);
-    keep(columns);
+    for (const std::span<const std::size_t> some : neighbours(points, batch_)) add_batch(some, g);
   }
 
   void subtract(std::span<const std::size_t> places, const Matrix& shares,
@@ -52,6 +54,19 @@ class WholeColumns final : public UpdateColumns {
   std::size_t most_at_once() const override { return most_whole_columns; }
 
  private:
+  void add_batch(std::span<const std::size_t> points, Matrix& g) {
+    std::vector<double> columns(2 * points.size() * n(), 0.0);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      for (std::size_t c = 0; c < 2; ++c)
+        add_rows(points[i], Vec2::Unit(static_cast<Eigen::Index>(c)), columns.data() + (2 * i + c) * n());
+    solve(columns, 2 * points.size());
+    const std::size_t first = points_.size();
+    points_.insert(points_.end(), points.begin(), points.end());
+    for (std::size_t s = first; s < points_.size(); ++s)
+      couple(s, first, std::span<const double>(columns).subspan(2 * (s - first) * n(), 2 * n()), g);
+    keep(columns);
+  }
+
   std::size_t n() const { return equilibrium_.num_unknowns(); }
 
   void solve(std::vector<double>& columns, std::size_t count) {
@@ -99,6 +114,7 @@ class WholeColumns final : public UpdateColumns {
 
   const Equilibrium& equilibrium_;
   DirectSolver& solver_;
+  const std::size_t batch_;
   std::vector<std::size_t> points_;
   bool keeps_z_ = true;
   std::vector<double> z_;  ///< n × 2 per point
@@ -119,19 +135,18 @@ class HalfColumns final : public UpdateColumns {
         way_(solver.narrow_way(watched_)) {}
 
   void add(std::span<const std::size_t> points, Matrix& g) override {
-    for (const std::size_t point : points) {
-      std::vector<HalfSolver::Entry> entries;
-      equilibrium_.point(point).for_each_part([&](BlockId part, const Mat26& rows) {
-        entries.push_back({part, rows.transpose()});
-      });
-      const std::size_t place = y_.size();
-      y_.push_back(solver_.half_solve(entries));
-      for (std::size_t a = 0; a <= place; ++a) {
-        const Mat2 common = solver_.product(y_[a], y_[place]);
-        g.block<2, 2>(row_of(a), row_of(place)) = common;
-        g.block<2, 2>(row_of(place), row_of(a)) = common.transpose();
-      }
+    const std::size_t first = groups_.size();
+    const auto new_groups = neighbours(points, group_size);
+    for (const std::span<const std::size_t> group : new_groups) {
+      for (std::size_t i = 0; i < group.size(); ++i)
+        places_.push_back({groups_.size(), 2 * static_cast<Eigen::Index>(i)});
+      groups_.push_back({places_.size() - group.size(), {}});
     }
+    parallel_for(new_groups.size(), 1, [&](std::size_t i) {
+      groups_[first + i].y = solver_.half_solve(entries_of(new_groups[i]));
+    });
+    for (std::size_t right = first; right < groups_.size(); ++right)
+      parallel_for(right + 1, couplings_at_once, [&](std::size_t left) { couple(left, right, g); });
   }
 
   void subtract(std::span<const std::size_t> places, const Matrix& shares,
@@ -162,25 +177,63 @@ class HalfColumns final : public UpdateColumns {
   std::size_t most_at_once() const override { return std::numeric_limits<std::size_t>::max(); }
 
  private:
+  /// Points whose columns are made together: their ways are the same but for the beginning, and L is read
+  /// once for all of them.
+  static constexpr std::size_t group_size = 4;
+  static constexpr std::size_t couplings_at_once = 8;
+  struct Group {
+    std::size_t first;  ///< place
+    HalfSolution y;
+  };
+  /// Where the columns of a point are.
+  struct Place {
+    std::size_t group;
+    Eigen::Index column;
+  };
+
+  std::vector<HalfSolver::Entry> entries_of(std::span<const std::size_t> points) const {
+    std::vector<HalfSolver::Entry> out;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      equilibrium_.point(points[i]).for_each_part([&](BlockId part, const Mat26& rows) {
+        out.push_back({part, rows.transpose(), static_cast<Eigen::Index>(i)});
+      });
+    return out;
+  }
+
+  /// G of two groups.
+  void couple(std::size_t left, std::size_t right, Matrix& g) const {
+    const Matrix common = solver_.product(groups_[left].y, groups_[right].y);
+    const Eigen::Index row = row_of(groups_[left].first), column = row_of(groups_[right].first);
+    g.block(column, row, common.cols(), common.rows()) = common.transpose();
+    g.block(row, column, common.rows(), common.cols()) = common;
+  }
+
   /// Y s.
   void add_up(std::span<const std::size_t> places, const Eigen::VectorXd& share,
               std::span<double> sum) const {
-    for (std::size_t a = 0; a < places.size(); ++a)
-      solver_.add(y_[places[a]], share.segment<2>(row_of(a)), sum);
+    for (std::size_t a = 0, end; a < places.size(); a = end) {
+      const Place& at = places_[places[a]];
+      for (end = a + 1; end < places.size() && places[end] == places[a] + (end - a) &&
+                        places_[places[end]].group == at.group;)
+        ++end;
+      solver_.add(groups_[at.group].y, at.column, share.segment(row_of(a), row_of(end - a)), sum);
+    }
   }
 
   const Equilibrium& equilibrium_;
   const HalfSolver& solver_;
   const std::vector<BlockId> watched_;
-  const std::optional<std::vector<int>> way_;  ///< of the watched ones, where it is narrow
-  std::vector<HalfSolution> y_;
+  const std::optional<EliminationOrder> way_;  ///< of the watched ones, where it is narrow
+  std::vector<Group> groups_;
+  std::vector<Place> places_;
 };
 
 }  // namespace
 
-std::unique_ptr<UpdateColumns> update_columns(const Equilibrium& equilibrium, DirectSolver& solver) {
+std::unique_ptr<UpdateColumns> update_columns(const Equilibrium& equilibrium, DirectSolver& solver,
+                                              std::size_t batch) {
   if (const HalfSolver* halves = solver.halves()) return std::make_unique<HalfColumns>(equilibrium, *halves);
-  return std::make_unique<WholeColumns>(equilibrium, solver);
+  return std::make_unique<WholeColumns>(equilibrium, solver, batch);
 }
 
 }  // namespace dda

@@ -40,7 +40,9 @@ class UpdateColumns {
   std::size_t num_solves_ = 0;
 };
 
-/// Columns for what the solver has factorised last.
-std::unique_ptr<UpdateColumns> update_columns(const Equilibrium& equilibrium, DirectSolver& solver);
+/// Columns for what the solver has factorised last; points between two multiples of `batch` are always added
+/// together, in order.
+std::unique_ptr<UpdateColumns> update_columns(const Equilibrium& equilibrium, DirectSolver& solver,
+                                              std::size_t batch);
 
 }  // namespace dda

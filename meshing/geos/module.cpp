@@ -172,6 +172,7 @@ class PreparedClipper final : public Clipper {
   bool holds(const Vec2& x) const override {
     return GEOSPreparedContains_r(context(), prepared_.get(), point(x).get()) == 1;
   }
+  const Figure& figure() const override { return figure_; }
 
  private:
   Figure figure_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/threads.hpp"
 #include "meshing/subdivision/subdivision.hpp"
 
 namespace dda {
@@ -64,15 +65,17 @@ Cells Voronoi::divide(const Layout& layout) const {
   if (layout.model) require_sound(layout);
   const std::vector<Part> parts = parts_of(layout);
   const std::vector<std::size_t> blocks = counts(parts);
-  Cells result{{}, layout.lines};
-  for (std::size_t i = 0; i < parts.size(); ++i) {
+  std::vector<std::vector<Polygon>> cells(parts.size());
+  parallel_for(parts.size(), 1, [&](std::size_t i) {
     // Parts of equal form must not get equal sites: each draws from its own seed.
     const VoronoiWish wish{blocks[i],
                            static_cast<std::uint64_t>(parameters_.seed) + 0x9e3779b97f4a7c15ULL * i,
                            static_cast<int>(parameters_.iterations)};
-    for (Polygon& cell : cut_cells(centroidal_voronoi(parts[i].figure, wish), inner_lines(layout)))
-      result.cells.push_back({std::move(cell), parts[i].region});
-  }
+    cells[i] = cut_cells(centroidal_voronoi(parts[i].figure, wish), inner_lines(layout));
+  });
+  Cells result{{}, layout.lines};
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    for (Polygon& cell : cells[i]) result.cells.push_back({std::move(cell), parts[i].region});
   return result;
 }
 

@@ -2,12 +2,11 @@
 
     cost_of_a_crack.py PROGRAM [RUNS]
 
-Prints a Markdown table; numbers are medians of RUNS runs (default 5), the ratios of iterations are taken between
-runs that alternate. Exit 1 when a target is missed.
+Prints a Markdown table; numbers are medians of RUNS runs (default 5), ratios are taken between runs that alternate.
+Runs have one thread, but for those that compare one with two. Exit 1 when a target is missed.
 """
 
 import json
-import os
 import statistics
 import subprocess
 import sys
@@ -29,21 +28,25 @@ FOLLOWING = ("tangents", "laws", "solutions", "path", "LOCA", "residuals", "colu
 ITERATED = {2000: (2.70, 21.6), 20_000: (0.81, 6.48)}
 
 
+THREADED = (("triangles", 30_000, 1.2), ("triangles", 100_000, 1.2), ("voronoi", 30_000, 1.3), ("voronoi", 100_000, 1.3))
+
+
 class Program:
     def __init__(self, path, folder):
         self.path, self.folder = str(Path(path).resolve()), Path(folder)
 
-    def run(self, deck, *settings):
+    def run(self, deck, *settings, threads=1):
         """Seconds of the whole process, and its summary; `deck` is a file or what goes into one."""
         if isinstance(deck, dict):
             file = self.folder / "deck.json"
             file.write_text(json.dumps(deck), encoding="utf-8")
             deck = file
-        command = [self.path, "run", deck, "--folder", self.folder / "run", "--overwrite", "--quiet"]
+        command = [self.path, "run", deck, "--folder", self.folder / "run", "--overwrite", "--quiet", "--threads",
+                   str(threads)]
         for setting in settings:
             command += ["--set", setting]
         start = time.perf_counter()
-        subprocess.run(command, check=True, capture_output=True, env=os.environ | {"OMP_NUM_THREADS": "1"})
+        subprocess.run(command, check=True, capture_output=True)
         seconds = time.perf_counter() - start
         return seconds, json.loads((self.folder / "run" / "summary.json").read_text(encoding="utf-8"))
 
@@ -108,13 +111,24 @@ def large_beam(program, _):
     yield f"{summary['blocks']} triangles, memory [GiB]", summary["peak_memory_mib"] / 1024, 6, False
 
 
+def threads(program, runs):
+    for beam, number, target in THREADED:
+        deck = beams.BEAMS[beam](number)
+        seconds = {1: [], 2: []}
+        for _ in range(min(runs, 3)):
+            for count, found in seconds.items():
+                found.append(program.run(deck, threads=count)[0])
+        one, two = (statistics.median(found) for found in seconds.values())
+        yield f"{number} blocks, {beam}: {one:.1f} s with one thread, {two:.1f} s with two, times faster", one / two, target, True
+
+
 def main(arguments):
     runs = int(arguments[1]) if len(arguments) > 1 else 5
     missed = 0
     print("| what | measured | target | |\n|---|---|---|---|", flush=True)
     with tempfile.TemporaryDirectory() as folder:
         program = Program(arguments[0], folder)
-        for part in (iterations, snap_back, voronoi, large_beam):
+        for part in (iterations, snap_back, voronoi, large_beam, threads):
             for what, found, target, is_least in part(program, runs):
                 held = found >= target if is_least else found <= target
                 missed += not held
