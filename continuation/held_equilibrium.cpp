@@ -33,7 +33,7 @@ std::optional<State> HeldEquilibrium::solve(State at) {
 bool HeldEquilibrium::converge(State& at) {
   bool polished = false;
   std::vector<double> before;  // the excess of the iterations
-  for (int iteration = 0; iteration < 4 * parameters_.newton.max_iterations; ++iteration) {
+  for (int iteration = 0; iteration < 2 * parameters_.newton.max_iterations; ++iteration) {
     const auto laws = system_.laws_at(at.d, at.load_factor);
     std::vector<double> residual(at.d.size()), slope(at.d.size());
     system_.residual(at.d, at.load_factor, *laws, residual);

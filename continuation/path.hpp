@@ -188,7 +188,8 @@ class Path {
   Walker& walker_;
   const PathParameters& parameters_;
   std::unique_ptr<Driver> driver_;
-  Functional load_, displacement_;  ///< of the load, their product being work
+  Functional load_;
+  Functional displacement_;  ///< on which the load works
   std::vector<Landing> landings_;
   std::vector<Leg> legs_;
   bool releases_at_once_ = false;  ///< some law does

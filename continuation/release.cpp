@@ -35,7 +35,7 @@ class Release {
     const Functional own = held ? Functional{} : held_opening();
     const Functional& gauge = held ? *held : own;
     HeldEquilibrium equilibrium(system_, parameters_, gauge, gauge.value(start_.d, start_.load_factor));
-    auto out = towards(equilibrium, most, start_);
+    auto out = at_share(equilibrium, most, start_);
     // Straight as long as no contact changes on the way; where one does, the crossing is sought again.
     constexpr int most_searches = 20;
     double gone = most;
@@ -43,7 +43,7 @@ class Release {
       const double share = first_crossing(out->state);
       if (share >= 1 - 1e-12) break;
       gone *= share;
-      out = towards(equilibrium, gone, out->state);
+      out = at_share(equilibrium, gone, out->state);
     }
     std::optional<ReleasedPiece> piece;
     if (out) {
@@ -76,26 +76,6 @@ class Release {
 
   /// What a pending point still bears of what it loses.
   double share(std::size_t p) const { return before_[p].share > 0 ? before_[p].share : 1; }
-
-  /// The equilibrium when `gone` has gone. Where Newton's method loses its way among the contacts that change
-  /// meanwhile, it is led there from the start of the piece, by shorter steps of the loss.
-  std::optional<Settled> towards(HeldEquilibrium& equilibrium, double gone, const State& guess) {
-    if (auto found = at_share(equilibrium, gone, guess)) return found;
-    constexpr double shortest = 0.02;
-    std::optional<Settled> last;
-    double reached = 0;
-    for (double step = gone / 2; reached < gone && step > shortest * gone;) {
-      const double next = std::min(reached + step, gone);
-      if (auto found = at_share(equilibrium, next, last ? last->state : start_)) {
-        last = std::move(found);
-        reached = next;
-      } else {
-        step /= 2;
-      }
-    }
-    if (reached < gone) last.reset();
-    return last;
-  }
 
   /// The equilibrium when `gone` of what is being lost at the start of the piece has gone.
   std::optional<Settled> at_share(HeldEquilibrium& equilibrium, double gone, const State& guess) {

@@ -25,8 +25,8 @@ struct ReleasedPiece {
 };
 
 /// Next vertex of a release from an equilibrium: all pending points released, or the next point at its
-/// strength. `held` replaces the held opening by a gauge (load control holds the load). Nothing when there is
-/// no equilibrium.
+/// strength, or the share `most` of what pending points still bear gone. `held` replaces the held opening by
+/// a gauge (load control holds the load). Nothing when there is no equilibrium.
 std::optional<ReleasedPiece> release_piece(System& system, const State& start,
                                            const StepperParameters& parameters, const Functional* held,
                                            double most);

@@ -51,8 +51,8 @@ Drawn shapes_and_lines(const Layout& layout) {
 void fragment(const Drawn& drawn) {
   gmsh::vectorpair objects, tools, pieces;
   for (const auto& [entity, name] : drawn) objects.push_back(entity);
-  std::vector<gmsh::vectorpair> pieces_of;
-  gmsh::model::occ::fragment(objects, tools, pieces, pieces_of);
+  std::vector<gmsh::vectorpair> pieces_of{objects};  // of a single shape, which gmsh does not cut by nothing
+  if (objects.size() > 1) gmsh::model::occ::fragment(objects, tools, pieces, pieces_of);
   gmsh::model::occ::synchronize();
   std::map<std::pair<int, std::string>, std::vector<int>> groups;
   for (std::size_t i = 0; i < drawn.size(); ++i)

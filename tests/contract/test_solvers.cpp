@@ -134,6 +134,53 @@ TEST_P(SolverContract, UnsymmetricTangentsAreSolvedAsWrittenOut) {
   }
 }
 
+/// A square of 64 blocks, every joint of which can crack.
+constexpr const char* many_joints = R"(
+scene:
+  regions: [{material: stone, vertices: [[0, 0], [1, 0], [1, 1], [0, 1]]}]
+  boundaries: {left: [[0, 0], [0, 1]], right: [[1, 0], [1, 1]]}
+  subdivision: {type: grid, columns: 8, rows: 8}
+thickness: 1
+materials: {stone: {type: linear_elastic, young_modulus: 3, poisson_ratio: 0.3}}
+interfaces:
+  any:
+    between: [stone, stone]
+    law: {type: mohr_coulomb, tensile_strength: 0.01, cohesion: 0.02, friction_angle: 30}
+supports: {wall: {on: left, fix: xy}}
+stages: [{loads: [{type: edge_traction, on: right, traction: [1, 0]}]}]
+)";
+
+TEST_P(SolverContract, ATangentThatMostlySlidesIsTheBase) {
+  const Structure structure(many_joints);
+  const Equilibrium equilibrium = structure.equilibrium();
+  const auto choice = direct_solvers().choose(GetParam());
+  LinearSystem system(equilibrium, choice, LinearSystem::Update::low_rank);
+  const std::vector<double> b = random_.vector(equilibrium.num_unknowns(), 1);
+  const auto tangents = [&](double sliding) {
+    std::vector<Mat2> out;
+    for (std::size_t p = 0; p < equilibrium.num_active(); ++p) {
+      out.emplace_back(equilibrium.point(p).intact_stiffness().asDiagonal());
+      if (random_.between(0, 1) < sliding)
+        out.back().row(1) << -0.5 * out.back()(0, 0), 0.1 * out.back()(1, 1);
+    }
+    return out;
+  };
+  for (const auto& [sliding, updates] : {std::pair(0.02, true), {0.9, false}, {0.95, false}, {0.0, true}}) {
+    const std::vector<Mat2> now = tangents(sliding);
+    ASSERT_TRUE(system.set_tangent(now));
+    EXPECT_EQ(system.updates(), updates) << sliding;
+    std::vector<double> x(b.size()), y(b.size());
+    system.solve(b, x);
+    const Eigen::VectorXd expected = dense_tangent(equilibrium, now).fullPivLu().solve(vec(b));
+    EXPECT_LT((vec(x) - expected).norm(), 1e-9 * expected.norm()) << sliding;
+    LinearSystem restored(equilibrium, choice, LinearSystem::Update::low_rank);
+    ASSERT_TRUE(restored.restore(system.base(), system.updated_points()));
+    ASSERT_TRUE(restored.set_tangent(now));
+    restored.solve(b, y);
+    EXPECT_EQ(x, y) << "as after a restart, " << sliding;
+  }
+}
+
 /// Random tangents: softening, released and intact points, then more and more of them.
 TEST_P(SolverContract, LowRankUpdatesEqualNewFactorisations) {
   const Structure structure(square_deck());

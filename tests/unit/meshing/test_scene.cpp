@@ -53,6 +53,18 @@ TEST(Scene, EveryRegisteredSubdivisionIsTestedHere) {
   EXPECT_EQ(names, (std::vector<std::string>{"given", "grid", "quads", "triangles", "voronoi"}));
 }
 
+TEST(Scene, ARegionAloneIsSubdivided) {
+  for (const char* subdivision : {"{type: triangles, size: 0.3}", "{type: quads, size: 0.3}",
+                                  "{type: voronoi, blocks: 20}", "{type: grid, columns: 4, rows: 4}"}) {
+    const Assembly a =
+        mesh_of(std::string("regions: [{material: m, vertices: [[0, 0], [1, 0], [1, 1], [0, 1]]}]\n"
+                            "subdivision: ") +
+                subdivision);
+    EXPECT_GE(a.num_blocks(), 16u) << subdivision;
+    EXPECT_NEAR(total_area(a), 1, 1e-9) << subdivision;
+  }
+}
+
 TEST(Scene, BlocksKeepTheirRegionsHoweverMany) {
   for (const char* subdivision : {"{type: triangles, size: 0.5}", "{type: voronoi, blocks: 60}"}) {
     std::string yaml = "regions:\n";
