@@ -146,7 +146,6 @@ class Path {
   std::string objection(const Candidate& candidate) const;
   double unaccounted(const Candidate& candidate) const;
   bool is_coarse(const Candidate& candidate) const;
-  bool is_jump(const Candidate& candidate) const;
 
   // Refinements of a converged step.
   std::optional<double> before_peak(const Candidate& candidate) const;

@@ -246,22 +246,15 @@ bool Path::is_coarse(const Candidate& candidate) const {
   return unaccounted(candidate) > share * parameters_.step.accuracy * std::abs(candidate.work);
 }
 
-/// Whether its energies tell that no continuous path led there.
-bool Path::is_jump(const Candidate& candidate) const {
-  const Candidate& here = walker_.here();
-  const double dissipated = candidate.dissipated - here.dissipated, work = candidate.work - here.work;
-  constexpr double of_dissipation = 0.1, of_total = 0.02, of_work = 0.01;
-  return unaccounted(candidate) >
-         of_dissipation * std::max(dissipated, of_total * candidate.dissipated) + of_work * std::abs(work);
-}
-
 /// Why a converged state is not the next point of this path; "" when it is.
 std::string Path::objection(const Candidate& candidate) const {
   const Candidate& here = walker_.here();
-  const double dissipated = candidate.dissipated - here.dissipated;
-  if (is_jump(candidate))
-    return fmt::format("the step jumps: {:.1e} of its work is unaccounted for",
-                       unaccounted(candidate) / std::abs(candidate.work - here.work));
+  const double dissipated = candidate.dissipated - here.dissipated, work = candidate.work - here.work;
+  const double missing = unaccounted(candidate);
+  constexpr double of_dissipation = 0.1, of_total = 0.02, of_work = 0.01;
+  if (missing >
+      of_dissipation * std::max(dissipated, of_total * candidate.dissipated) + of_work * std::abs(work))
+    return fmt::format("the step jumps: {:.1e} of its work is unaccounted for", missing / std::abs(work));
   const double before = load_of(walker_.state()), after = load_of(candidate.state);
   if (here.dissipated > 0 && dissipated <= 0 && after < before && walker_.leaving().dissipates)
     return "the step retraces the unloading branch";
