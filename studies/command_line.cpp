@@ -80,11 +80,11 @@ class Grammar {
     sub->add_option_function<int>("--threads", use_threads,
                                   "Threads of a run; OMP_NUM_THREADS if not given, else one per processor; 1 "
                                   "for the runs of a sweep")
-        ->check(CLI::PositiveNumber);
+        ->check(CLI::Range(1, 1024));
   }
   void add_jobs(CLI::App* sub) {
     sub->add_option("--jobs", line_.jobs, "Runs of a sweep at a time; one per processor if not given")
-        ->check(CLI::PositiveNumber);
+        ->check(CLI::Range(1, 1024));
   }
   void add_solving();
   void add_many();
