@@ -141,17 +141,6 @@ void release_pending(System& system, const State& at) {
   system.set_history(std::move(history));
 }
 
-/// Everything pending and whatever follows released in full, equilibrium found by a solver.
-std::optional<Settled> release_all(System& system, const State& start, const LoadStep& step,
-                                   const StepperParameters& parameters) {
-  const std::vector<History> before = system.history();
-  release_pending(system, start);
-  auto out = load_increment(system, start, step, parameters).settled;
-  system.set_history(before);
-  system.set_multipliers(start.multipliers);
-  return out;
-}
-
 /// Newton's method with a gauge held, whatever the load.
 class AtGauge final : public LoadSolver {
  public:
@@ -174,15 +163,19 @@ class AtGauge final : public LoadSolver {
 
 std::optional<Settled> release_at_load(System& system, const State& start,
                                        const StepperParameters& parameters, double load_factor) {
-  const auto newton = load_solvers().choose("newton").make();
-  return release_all(system, start, {load_factor - start.load_factor, *newton}, parameters);
+  return release_at_gauge(system, start, parameters, {.rows = {}, .per_load_factor = 1}, load_factor);
 }
 
 std::optional<Settled> release_at_gauge(System& system, const State& start,
                                         const StepperParameters& parameters, const Functional& gauge,
                                         double value) {
+  const std::vector<History> before = system.history();
+  release_pending(system, start);
   AtGauge solver(gauge, value);
-  return release_all(system, start, {0, solver}, parameters);
+  auto out = load_increment(system, start, {0, solver}, parameters).settled;
+  system.set_history(before);
+  system.set_multipliers(start.multipliers);
+  return out;
 }
 
 }  // namespace dda
