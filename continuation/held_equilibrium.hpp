@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "continuation/loca/stepper.hpp"
+#include "continuation/stepper.hpp"
 
 namespace dda {
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "continuation/loca/stepper.hpp"
+#include "continuation/stepper.hpp"
 
 namespace dda {
 

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "continuation/mpi_session.hpp"
 #include "framework/threads.hpp"
 #include "models/stiffness_parts.hpp"
 
@@ -21,8 +20,7 @@ System::System(const Equilibrium& equilibrium, const DirectSolverChoice& solver,
     : equilibrium_(equilibrium),
       loading_(nullptr),
       linear_(equilibrium, solver, update),
-      history_(equilibrium.num_active()),
-      map_(Teuchos::rcp(new TpetraMap(equilibrium.num_unknowns(), 0, all_ranks()))) {
+      history_(equilibrium.num_active()) {
   for (std::size_t p = 0; p < equilibrium.num_active() && !physical_; ++p)
     if (equilibrium.point(p).multiplier == Multiplier::iterated) {
       physical_ = std::make_unique<LinearSystem>(equilibrium, solver, update);

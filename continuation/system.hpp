@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Teuchos_RCP.hpp>
 #include <algorithm>
 #include <cstdint>
 #include <memory>
@@ -8,7 +7,6 @@
 #include <vector>
 
 #include "continuation/linear/linear_system.hpp"
-#include "continuation/loca/state_vector.hpp"
 #include "models/equilibrium.hpp"
 
 namespace dda {
@@ -64,7 +62,6 @@ class System {
   void set_history(std::vector<History> history);
   bool frozen() const { return frozen_; }
   void set_frozen(bool frozen);
-  const Teuchos::RCP<const TpetraMap>& map() const { return map_; }
 
   /// Whether any joint's multiplier is iterated.
   bool iterates_multipliers() const { return !multipliers_.empty(); }
@@ -183,7 +180,6 @@ class System {
   };
   Remembered remembered_;
   std::size_t stamps_ = 0, used_stamp_ = 0;
-  Teuchos::RCP<const TpetraMap> map_;
   std::unique_ptr<Timings> own_timings_ = std::make_unique<Timings>();
   Timings* timings_ = own_timings_.get();
 };

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "continuation/energy.hpp"
-#include "continuation/loca/stepper.hpp"
+#include "continuation/stepper.hpp"
 #include "continuation/tangent.hpp"
 
 namespace dda {

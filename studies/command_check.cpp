@@ -109,7 +109,6 @@ int command_check(const CommandLine& command) {
   if (is_sweep(source.root, command.overrides)) return check_sweep(command);
   const DeckFile file = read_deck(std::move(source), command.overrides);
   Timings timings;
-  const MpiSession mpi;
   const Simulation simulation(file.deck, timings);
   fmt::print("{} is valid{}\n", command.deck.string(), file.deck.title.empty() ? "" : ": " + file.deck.title);
   print_blocks(simulation);

@@ -59,11 +59,11 @@ RunFolder folder_of(const CommandLine& line) {
 }
 
 Compared run_control(const DeckFile& deck, const std::string& control, const fs::path& folder,
-                     const CommandLine& line, std::optional<MpiSession>& mpi) {
+                     const CommandLine& line) {
   if (!line.run.quiet) fmt::print(stderr, "{}\n", control);
   const auto start = std::chrono::steady_clock::now();
   const RunOptions options{folder / control, line.run.overwrite, line.run.quiet};
-  Compared out{control, run_deck(deck, options, mpi), 0, {}, 0, false};
+  Compared out{control, run_deck(deck, options), 0, {}, 0, false};
   out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const auto& expected = deck.deck.path.expected_to_stop;
   out.is_expected = out.result.ending.kind == Ending::Kind::goal_reached ||
@@ -184,11 +184,10 @@ void write_comparison(const RunFolder& folder, const std::vector<Compared>& runs
 int command_compare(const CommandLine& line) {
   const std::vector<DeckFile> decks = decks_of(line);
   check_controls(decks);
-  std::optional<MpiSession> mpi;
   const RunFolder folder = folder_of(line);
   std::vector<Compared> runs;
   for (std::size_t i = 0; i < decks.size(); ++i) {
-    runs.push_back(run_control(decks[i], line.controls[i], folder.path(), line, mpi));
+    runs.push_back(run_control(decks[i], line.controls[i], folder.path(), line));
     if (runs.back().result.ending.kind == Ending::Kind::interrupted) return 130;
     runs.back().distance = distance(runs.front().result.trace, runs.back().result.trace);
     runs.back().at_landings = at_landings(decks[i].deck, runs.front().result, runs.back().result);

@@ -182,10 +182,21 @@ int complain(const std::string& text, int code) {
   return code;
 }
 
+/// Ranks would not share the blocks: each would run the whole deck into the same folder.
+void refuse_ranks() {
+  const char* ranks = std::getenv("OMPI_COMM_WORLD_SIZE");
+  if (ranks && std::atoi(ranks) > 1)
+    throw InputError(
+        {}, fmt::format("started by mpirun as {} processes; it runs as one, with --threads, or several "
+                        "runs of a sweep at once with --jobs",
+                        ranks));
+}
+
 }  // namespace
 
 int run_command_line(int argc, char** argv) {
   try {
+    refuse_ranks();
     Grammar grammar;
     if (const std::string wrong = grammar.unknown_name(argc, argv); !wrong.empty())
       return complain("dda: " + wrong + "\nRun `dda --help` for what there is.", 2);

@@ -25,8 +25,7 @@ int command_resume(const CommandLine& line) {
                folder.string());
     return 0;
   }
-  std::optional<MpiSession> mpi;
-  const RunResult result = resume_run(folder, line.overrides, line.run, mpi);
+  const RunResult result = resume_run(folder, line.overrides, line.run);
   if (line.run.profile) fmt::print("{}", profile_table(result.summary));
   fmt::print("{}\n", last_line(result));
   return exit_code_of(result.ending);

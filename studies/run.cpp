@@ -36,22 +36,15 @@ void write_decks(const RunFolder& folder, const DeckFile& deck, const std::strin
   write_whole(folder.file("effective_deck.yaml"), effective, Flush::to_system);
 }
 
-void begin(std::optional<MpiSession>& mpi, Timings& timings) {
-  if (mpi) return;
-  const auto scope = timings.measure("Trilinos");
-  mpi.emplace();
-}
-
 /// Follows the branch that the path has left by switching, if it has, in a folder inside that of the run.
-void follow_primary(const DeckFile& deck, const RunFolder& folder, const RunMemory& memory,
-                    std::optional<MpiSession>& mpi) {
+void follow_primary(const DeckFile& deck, const RunFolder& folder, const RunMemory& memory) {
   const bool has_switched =
       std::ranges::any_of(memory.events, [](const auto& event) { return event.contains("switched"); });
   if (!has_switched || interrupted()) return;
   std::vector<std::string> overrides = deck.overrides;
   overrides.emplace_back("path.branch=follow");
   const RunOptions options{.folder = folder.file("primary"), .overwrite = true, .quiet = true};
-  run_deck(deck_from_text(deck.text, deck.path, overrides), options, mpi);
+  run_deck(deck_from_text(deck.text, deck.path, overrides), options);
 }
 
 /// Follows the path to its end.
@@ -94,12 +87,11 @@ void remove_conclusions(const RunFolder& folder) {
 
 }  // namespace
 
-RunResult run_deck(const DeckFile& deck, const RunOptions& options, std::optional<MpiSession>& mpi) {
+RunResult run_deck(const DeckFile& deck, const RunOptions& options) {
   Timings timings;
   const InterruptGuard guard;
   timings.end_start_up();
   Simulation simulation(deck.deck, timings);
-  begin(mpi, timings);
   simulation.prepare();
   const RunFolder folder = new_folder(deck, options);
   const std::string effective = effective_deck(deck);
@@ -110,12 +102,12 @@ RunResult run_deck(const DeckFile& deck, const RunOptions& options, std::optiona
   RunRecorder recorder(folder, simulation, deck, effective, timings);
   Ending ending{Ending::Kind::stopped_early, obstacle};
   if (obstacle.empty()) ending = follow(simulation, recorder, options.quiet);
-  follow_primary(deck, folder, recorder.memory(), mpi);
+  follow_primary(deck, folder, recorder.memory());
   return conclude(folder, recorder, ending);
 }
 
 RunResult resume_run(const fs::path& existing, const std::vector<std::string>& overrides,
-                     const RunOptions& options, std::optional<MpiSession>& mpi) {
+                     const RunOptions& options) {
   Timings timings;
   const InterruptGuard guard;
   const RunFolder source = RunFolder::open(existing);
@@ -123,7 +115,6 @@ RunResult resume_run(const fs::path& existing, const std::vector<std::string>& o
   const DeckFile deck = deck_of(data, existing, overrides);
   timings.end_start_up();
   Simulation simulation(deck.deck, timings);
-  begin(mpi, timings);
   simulation.prepare();
   const RunMemory memory = restore(data, existing, simulation);
   const bool in_place = options.folder.empty();
@@ -134,7 +125,7 @@ RunResult resume_run(const fs::path& existing, const std::vector<std::string>& o
   write_decks(folder, deck, effective);
   RunRecorder recorder(folder, simulation, deck, effective, timings, memory);
   const Ending ending = follow(simulation, recorder, options.quiet);
-  follow_primary(deck, folder, recorder.memory(), mpi);
+  follow_primary(deck, folder, recorder.memory());
   return conclude(folder, recorder, ending);
 }
 

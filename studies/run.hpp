@@ -1,11 +1,9 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "continuation/mpi_session.hpp"
 #include "studies/deck.hpp"
 #include "studies/run_recorder.hpp"
 
@@ -29,13 +27,12 @@ struct RunResult {
   std::vector<TracePoint> trace;
 };
 
-/// Follows the path of a deck into a new run folder. MPI is started when the deck turns out valid, and must
-/// outlive the call. Throws InputError (nothing written) and OutputError.
-RunResult run_deck(const DeckFile& deck, const RunOptions& options, std::optional<MpiSession>& mpi);
+/// Follows the path of a deck into a new run folder. Throws InputError (nothing written) and OutputError.
+RunResult run_deck(const DeckFile& deck, const RunOptions& options);
 
 /// Continues the run in `folder`, in place or, when the options name another folder, in a copy.
 RunResult resume_run(const std::filesystem::path& folder, const std::vector<std::string>& overrides,
-                     const RunOptions& options, std::optional<MpiSession>& mpi);
+                     const RunOptions& options);
 
 /// One line: folder, status, reason, peak, steps, time.
 std::string last_line(const RunResult& result);

@@ -3,7 +3,8 @@
 #include <algorithm>
 
 #include "continuation/linear/direct_solver.hpp"
-#include "continuation/mpi_session.hpp"
+#include "continuation/mpi_start.hpp"
+#include "continuation/trilinos_session.hpp"
 
 namespace dda {
 namespace {
@@ -87,4 +88,7 @@ class Klu2 final : public DirectSolver {
 }  // namespace dda
 
 /// What continuation/linear/amesos2.cpp loads; the caller owns it.
-extern "C" dda::DirectSolver* dda_klu2() { return new dda::Klu2; }
+extern "C" dda::DirectSolver* dda_klu2() {
+  static const dda::TrilinosSession session;
+  return new dda::Klu2;
+}

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "continuation/loca/stepper.hpp"
+#include "continuation/stepper.hpp"
 #include "framework/family.hpp"
 
 namespace dda {

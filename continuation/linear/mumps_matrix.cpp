@@ -1,13 +1,10 @@
 #include "continuation/linear/mumps_matrix.hpp"
 
-#include <mpi.h>
-
 #include <algorithm>
 #include <functional>
 #include <stdexcept>
 #include <string>
 
-#include "continuation/mpi_session.hpp"
 #include "framework/loaded.hpp"
 
 namespace dda {
@@ -18,15 +15,13 @@ constexpr int job_initialise = -1, job_end = -2, job_analyse = 1, job_factor = 2
 /// MUMPS, loaded with the first matrix: most runs never meet an indefinite one.
 void run_mumps(DMUMPS_STRUC_C& instance) {
   static const auto function =
-      reinterpret_cast<decltype(&dmumps_c)>(symbol_of(DDA_MUMPS_LIBRARY, "dmumps_c"));
+      reinterpret_cast<decltype(&dmumps_c)>(symbol_of(module_file(DDA_MUMPS_MODULE), "dda_mumps"));
   function(&instance);
 }
 
 }  // namespace
 
 MumpsMatrix::MumpsMatrix(Symmetry symmetry) {
-  start_mpi();
-  id_.comm_fortran = static_cast<MUMPS_INT>(MPI_Comm_c2f(MPI_COMM_SELF));
   id_.par = 1;
   id_.sym = static_cast<MUMPS_INT>(symmetry);
   call(job_initialise);

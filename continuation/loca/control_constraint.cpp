@@ -8,11 +8,11 @@ namespace dda {
 
 using Status = NOX::Abstract::Group::ReturnType;
 
-ControlConstraint::ControlConstraint(System& system, std::shared_ptr<ActiveControl> active,
-                                     const State& start)
+ControlConstraint::ControlConstraint(System& system, const Teuchos::RCP<const TpetraMap>& map,
+                                     std::shared_ptr<ActiveControl> active, const State& start)
     : system_(system),
       active_(std::move(active)),
-      x_(Teuchos::rcp(new StateVector(system.map()))),
+      x_(Teuchos::rcp(new StateVector(map))),
       load_factor_(start.load_factor),
       value_(1, 1),
       dx_(x_->createMultiVector(1, NOX::ShapeCopy)) {

@@ -18,7 +18,8 @@ struct ActiveControl {
 /// The one adapter that carries every control into LOCA as a constraint with unknown "lambda".
 class ControlConstraint final : public LOCA::MultiContinuation::ConstraintInterfaceMVDX {
  public:
-  ControlConstraint(System& system, std::shared_ptr<ActiveControl> active, const State& start);
+  ControlConstraint(System& system, const Teuchos::RCP<const TpetraMap>& map,
+                    std::shared_ptr<ActiveControl> active, const State& start);
   ControlConstraint(const ControlConstraint& source, NOX::CopyType type);
 
   void copy(const ConstraintInterface& source) override;

@@ -7,13 +7,14 @@
 
 namespace dda {
 
-Group::Group(const Teuchos::RCP<LOCA::GlobalData>& global, System& system, const State& start, Metric metric)
+Group::Group(const Teuchos::RCP<LOCA::GlobalData>& global, System& system,
+             const Teuchos::RCP<const TpetraMap>& map, const State& start, Metric metric)
     : LOCA::Abstract::Group(global),
       system_(system),
       metric_(metric),
-      x_(Teuchos::rcp(new StateVector(system.map()))),
-      f_(Teuchos::rcp(new StateVector(system.map()))),
-      newton_(Teuchos::rcp(new StateVector(system.map()))) {
+      x_(Teuchos::rcp(new StateVector(map))),
+      f_(Teuchos::rcp(new StateVector(map))),
+      newton_(Teuchos::rcp(new StateVector(map))) {
   parameters_.addParameter("lambda", start.load_factor);
   parameters_.addParameter("s", 0.0);
   std::ranges::copy(start.d, x_->local().begin());

@@ -20,7 +20,8 @@ class Group final : public LOCA::Abstract::Group {
  public:
   static constexpr int load_factor_id = 0, path_id = 1;
 
-  Group(const Teuchos::RCP<LOCA::GlobalData>& global, System& system, const State& start, Metric metric);
+  Group(const Teuchos::RCP<LOCA::GlobalData>& global, System& system,
+        const Teuchos::RCP<const TpetraMap>& map, const State& start, Metric metric);
   Group(const Group& source, NOX::CopyType type);
 
   System& system() const { return system_; }

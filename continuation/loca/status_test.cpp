@@ -46,8 +46,8 @@ NOX::StatusTest::StatusType NewtonTest::judge(const NOX::Solver::Generic& solver
     reason_ = "the residual is not a number";
     return NOX::StatusTest::Failed;
   }
-  // A first iteration may close a contact and overshoot. One that grows later, far above the level of all forces,
-  // would crack the whole structure, and each of its points takes columns of the update, which stay.
+  // A first iteration may close a contact and overshoot. One that grows later, far above the level of all
+  // forces, would crack the whole structure, and each of its points takes columns of the update, which stay.
   constexpr double hopeless = 10;
   if (solver.getNumIterations() > 1 && residual_ > hopeless && residual_ > before) {
     reason_ = fmt::format("the iteration diverges (relative residual {:.1e})", residual_);

@@ -6,17 +6,9 @@
 #include <unordered_map>
 
 #include "continuation/loca/control_constraint.hpp"
+#include "continuation/stepper.hpp"
 
 namespace dda {
-
-/// When a Newton iteration ends.
-struct NewtonParameters {
-  double tolerance = 1e-9;  ///< ‖R‖ relative to the force level of the blocks
-  int max_iterations = 15;
-};
-
-/// Largest |N| of a control, or of LOCA's arc length relative to the step, that counts as none.
-inline constexpr double control_tolerance = 1e-8;
 
 /// Converged when equilibrium and control hold; a residual that does not fall counts without its rounding
 /// (System::excess_residual); failed on NaN, on too many iterations, and as soon as the set of

@@ -8,7 +8,6 @@
 #include <map>
 #include <memory>
 
-#include "continuation/mpi_session.hpp"
 #include "continuation/system.hpp"
 #include "support/structure.hpp"
 
@@ -69,7 +68,7 @@ class Beam {
   std::vector<double> displacement_;
 };
 
-/// The beams that were asked for, by size; to be emptied before the MPI session ends.
+/// The beams that were asked for, by size; to be emptied before MPI ends, which MUMPS may have started.
 std::map<long, std::unique_ptr<Beam>>& beams() {
   static std::map<long, std::unique_ptr<Beam>> made;
   return made;
@@ -152,7 +151,6 @@ BENCHMARK(solve)->Apply(sizes);
 }  // namespace dda
 
 int main(int argc, char** argv) {
-  const dda::MpiSession session;
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
   benchmark::RunSpecifiedBenchmarks();

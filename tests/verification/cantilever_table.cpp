@@ -1,7 +1,6 @@
 // Prints the tables of studies/elastic-cantilever as markdown.
 #include <fmt/format.h>
 
-#include "continuation/mpi_session.hpp"
 #include "verification/cantilever.hpp"
 
 namespace dda::verification {
@@ -70,7 +69,6 @@ void penalty_table(const Cantilever& beam) {
 }  // namespace dda::verification
 
 int main() {
-  const dda::MpiSession session;
   const dda::verification::Cantilever beam;
   dda::verification::consistent_table(beam);
   dda::verification::penalty_table(beam);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "continuation/loca/stepper.hpp"
+#include "continuation/stepper.hpp"
 #include "verification/support.hpp"
 
 namespace dda::verification {

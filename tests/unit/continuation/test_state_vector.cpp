@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "continuation/loca/state_vector.hpp"
-#include "continuation/mpi_session.hpp"
+#include "continuation/trilinos_session.hpp"
 
 namespace dda {
 namespace {
@@ -16,7 +16,11 @@ StateVector vector_of(const std::vector<double>& values) {
 
 std::vector<double> values_of(const StateVector& x) { return {x.local().begin(), x.local().end()}; }
 
-TEST(StateVector, CopiesDeepOrByShape) {
+class StateVectorTest : public testing::Test {
+  TrilinosSession session_;
+};
+
+TEST_F(StateVectorTest, CopiesDeepOrByShape) {
   const StateVector x = vector_of({1, -2, 3});
   EXPECT_EQ(values_of(StateVector(x, NOX::DeepCopy)), (std::vector<double>{1, -2, 3}));
   EXPECT_EQ(values_of(StateVector(x, NOX::ShapeCopy)), (std::vector<double>{0, 0, 0}));
@@ -26,7 +30,7 @@ TEST(StateVector, CopiesDeepOrByShape) {
   EXPECT_EQ(values_of(as_state(*clone)), (std::vector<double>{2, -4, 6}));
 }
 
-TEST(StateVector, Arithmetic) {
+TEST_F(StateVectorTest, Arithmetic) {
   StateVector x = vector_of({1, -2, 4});
   const StateVector y = vector_of({3, 5, 7});
   x.update(2, static_cast<const NOX::Abstract::Vector&>(y), -1);
@@ -44,7 +48,7 @@ TEST(StateVector, Arithmetic) {
   EXPECT_EQ(values_of(x), (std::vector<double>{7, 7, 7}));
 }
 
-TEST(StateVector, Norms) {
+TEST_F(StateVectorTest, Norms) {
   const StateVector x = vector_of({3, -4, 0}), y = vector_of({1, 2, 5});
   EXPECT_EQ(x.norm(NOX::Abstract::Vector::TwoNorm), 5);
   EXPECT_EQ(x.norm(NOX::Abstract::Vector::OneNorm), 7);

@@ -1,4 +1,4 @@
-#include "continuation/stability/krylov_schur.hpp"
+#include "continuation/anasazi/krylov_schur.hpp"
 
 #include <AnasaziBasicEigenproblem.hpp>
 #include <AnasaziBlockKrylovSchurSolMgr.hpp>
@@ -9,7 +9,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "continuation/mpi_session.hpp"
+#include "continuation/trilinos_session.hpp"
 
 namespace dda {
 namespace {
@@ -79,7 +79,7 @@ Teuchos::RCP<MultiVector> start(const Teuchos::RCP<const Map>& map, int vectors)
 
 }  // namespace
 
-Eigenmodes krylov_schur(const EigenProblem& problem, const Search& search) {
+Eigenmodes anasazi_krylov_schur(const EigenProblem& problem, const Search& search) {
   const int count = search.count;
   constexpr int block_size = 3;
   const auto map = Teuchos::rcp(new Map(problem.n(), 0, all_ranks()));

@@ -3,10 +3,18 @@
 #include <string>
 
 #include "continuation/control/control.hpp"
-#include "continuation/loca/status_test.hpp"
 #include "framework/node.hpp"
 
 namespace dda {
+
+/// When a Newton iteration ends.
+struct NewtonParameters {
+  double tolerance = 1e-9;  ///< ‖R‖ relative to the force level of the blocks
+  int max_iterations = 15;
+};
+
+/// Largest |N| of a control, or of LOCA's arc length relative to the step, that counts as none.
+inline constexpr double control_tolerance = 1e-8;
 
 /// What one attempt at a step gave.
 struct Attempt {
@@ -43,9 +51,8 @@ struct ArcLength {
   double goal = 0.5;       ///< θ λ'/‖(d', λ')‖ at the start, so that LOCA keeps θ
 };
 
-/// One LOCA::Stepper step from an equilibrium: natural continuation in the path parameter s, closed by the
-/// control as a LOCA constraint with unknown λ. Newton starts from `guess` (LOCA's predictor, given by the
-/// caller).
+/// One step from an equilibrium to where the control holds, Newton starting from `guess`: on the cracked
+/// points alone where that is all there is to solve, else by LOCA (TrilinosModule::controlled_step).
 Attempt controlled_step(System& system, const State& start, Control& control, double step, const State& guess,
                         const StepperParameters& parameters);
 

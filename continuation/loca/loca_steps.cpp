@@ -1,4 +1,4 @@
-#include "continuation/loca/stepper.hpp"
+#include "continuation/loca/loca_steps.hpp"
 
 #include <LOCA_Factory.H>
 #include <LOCA_GlobalData.H>
@@ -11,13 +11,12 @@
 #include <fmt/format.h>
 
 #include <Teuchos_oblackholestream.hpp>
-#include <cmath>
-#include <optional>
 #include <stdexcept>
 
 #include "continuation/loca/group.hpp"
 #include "continuation/loca/parameter_list.hpp"
-#include "continuation/reduced.hpp"
+#include "continuation/loca/status_test.hpp"
+#include "continuation/trilinos_session.hpp"
 
 namespace dda {
 namespace {
@@ -155,19 +154,24 @@ Teuchos::RCP<Teuchos::ParameterList> common_list(const std::string& method, cons
   return list;
 }
 
+Teuchos::RCP<const TpetraMap> map_of(const System& system) {
+  return Teuchos::rcp(new TpetraMap(system.equilibrium().num_unknowns(), 0, all_ranks()));
+}
+
 struct Loca {
   Teuchos::RCP<LOCA::GlobalData> global;
   explicit Loca(const Teuchos::RCP<Teuchos::ParameterList>& list) : global(LOCA::createGlobalData(list)) {}
   ~Loca() { LOCA::destroyGlobalData(global); }
 };
 
-/// One LOCA step that ends under the control, Newton starting at `guess`.
-Attempt loca_step(System& system, const State& start, Control& control, double step, const State& guess,
-                  const StepperParameters& parameters) {
-  const auto scope = system.timings().measure("LOCA");
+}  // namespace
+
+Attempt loca_controlled_step(System& system, const State& start, Control& control, double step,
+                             const State& guess, const StepperParameters& parameters) {
+  const auto map = map_of(system);
   const auto active = std::make_shared<ActiveControl>(ActiveControl{&control});
   const Teuchos::RCP<LOCA::MultiContinuation::ConstraintInterface> constraint =
-      Teuchos::rcp(new ControlConstraint(system, active, start));
+      Teuchos::rcp(new ControlConstraint(system, map, active, start));
   const auto list = common_list("Natural", "s", 0.0, parameters);
   auto& constraints = list->sublist("LOCA").sublist("Constraints");
   constraints.set("Constraint Object", constraint);
@@ -175,47 +179,13 @@ Attempt loca_step(System& system, const State& start, Control& control, double s
   constraints.set("Bordered Solver Method", "Bordering");
   list->sublist("LOCA").sublist("Predictor").set("Method", "Constant");
   const Loca loca(list);
-  const auto group = Teuchos::rcp(new Group(loca.global, system, start, Metric::natural));
+  const auto group = Teuchos::rcp(new Group(loca.global, system, map, start, Metric::natural));
   const auto test = Teuchos::rcp(new NewtonTest(system, active, parameters.newton));
   return SingleStep(loca.global, group, test, list, step).take(&guess, parameters.multipliers);
 }
 
-/// What the reduced iteration has found as the end of the step, if the full equations have nothing to add.
-std::optional<Attempt> finished(System& system, const Control& control, double step, const Reduced& reduced,
-                                const NewtonParameters& newton) {
-  const State& at = reduced.state;
-  const auto laws = system.laws_at(at.d, at.load_factor);
-  if (!(std::abs(control.residual({at.d, at.load_factor, *laws}, step)) <= control_tolerance)) return {};
-  std::vector<double> r(at.d.size());
-  system.residual(at.d, at.load_factor, *laws, r);
-  const double residual = system.relative(system.residual_norm(r), at.d);
-  if (!(residual <= newton.tolerance)) return {};
-  return Attempt{.converged = true, .state = at, .residual = residual, .reason = {}};
-}
-
-}  // namespace
-
-Attempt controlled_step(System& system, const State& start, Control& control, double step, const State& guess,
-                        const StepperParameters& parameters) {
-  system.set_frozen(control.freezes_damage());
-  system.set_multipliers(start.multipliers);
-  control.start_at({start.d, start.load_factor, *system.laws_at(start.d, start.load_factor)}, std::abs(step));
-  const auto reduced = solve_reduced(system, control, step, guess, parameters.newton.max_iterations);
-  Attempt out;
-  if (reduced) {
-    const auto whole = finished(system, control, step, *reduced, parameters.newton);
-    out = whole ? *whole : loca_step(system, start, control, step, reduced->state, parameters);
-  }
-  // At a rupture the tangent is singular on the far side of the kink: only from this one can it be reached.
-  if (!out.converged) out = loca_step(system, start, control, step, guess, parameters);
-  if (reduced) out.reduced_iterations = reduced->iterations;
-  system.set_frozen(false);
-  return out;
-}
-
-Attempt arc_length_step(System& system, const State& start, const ArcLength& arc,
-                        const StepperParameters& parameters) {
-  const auto scope = system.timings().measure("LOCA");
+Attempt loca_arc_length_step(System& system, const State& start, const ArcLength& arc,
+                             const StepperParameters& parameters) {
   system.set_multipliers(start.multipliers);
   const auto list = common_list("Arc Length", "lambda", start.load_factor, parameters);
   auto& stepper = list->sublist("LOCA").sublist("Stepper");
@@ -227,7 +197,7 @@ Attempt arc_length_step(System& system, const State& start, const ArcLength& arc
   list->sublist("LOCA").sublist("Predictor").set("Method", "Tangent");
   list->sublist("LOCA").sublist("Predictor").sublist("First Step Predictor").set("Method", "Tangent");
   const Loca loca(list);
-  const auto group = Teuchos::rcp(new Group(loca.global, system, start, arc.metric));
+  const auto group = Teuchos::rcp(new Group(loca.global, system, map_of(system), start, arc.metric));
   const auto test =
       Teuchos::rcp(new NewtonTest(system, std::make_shared<ActiveControl>(), parameters.newton));
   return SingleStep(loca.global, group, test, list, arc.length).take(nullptr, parameters.multipliers);
