@@ -187,9 +187,10 @@ void refuse_ranks() {
   const char* ranks = std::getenv("OMPI_COMM_WORLD_SIZE");
   if (ranks && std::atoi(ranks) > 1)
     throw InputError(
-        {}, fmt::format("started by mpirun as {} processes; it runs as one, with --threads, or several "
-                        "runs of a sweep at once with --jobs",
-                        ranks));
+        {},
+        fmt::format("dda was started by mpirun as {} processes; it runs as one, with --threads, or several "
+                    "runs of a sweep at once with --jobs",
+                    ranks));
 }
 
 }  // namespace

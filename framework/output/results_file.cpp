@@ -51,7 +51,7 @@ void write_segments(Hdf5File& file, const ResultsMesh& mesh) {
   file.write("/mesh/segments", pairs, 2);
 }
 
-std::string first_bytes(const ResultsMesh& mesh, const ResultsFile::Texts& provenance) {
+Hdf5File first_content(const ResultsMesh& mesh, const ResultsFile::Texts& provenance) {
   Hdf5File file = Hdf5File::in_memory();
   write_blocks(file, mesh);
   write_segments(file, mesh);
@@ -62,7 +62,7 @@ std::string first_bytes(const ResultsMesh& mesh, const ResultsFile::Texts& prove
   file.make_group("/field");
   file.make_group("/provenance");
   for (const auto& [name, text] : provenance) file.write("/provenance/" + name, std::vector{text});
-  return file.bytes();
+  return file;
 }
 
 ResultsFile::Sizes sizes_of(const Hdf5File& file) {
@@ -136,12 +136,12 @@ ResultsFile::ResultsFile(const fs::path& folder) : path_(folder / "run.h5") {}
 ResultsFile::ResultsFile(const fs::path& folder, const ResultsMesh& mesh, const Texts& provenance)
     : ResultsFile(folder) {
   try {
-    const std::string bytes = first_bytes(mesh, provenance);
-    sizes_ = sizes_of(Hdf5File::from_bytes(bytes));
+    const Hdf5File file = first_content(mesh, provenance);
+    sizes_ = sizes_of(file);
     // The journal of an older file must not be taken for one of this.
     std::error_code ignored;
     fs::remove(path_.string() + ".journal", ignored);
-    write_whole(path_, bytes, Flush::to_system);
+    write_whole(path_, file.bytes(), Flush::to_system);
   } catch (const Hdf5Error& error) {
     throw OutputError(fmt::format("cannot write '{}': {}", path_.string(), error.what()));
   }
