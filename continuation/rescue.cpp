@@ -21,7 +21,9 @@ class SecantWalk {
     constexpr double growth = 1.08;
     history[p] = point.law->grown(history[p], point.stiffness, growth);
     system_.set_history(std::move(history));
-    return settle();
+    if (!settle()) return false;
+    system_.set_history(system_.next_history(state_.d, state_.load_factor));  // what has slid stays so
+    return true;
   }
 
   /// The unbroken point nearest its surface at the start.
@@ -95,14 +97,21 @@ class SecantWalk {
     return out;
   }
 
+  /// At no load factor: dead loads, and what friction bears beside D q on points that have slid.
   std::vector<double> dead_solution(const LawValues& secant) {
     std::vector<double> force = system_.loading().dead;
     const Loading& loading = system_.loading();
-    if (!loading.dead_offset.empty()) {
-      std::vector<Vec2> t(secant.tangent.size());
-      for (std::size_t p = 0; p < t.size(); ++p) t[p] = -secant.tangent[p] * loading.dead_opening(p);
-      system_.equilibrium().scatter_add({t.data()->data(), 2 * t.size()}, force);
+    constexpr double rounding = 1e-12;
+    std::vector<Vec2> t(secant.tangent.size(), Vec2::Zero());
+    bool is_needed = !loading.dead_offset.empty();
+    for (std::size_t p = 0; p < t.size(); ++p) {
+      const Vec2 held = secant.traction[p] - secant.tangent[p] * secant.opening[p];
+      const bool is_held = held.norm() > rounding * secant.traction[p].norm();
+      if (is_held) t[p] = -held;
+      t[p] -= secant.tangent[p] * loading.dead_opening(p);
+      is_needed = is_needed || is_held;
     }
+    if (is_needed) system_.equilibrium().scatter_add({t.data()->data(), 2 * t.size()}, force);
     for (const double value : force)
       if (value != 0) return solve(std::move(force));
     return force;
@@ -120,19 +129,16 @@ std::optional<Settled> sequentially_linear(System& system, const State& start, d
   const double goal = system.dissipated(before) + quantum;
   system.set_frozen(true);
   SecantWalk walk(system, start);
-  bool good = walk.find_critical();
-  constexpr int most = 2000;
-  for (int i = 0; good && i < most; ++i) {
-    good = walk.step();
-    if (good && system.dissipated(system.history()) >= goal) break;
-  }
-  system.set_frozen(false);
   std::optional<Settled> out;
-  if (good) {
+  constexpr int most = 2000;
+  bool is_enough = !walk.find_critical();
+  for (int i = 0; i < most && !is_enough && walk.step(); ++i) {
     out = Settled{walk.state(), system.history()};
     for (History& h : out->history) h.loading = false;
     out->history[walk.critical()].loading = true;
+    is_enough = system.dissipated(system.history()) >= goal;
   }
+  system.set_frozen(false);
   system.set_history(before);
   return out;
 }
