@@ -49,7 +49,7 @@ class SecantWalk {
     return {*point.law, system_.history()[p], point.stiffness};
   }
 
-  /// The secant stiffness depends on which cracks are closed: repeat until that set stays.
+  /// The secant stiffness depends on which cracks are closed and which slide: repeat until these sets stay.
   bool settle() {
     constexpr int passes = 12;
     for (int pass = 0; pass < passes; ++pass) {
@@ -57,9 +57,20 @@ class SecantWalk {
       if (!system_.use_path_tangent(*secant)) return false;
       if (!move_to_limit(*secant)) return false;
       system_.set_multipliers(state_.multipliers);
-      if (system_.laws_at(state_.d, state_.load_factor)->tangent == secant->tangent) return true;
+      if (system_.laws_at(state_.d, state_.load_factor)->tangent != secant->tangent) continue;
+      refine();
+      return true;
     }
     return false;
+  }
+
+  /// Takes off what the solutions have lost by rounding.
+  void refine() {
+    if (system_.iterates_multipliers()) return;
+    std::vector<double> r(state_.d.size());
+    system_.residual(state_.d, state_.load_factor, *system_.laws_at(state_.d, state_.load_factor), r);
+    const std::vector<double> correction = solve(std::move(r));
+    for (std::size_t i = 0; i < state_.d.size(); ++i) state_.d[i] -= correction[i];
   }
 
   /// Scales the load to where the first unbroken point reaches its κ.
