@@ -21,6 +21,16 @@ bool is_same(const Mat2& a, const Mat2& b) {
 
 bool is_symmetric(const Mat2& a) { return is_same(a.transpose(), a); }
 
+Mat2 symmetric_part(const Mat2& a) { return 0.5 * (a + a.transpose()); }
+
+/// The symmetric part with the absolute values of its eigenvalues.
+Mat2 definite(const Mat2& a) {
+  const Mat2 symmetric = symmetric_part(a);
+  const Eigen::SelfAdjointEigenSolver<Mat2> own(symmetric);
+  if (own.eigenvalues()[0] >= 0) return symmetric;
+  return own.eigenvectors() * own.eigenvalues().cwiseAbs().asDiagonal() * own.eigenvectors().transpose();
+}
+
 }  // namespace
 
 LinearSystem::LinearSystem(const Equilibrium& equilibrium, const DirectSolverChoice& solver, Update update)
@@ -48,21 +58,42 @@ BlockMatrix LinearSystem::matrix_with(std::span<const Mat2> tangents) const {
 }
 
 bool LinearSystem::rebase(std::span<const Mat2> tangents) {
-  const std::size_t friction =
-      num_columns(tangents, [](const Mat2& tangent, std::size_t) { return !is_symmetric(tangent); });
   const std::vector<Mat2> before = base_;
-  if (!takes_friction(friction)) {
-    for (std::size_t p = 0; p < tangents.size(); ++p)
-      base_[p] = 0.5 * (tangents[p] + tangents[p].transpose());
-    if (factor_base() && friction <= columns_->most_at_once()) return true;
+  const double stiff = reference_size();
+  const auto columns_beside = [&] {
+    return num_columns(tangents, [&](const Mat2& d, std::size_t p) { return !is_same(d, base_[p]); });
+  };
+  const auto is_good = [&](std::size_t beside) {
+    return factor_base() && !is_loose(stiff) && (general_ || beside <= columns_->most_at_once());
+  };
+  if (update_ == Update::low_rank) {
+    std::ranges::transform(tangents, base_.begin(), definite);
+    if (const std::size_t beside = columns_beside(); beside <= most_columns() && is_good(beside)) return true;
   }
+  std::ranges::transform(tangents, base_.begin(), symmetric_part);
+  const std::size_t friction = columns_beside();
+  if (!takes_friction(friction) && is_good(friction)) return true;
   if (friction > 0) {
     base_.assign(tangents.begin(), tangents.end());
-    if (factor_base()) return true;
+    if (is_good(0)) return true;
   }
   base_ = before;  // a singular tangent is no base: the old one stays in force
   factor_base();
   return false;
+}
+
+/// Largest displacement under the reference load, in the units of the unknowns.
+double LinearSystem::reference_size() {
+  double out = 0;
+  for (const double value : solution_of(reference_)) out = std::max(out, std::abs(value));
+  return out;
+}
+
+/// Whether hardly more than weak springs holds what the base before held: couplings of the points would leave
+/// no digit of what they bear.
+bool LinearSystem::is_loose(double size_before) {
+  constexpr double far = 1e8;
+  return reference_size() > far * size_before;
 }
 
 /// Whether a base takes the friction whose columns these are, because it would have to be replaced at once
