@@ -20,6 +20,7 @@ class Cholmod final : public DirectSolver {
       indefinite_.reset();
       return true;
     }
+    definite_.forget();
     if (!indefinite_) indefinite_.emplace();
     indefinite_->set(a);
     return indefinite_->factor();

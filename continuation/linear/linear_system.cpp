@@ -209,7 +209,11 @@ void LinearSystem::add_columns(std::span<const std::size_t> points) {
   if (updated_.size() == first) return;
   const auto scope = timings_->measure("columns");
   const auto needed = static_cast<Eigen::Index>(2 * updated_.size());
-  if (g_.rows() < needed) g_.conservativeResize(2 * needed, 2 * needed);
+  if (g_.rows() < needed) {
+    const auto most = static_cast<Eigen::Index>(most_columns() + 2 * batch_);
+    const Eigen::Index size = std::max(needed, std::min(2 * needed, most));
+    g_.conservativeResize(size, size);
+  }
   columns_->add(std::span<const std::size_t>(updated_).subspan(first), g_);
 }
 

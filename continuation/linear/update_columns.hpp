@@ -13,6 +13,9 @@ namespace dda {
 /// Whole columns that are worth making at once: more are soon made again, and a factorisation is cheaper.
 inline constexpr std::size_t most_whole_columns = 160;
 
+/// Numbers of whole columns that are kept; beyond it (256 MiB) a product is a solution.
+inline constexpr std::size_t most_kept_numbers = std::size_t{1} << 25;
+
 /// Columns of Z = K⁻¹ Uᵀ, two for every point whose rows U = B were added, in that order.
 class UpdateColumns {
  public:
