@@ -1,6 +1,7 @@
 #include "continuation/linear/update_columns.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -232,6 +233,12 @@ class HalfColumns final : public UpdateColumns {
 };
 
 }  // namespace
+
+std::size_t most_columns_beside(double factor_flops) {
+  constexpr double iterations_per_base = 5, sparse_over_dense = 20, fewest = 48;
+  return static_cast<std::size_t>(
+      std::max(fewest, std::cbrt(1.5 * sparse_over_dense * factor_flops / iterations_per_base)));
+}
 
 std::unique_ptr<UpdateColumns> update_columns(const Equilibrium& equilibrium, DirectSolver& solver,
                                               std::size_t batch) {
