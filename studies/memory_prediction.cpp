@@ -18,7 +18,7 @@ constexpr double number = sizeof(double), mib = 1024.0 * 1024.0;
 /// Pages of libraries that a process holds once it has used them [MiB]. Measured as the sum of Rss over the
 /// files in /proc/PID/smaps, of a beam's run that uses one against the same run without it.
 namespace library {
-constexpr double of_every_run = 8;  // HDF5, the program's own pages
+constexpr double of_every_run = 6;  // HDF5, the program's own pages
 constexpr double loca = 22, anasazi = 14, amesos2 = 24, mumps = 13;
 constexpr double shared = 7;  // of each of them (MPI, Teuchos), counted once; gmsh brings it too
 }  // namespace library
@@ -115,9 +115,16 @@ double vector_bytes(const Case& of, bool with_loca) {
          of_point * static_cast<double>(of.equilibrium.num_active());
 }
 
-/// Whatever the course: LOCA is asked where the cracked points alone do not tell.
+/// Points on a line through the structure have at most so many.
+double most_on_a_line(const Case& of) {
+  return 4 * std::sqrt(static_cast<double>(of.equilibrium.num_points()));
+}
+
+/// Whatever the course: LOCA is asked where the cracked points alone do not tell, also where they have
+/// redundant multipliers.
 bool always_loca(const Case& of) {
-  return of.path.control.name() == "arc_length" || of.iterates || of.refactorises() || of.switches();
+  return of.path.control.name() == "arc_length" || of.iterates || of.refactorises() || of.switches() ||
+         (of.has_multipliers() && of.crackable() > most_on_a_line(of));
 }
 
 double library_bytes(const Case& of, bool anew) {
@@ -196,8 +203,7 @@ bool is_course_open(const Case& of) {
 double likely_points(const Case& of, bool is_open) {
   if (!of.has_columns) return 0;
   if (is_open) return likely_cracks(of.equilibrium);
-  const double on_a_line = 4 * std::sqrt(static_cast<double>(of.equilibrium.num_points()));
-  return of.crackable() <= on_a_line ? of.crackable() : points_of_one_crack(of.equilibrium);
+  return of.crackable() <= most_on_a_line(of) ? of.crackable() : points_of_one_crack(of.equilibrium);
 }
 
 }  // namespace
