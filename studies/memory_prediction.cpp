@@ -2,29 +2,225 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <string>
 
+#include "continuation/stability/eigenmodes.hpp"
 #include "framework/output/provenance.hpp"
+#include "framework/threads.hpp"
+#include "studies/crack_estimate.hpp"
 
 namespace dda {
+namespace {
+
+constexpr double number = sizeof(double), mib = 1024.0 * 1024.0;
+
+/// Pages of libraries that a process holds once it has used them [MiB]. Measured as the sum of Rss over the
+/// files in /proc/PID/smaps, of a beam's run that uses one against the same run without it.
+namespace library {
+constexpr double of_every_run = 6;  // HDF5, the program's own pages
+constexpr double loca = 22, anasazi = 14, amesos2 = 24, mumps = 13;
+constexpr double shared = 7;  // of each of them (MPI, Teuchos), counted once; gmsh brings it too
+}  // namespace library
+
+bool has_mpi() {
+  std::ifstream maps("/proc/self/maps");
+  for (std::string line; std::getline(maps, line);)
+    if (line.find("/libmpi.so") != std::string::npos) return true;
+  return false;
+}
+
+/// What a run with this deck uses and how large it is.
+struct Case {
+  explicit Case(const Simulation& of)
+      : simulation(of),
+        equilibrium(of.equilibrium()),
+        path(of.deck().path),
+        has_mpi_already(has_mpi()),
+        solver(path.linear.make()) {
+    const auto driver = path.control.make(of.gauges());
+    if (const LoadSolver* increments = driver->load_solver()) {
+      has_increments = true;
+      has_columns = has_newton_at_loads = increments->needs_tangents();
+    }
+    solver_bytes = solver->factor_bytes(equilibrium.intact());
+    most_columns = static_cast<double>(most_columns_beside(solver->factor_flops()));
+    for (const InterfacePoint& point : equilibrium.interfaces().points) {
+      iterates = iterates || point.multiplier == Multiplier::iterated;
+      releases = releases || point.law->releases_at_once();
+    }
+  }
+
+  double n() const { return static_cast<double>(equilibrium.num_unknowns()); }
+  double stored() const { return static_cast<double>(equilibrium.intact().num_stored()); }
+  double crackable() const { return static_cast<double>(equilibrium.interfaces().num_crackable()); }
+  bool has_multipliers() const { return equilibrium.num_unknown_multipliers() > 0; }
+  bool has_halves() const { return path.linear.name() == "cholmod" && !has_multipliers(); }
+  bool refactorises() const { return path.update == LinearSystem::Update::refactorise; }
+  /// Modes of more unknowns than are worth a dense problem are Anasazi's.
+  bool has_modes() const { return simulation.deck().record.eigenvalues.count > 0 && !is_small(); }
+  bool switches() const { return path.branch == Branching::to_lowest && !is_small(); }
+  bool is_small() const { return equilibrium.num_unknowns() <= dense_below; }
+
+  const Simulation& simulation;
+  const Equilibrium& equilibrium;
+  const PathParameters& path;
+  const bool has_mpi_already;
+  const std::unique_ptr<DirectSolver> solver;
+  double solver_bytes = 0;  ///< of a factorisation by it
+  double most_columns = 0;
+  bool iterates = false, releases = false;
+  bool has_increments = false;       ///< of the load, which end before much has cracked
+  bool has_newton_at_loads = false;  ///< of them: tangents beyond the strength, indefinite
+  bool has_columns = true;
+};
+
+constexpr double bytes_per_block = 36 * number;
+
+/// One more copy of the matrix.
+double matrix_bytes(const Case& of) { return bytes_per_block * of.stored(); }
+
+/// MUMPS' factor of a tangent that is not definite, and unsymmetric where points slide.
+double indefinite_bytes(const Case& of) {
+  if (of.path.linear.name() != "cholmod") return of.solver_bytes;
+  MumpsMatrix matrix(of.releases ? MumpsMatrix::Symmetry::none : MumpsMatrix::Symmetry::general);
+  return matrix.factor_bytes(of.equilibrium.intact());
+}
+
+/// Couplings G of so many columns, and those before they last grew.
+double couplings_bytes(double columns) { return 1.25 * number * columns * columns; }
+
+/// Y: a half solution is as long as the separators on its way, some 10 √n; each thread has room for one group
+/// of 8.
+double half_column_bytes(const Case& of, double columns) {
+  return number * (10 * columns * std::sqrt(of.n()) + 8 * num_threads() * of.n());
+}
+
+/// Z.
+double whole_column_bytes(const Case& of, double columns) {
+  return number * std::min(columns * of.n(), static_cast<double>(most_kept_numbers));
+}
+
+double column_bytes(const Case& of, double columns) {
+  return couplings_bytes(columns) +
+         (of.has_halves() ? half_column_bytes(of, columns) : whole_column_bytes(of, columns));
+}
+
+/// Of states, directions and right-hand sides that live at a time, counted: 88 in a step of LOCA, else some
+/// 32; and by point 6 histories, 4 evaluations of its law and 4 tangents.
+double vector_bytes(const Case& of, bool with_loca) {
+  constexpr double of_loca = 88, without = 32;
+  constexpr double of_point = 6 * sizeof(History) + 16 * number * 4;
+  return number * of.n() * (with_loca ? of_loca : without) +
+         of_point * static_cast<double>(of.equilibrium.num_active());
+}
+
+/// Points on a line through the structure have at most so many.
+double most_on_a_line(const Case& of) {
+  return 4 * std::sqrt(static_cast<double>(of.equilibrium.num_points()));
+}
+
+/// Whatever the course: LOCA is asked where the cracked points alone do not tell, also where they have
+/// redundant multipliers.
+bool always_loca(const Case& of) {
+  return of.path.control.name() == "arc_length" || of.iterates || of.refactorises() || of.switches() ||
+         (of.has_multipliers() && of.crackable() > most_on_a_line(of));
+}
+
+double library_bytes(const Case& of, bool anew) {
+  const bool loca = anew || always_loca(of);
+  const bool mumps = anew ? of.path.linear.name() != "amesos2"
+                          : of.has_multipliers() || of.switches() || of.has_newton_at_loads;
+  const std::pair<bool, double> all[] = {
+      {loca, library::loca},
+      {!loca && of.has_modes(), library::anasazi},
+      {of.path.linear.name() == "amesos2", library::amesos2},
+      {mumps || of.path.linear.name() == "mumps" || of.simulation.deck().record.condition, library::mumps}};
+  double sum = 0, used = of.has_mpi_already ? 1 : 0;
+  for (const auto& [is_used, size] : all)
+    if (is_used) sum += size - (used++ > 0 ? library::shared : 0);
+  return mib * (library::of_every_run + sum);
+}
+
+/// Beside the path's own matrices: those of modes and of the condition, one after the other.
+double other_matrix_bytes(const Case& of) {
+  const EigenvalueParameters& modes = of.simulation.deck().record.eigenvalues;
+  const double blocks = std::max(8, (2 * modes.count + 2) / 3 + 2) + 1;
+  double out = 0;
+  if (of.has_modes() || of.switches())
+    out = of.solver_bytes + 2 * matrix_bytes(of) + 6 * blocks * number * of.n();
+  if (of.simulation.deck().record.condition) out = std::max(out, indefinite_bytes(of) + 2 * matrix_bytes(of));
+  return out;
+}
+
+/// Redundant multipliers are counted with a matrix of their own, before there are columns.
+double redundancy_bytes(const Case& of) {
+  return of.has_multipliers() ? of.solver_bytes + 2 * matrix_bytes(of) : 0;
+}
+
+/// One base and the columns of the points that crack.
+MemoryPrediction updates_alone(const Case& of, double cracked) {
+  const double systems = of.iterates ? 2 : 1;
+  MemoryPrediction out;
+  out.cracked_points = static_cast<std::size_t>(cracked);
+  out.libraries = library_bytes(of, false);
+  out.factor = systems * of.solver_bytes + other_matrix_bytes(of);
+  out.vectors = std::max(matrix_bytes(of), vector_bytes(of, always_loca(of)));
+  out.columns = std::max(systems * column_bytes(of, 2 * cracked), redundancy_bytes(of));
+  return out;
+}
+
+/// A base after the other: first that of the intact structure with all columns that are worth it, then
+/// indefinite ones. These keep whole columns, of which a base seldom sees more than two or three rounds of as
+/// many as may be made at once.
+MemoryPrediction new_bases(const Case& of) {
+  constexpr double rounds = 2.5;
+  const double all = of.refactorises() ? 0 : std::min(of.most_columns, 2 * of.crackable());
+  const double later = std::min(all, rounds * static_cast<double>(most_whole_columns));
+  const double systems = of.iterates ? 2 : 1;
+  MemoryPrediction out;
+  out.factorises_anew = true;
+  out.cracked_points = static_cast<std::size_t>(all / 2);
+  out.libraries = library_bytes(of, true);
+  const double first = of.solver_bytes + column_bytes(of, of.has_halves() ? all : later);
+  const double indefinite = indefinite_bytes(of);
+  const double next = indefinite + matrix_bytes(of) + whole_column_bytes(of, later) + couplings_bytes(all);
+  out.factor =
+      systems * (next > first ? indefinite + matrix_bytes(of) : of.solver_bytes) + other_matrix_bytes(of);
+  out.columns = systems * (next > first ? next - indefinite - matrix_bytes(of) : first - of.solver_bytes);
+  out.vectors = vector_bytes(of, true);
+  return out;
+}
+
+/// Whether it takes the path to know if more cracks than is worth updating. Increments of the load end
+/// before; so do paths of joints with multipliers, which lock where all blocks but triangles have them.
+bool is_course_open(const Case& of) {
+  return !of.refactorises() && !of.has_increments && !of.iterates && !of.has_multipliers() &&
+         2 * of.crackable() > of.most_columns;
+}
+
+/// Points that crack: all where they are few beside the blocks, as on a line.
+double likely_points(const Case& of, bool is_open) {
+  if (!of.has_columns) return 0;
+  if (is_open) return likely_cracks(of.equilibrium);
+  return of.crackable() <= most_on_a_line(of) ? of.crackable() : points_of_one_crack(of.equilibrium);
+}
+
+}  // namespace
 
 MemoryPrediction predict_memory(const Simulation& simulation) {
-  const Equilibrium& equilibrium = simulation.equilibrium();
-  constexpr double bytes_per_mib = 1024.0 * 1024.0, bytes_per_block = 36 * sizeof(double);
-  constexpr double libraries = 8;      // MiB; HDF5 and Kokkos at work
-  constexpr double loca_vectors = 88;  // that LOCA's stepper and groups hold during a step, counted
-  const double n = static_cast<double>(equilibrium.num_unknowns());
-  MemoryPrediction out;
-  out.until_here = bytes_per_mib * (peak_memory_mib() + libraries);
-  out.factor = simulation.deck().path.linear.make()->factor_bytes(equilibrium.intact());
-  out.vectors = std::max(bytes_per_block * static_cast<double>(equilibrium.intact().num_stored()),
-                         loca_vectors * sizeof(double) * n);
-  // One crack through points that fill the plane, both of its sides and what is near it.
-  const double points = static_cast<double>(equilibrium.num_active());
-  const double cracked = std::min(points, 4 * std::sqrt(points));
-  out.cracked_points = static_cast<std::size_t>(cracked);
-  // A half solution is as long as the separators on its way, some 10 sqrt(n); couplings are kept with room to
-  // grow.
-  out.columns = sizeof(double) * (2 * cracked * 10 * std::sqrt(n) + 4 * std::pow(2 * cracked, 2));
+  const double until_here = mib * peak_memory_mib();
+  const Case of(simulation);
+  const bool is_open = is_course_open(of);
+  const double cracked = likely_points(of, is_open), at_most = std::min(of.crackable(), of.most_columns / 2);
+  const bool goes_on = of.releases && of.path.stop.load_below == 0;
+  const bool anew = of.refactorises() || (is_open && (goes_on || cracked > at_most));
+  MemoryPrediction alone = updates_alone(of, std::min(cracked, at_most)), renewed = alone;
+  if (anew || is_open) renewed = new_bases(of);
+  alone.until_here = renewed.until_here = until_here;
+  MemoryPrediction out = anew ? renewed : alone;
+  out.least = std::min(is_open ? alone.total() : out.total(), out.total());
+  out.most = std::max(is_open ? renewed.total() : out.total(), out.total());
   return out;
 }
 

@@ -230,6 +230,7 @@ nlohmann::ordered_json RunRecorder::finish(const Ending& ending) {
                                 {"peak", other["peak"]},
                                 {"dissipated_energy", other["dissipated_energy"]}};
   }
+  out["peak_memory_mib"] = peak_memory_mib();
   out["timings"] = to_json(timings_);
   out["profile"] = profile_of(timings_, simulation_);
   write_whole(folder_.file("summary.json"), out.dump(2) + "\n", durability());

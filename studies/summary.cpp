@@ -121,7 +121,6 @@ Json summarise(const Simulation& simulation, const RunMemory& memory, const Meas
   out["stored_energy"] = end.stored;
   out["units"] = units_of(simulation.deck().units);
   out["threads"] = num_threads();
-  out["peak_memory_mib"] = peak_memory_mib();
   out["version"] = provenance().version;
   return out;
 }

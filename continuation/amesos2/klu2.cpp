@@ -25,6 +25,7 @@ class Klu2 final : public DirectSolver {
 
   bool factor(const BlockMatrix& a) override {
     assemble(a);
+    num_entries_ = matrix_->getNodeNumEntries();
     try {
       solver_ = Amesos2::create<Matrix, Columns>("KLU2", matrix_);
       solver_->symbolicFactorization().numericFactorization();
@@ -48,11 +49,10 @@ class Klu2 final : public DirectSolver {
   }
 
   double factor_bytes(const BlockMatrix& a) override {
+    num_entries_ = block_unknowns * block_unknowns * a.num_stored();
     return fill_guess * static_cast<double>(a.num_stored()) * sizeof(double);
   }
-  double factor_flops() const override {
-    return 2 * static_cast<double>(matrix_->getNodeNumEntries()) * fill_guess;
-  }
+  double factor_flops() const override { return 2 * static_cast<double>(num_entries_) * fill_guess; }
   int num_negative_pivots() const override { return -1; }
 
  private:
@@ -80,6 +80,7 @@ class Klu2 final : public DirectSolver {
     matrix_->insertLocalValues(static_cast<int>(i), columns, values);
   }
 
+  std::size_t num_entries_ = 0;
   Teuchos::RCP<Matrix> matrix_;
   Teuchos::RCP<Amesos2::Solver<Matrix, Columns>> solver_;
 };

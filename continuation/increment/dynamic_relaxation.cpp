@@ -24,6 +24,7 @@ class DynamicRelaxation final : public LoadSolver {
  public:
   explicit DynamicRelaxation(const DynamicRelaxationParameters& p) : max_iterations_(p.max_iterations) {}
 
+  bool needs_tangents() const override { return false; }
   std::string refusal(const Equilibrium& equilibrium) const override {
     if (equilibrium.num_unknown_multipliers() == 0) return {};
     return "'dynamic_relaxation' moves blocks and cannot find the unknown multipliers of 'lagrange'; use "

@@ -24,6 +24,8 @@ struct Found {
 class LoadSolver {
  public:
   virtual ~LoadSolver() = default;
+  /// Whether it solves with tangents.
+  virtual bool needs_tangents() const { return true; }
   /// Why it cannot serve this structure; "" when it can.
   virtual std::string refusal(const Equilibrium&) const { return {}; }
   /// From a state near by. Iterated multipliers of the system are left as they were last.

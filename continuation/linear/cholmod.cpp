@@ -20,6 +20,7 @@ class Cholmod final : public DirectSolver {
       indefinite_.reset();
       return true;
     }
+    definite_.forget();
     if (!indefinite_) indefinite_.emplace();
     indefinite_->set(a);
     return indefinite_->factor();
@@ -33,12 +34,13 @@ class Cholmod final : public DirectSolver {
   }
 
   double factor_bytes(const BlockMatrix& a) override {
-    if (a.num_leading() == a.num_rows()) return definite_.factor_bytes(a);
+    is_definite_ = a.num_leading() == a.num_rows();
+    if (is_definite_) return definite_.factor_bytes(a);
     if (!indefinite_) indefinite_.emplace();
     return indefinite_->factor_bytes(a);
   }
   double factor_flops() const override {
-    return is_definite_ ? definite_.factor_flops() : indefinite_->real_result(3);
+    return is_definite_ ? definite_.factor_flops() : indefinite_->flops();
   }
   int num_negative_pivots() const override { return is_definite_ ? 0 : indefinite_->count(12); }
   const HalfSolver* halves() const override { return is_definite_ ? &definite_ : nullptr; }

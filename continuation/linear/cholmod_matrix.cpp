@@ -58,6 +58,14 @@ bool CholmodMatrix::factor(const BlockMatrix& a) {
   return true;
 }
 
+void CholmodMatrix::forget() {
+  cholmod_free_sparse(&matrix_, &common_);
+  constexpr int as_squares = true, supernodal = true, packed = true, in_order = true;
+  if (factor_)
+    cholmod_change_factor(CHOLMOD_PATTERN, as_squares, supernodal, packed, in_order, factor_, &common_);
+  for (cholmod_dense*& work : work_) cholmod_free_dense(&work, &common_);
+}
+
 double CholmodMatrix::factor_bytes(const BlockMatrix& a) {
   assemble(a);
   analyse(a);

@@ -27,6 +27,8 @@ class CholmodMatrix final : public HalfSolver {
   /// L of the matrix, analysed before when its pattern is another one than last time. False when a pivot is
   /// not positive, or so small beside its diagonal entry that nothing but rounding is left of it.
   bool factor(const BlockMatrix& a);
+  /// Gives the memory of L and A back; what the analysis has found stays.
+  void forget();
   /// Overwrites each of the columns of length n in x by the solution for it.
   void solve(std::span<double> x, int columns) const;
   /// Memory of L, known when the matrix is analysed, and of the two copies of A beside it [bytes].

@@ -20,7 +20,8 @@ class DirectSolver {
   virtual void solve(std::span<double> x, int columns) = 0;
   /// Memory that a factorisation of A will take, from its pattern alone [bytes].
   virtual double factor_bytes(const BlockMatrix& a) = 0;
-  /// Estimated floating point operations of the last factorisation.
+  /// Estimated floating point operations of the last factorisation, or of the one that `factor_bytes`
+  /// counted.
   virtual double factor_flops() const = 0;
   /// Number of negative eigenvalues of A, or −1 when the solver does not tell.
   virtual int num_negative_pivots() const = 0;

@@ -143,14 +143,7 @@ bool LinearSystem::restore(std::span<const Mat2> base, std::span<const std::size
   return true;
 }
 
-/// The dense part of a few iterations, ⅔ r³ each, against one factorisation and the columns that a new base
-/// needs again. An operation of a small sparse factorisation takes many times as long as one in a dense
-/// matrix.
-std::size_t LinearSystem::most_columns() const {
-  constexpr double iterations_per_base = 5, sparse_over_dense = 20, fewest = 48;
-  return static_cast<std::size_t>(
-      std::max(fewest, std::cbrt(1.5 * sparse_over_dense * solver_->factor_flops() / iterations_per_base)));
-}
+std::size_t LinearSystem::most_columns() const { return most_columns_beside(solver_->factor_flops()); }
 
 std::size_t LinearSystem::num_columns(std::span<const Mat2> tangents,
                                       const std::function<bool(const Mat2&, std::size_t)>& needs) const {
@@ -240,7 +233,11 @@ void LinearSystem::add_columns(std::span<const std::size_t> points) {
   if (updated_.size() == first) return;
   const auto scope = timings_->measure("columns");
   const auto needed = static_cast<Eigen::Index>(2 * updated_.size());
-  if (g_.rows() < needed) g_.conservativeResize(2 * needed, 2 * needed);
+  if (g_.rows() < needed) {
+    const auto most = static_cast<Eigen::Index>(most_columns() + 2 * batch_);
+    const Eigen::Index size = std::max(needed, std::min(2 * needed, most));
+    g_.conservativeResize(size, size);
+  }
   columns_->add(std::span<const std::size_t>(updated_).subspan(first), g_);
 }
 

@@ -15,7 +15,7 @@ class Mumps final : public DirectSolver {
   }
   void solve(std::span<double> x, int columns) override { matrix_.solve(x, columns); }
   double factor_bytes(const BlockMatrix& a) override { return matrix_.factor_bytes(a); }
-  double factor_flops() const override { return matrix_.real_result(3); }
+  double factor_flops() const override { return matrix_.flops(); }
   int num_negative_pivots() const override { return matrix_.count(12); }
 
  private:

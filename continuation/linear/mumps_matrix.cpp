@@ -110,7 +110,7 @@ double MumpsMatrix::factor_bytes(const BlockMatrix& a) {
 
 bool MumpsMatrix::factor() {
   if (!is_analysed_) call(job_analyse);
-  is_analysed_ = true;
+  is_analysed_ = is_factorised_ = true;
   return call(job_factor);
 }
 

@@ -35,6 +35,8 @@ class MumpsMatrix {
   bool factor();
   /// Memory that a factorisation of A will take, its own copy of A included [bytes].
   double factor_bytes(const BlockMatrix& a);
+  /// Operations of the factorisation; before the first those that the analysis expects.
+  double flops() const { return is_factorised_ ? real_result(3) : real_result(1); }
   /// Overwrites each of the columns of length n in x by the solution for it. Throws std::runtime_error.
   void solve(std::span<double> x, int columns);
 
@@ -59,7 +61,7 @@ class MumpsMatrix {
   DMUMPS_STRUC_C id_{};
   std::vector<MUMPS_INT> rows_, columns_, position_;
   std::vector<double> values_;
-  bool is_analysed_ = false;
+  bool is_analysed_ = false, is_factorised_ = false;
 };
 
 }  // namespace dda

@@ -1,6 +1,7 @@
 #include "continuation/linear/update_columns.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -64,7 +65,7 @@ class WholeColumns final : public UpdateColumns {
     points_.insert(points_.end(), points.begin(), points.end());
     for (std::size_t s = first; s < points_.size(); ++s)
       couple(s, first, std::span<const double>(columns).subspan(2 * (s - first) * n(), 2 * n()), g);
-    keep(columns);
+    keep(std::move(columns));
   }
 
   std::size_t n() const { return equilibrium_.num_unknowns(); }
@@ -92,20 +93,22 @@ class WholeColumns final : public UpdateColumns {
     }
   }
 
-  void keep(const std::vector<double>& columns) {
-    constexpr std::size_t most_numbers = std::size_t{1} << 25;  // 256 MiB
-    if (keeps_z_ && z_.size() + columns.size() > most_numbers) {
+  void keep(std::vector<double> columns) {
+    if (keeps_z_ && 2 * points_.size() * n() > most_kept_numbers) {
       keeps_z_ = false;
       z_ = {};
+      batches_ = {};
     }
-    if (keeps_z_) z_.insert(z_.end(), columns.begin(), columns.end());
+    if (!keeps_z_) return;
+    for (std::size_t at = 0; at < columns.size(); at += 2 * n()) z_.push_back(columns.data() + at);
+    batches_.push_back(std::move(columns));
   }
 
   void subtract_kept(std::span<const std::size_t> places, const Matrix& shares,
                      std::span<const std::span<double>> solutions) const {
     const auto size = static_cast<Eigen::Index>(n());
     for (std::size_t a = 0; a < places.size(); ++a) {
-      const Eigen::Map<const Eigen::MatrixX2d> z(z_.data() + 2 * n() * places[a], size, 2);
+      const Eigen::Map<const Eigen::MatrixX2d> z(z_[places[a]], size, 2);
       for (std::size_t c = 0; c < solutions.size(); ++c)
         Eigen::Map<Eigen::VectorXd>(solutions[c].data(), size).noalias() -=
             z * shares.block<2, 1>(row_of(a), static_cast<Eigen::Index>(c));
@@ -117,7 +120,8 @@ class WholeColumns final : public UpdateColumns {
   const std::size_t batch_;
   std::vector<std::size_t> points_;
   bool keeps_z_ = true;
-  std::vector<double> z_;  ///< n × 2 per point
+  std::vector<std::vector<double>> batches_;  ///< Z, never moved: while it grew there would be two of it
+  std::vector<const double*> z_;              ///< n × 2 of each point
 };
 
 /// Half of Z: with K = L Lᵀ and Y = L⁻¹ Uᵀ,
@@ -229,6 +233,12 @@ class HalfColumns final : public UpdateColumns {
 };
 
 }  // namespace
+
+std::size_t most_columns_beside(double factor_flops) {
+  constexpr double iterations_per_base = 5, sparse_over_dense = 20, fewest = 48;
+  return static_cast<std::size_t>(
+      std::max(fewest, std::cbrt(1.5 * sparse_over_dense * factor_flops / iterations_per_base)));
+}
 
 std::unique_ptr<UpdateColumns> update_columns(const Equilibrium& equilibrium, DirectSolver& solver,
                                               std::size_t batch) {

@@ -13,6 +13,14 @@ namespace dda {
 /// Whole columns that are worth making at once: more are soon made again, and a factorisation is cheaper.
 inline constexpr std::size_t most_whole_columns = 160;
 
+/// Columns beyond which a new base is cheaper: the dense part of a few iterations, ⅔ r³ each, against one
+/// factorisation of so many operations and the columns that a new base needs again. An operation of a small
+/// sparse factorisation takes many times as long as one in a dense matrix.
+std::size_t most_columns_beside(double factor_flops);
+
+/// Numbers of whole columns that are kept; beyond it (256 MiB) a product is a solution.
+inline constexpr std::size_t most_kept_numbers = std::size_t{1} << 25;
+
 /// Columns of Z = K⁻¹ Uᵀ, two for every point whose rows U = B were added, in that order.
 class UpdateColumns {
  public:

@@ -14,9 +14,6 @@ namespace {
 
 using Vector = Eigen::Map<const Eigen::VectorXd>;
 
-constexpr std::size_t dense_below =
-    240;  // unknowns; fewer solutions than a Krylov space takes with its overhead
-
 /// Pairs in ascending order of μ, the first `count` of them.
 Eigenmodes lowest_of(const Eigenmodes& found, int count) {
   std::vector<std::size_t> order(found.values.size());

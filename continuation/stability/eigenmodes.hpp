@@ -9,6 +9,10 @@
 
 namespace dda {
 
+/// Unknowns up to which the problem is solved as a dense one: fewer solutions than a Krylov space takes with
+/// its overhead.
+inline constexpr std::size_t dense_below = 240;
+
 /// Lowest eigenpairs of K φ = μ M φ, K symmetric, M block-diagonal and positive definite.
 struct Eigenmodes {
   std::vector<double> values;               ///< μ, ascending

@@ -2,11 +2,12 @@
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <array>
 #include <chrono>
+#include <fstream>
+#include <string>
 
 #include "dda_version.hpp"
 
@@ -43,10 +44,13 @@ std::string utc_now() {
                      ms % 1000);
 }
 
+/// VmHWM in KiB. getrusage also knows what the process that started this one held before.
 double peak_memory_mib() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024.0;  // Linux counts in KiB
+  std::ifstream status("/proc/self/status");
+  const std::string name = "VmHWM:";
+  for (std::string line; std::getline(status, line);)
+    if (line.starts_with(name)) return std::stod(line.substr(name.size())) / 1024.0;
+  return 0;
 }
 
 }  // namespace dda
