@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <numeric>
 #include <string>
 
 #include "continuation/stability/eigenmodes.hpp"
@@ -30,6 +31,16 @@ bool has_mpi() {
   return false;
 }
 
+/// Whether a damaged point bears friction.
+bool has_friction(const InterfacePoint& point) {
+  if (!point.law->can_crack()) return false;
+  const double opening = point.law->initial_kappa(point.stiffness);
+  History damaged;
+  damaged.kappa = 2 * opening;
+  constexpr double far = 1e6;
+  return !point.law->slip_gradient({-opening, far * opening}, damaged, point.stiffness).isZero(0);
+}
+
 /// What a run with this deck uses and how large it is.
 struct Case {
   explicit Case(const Simulation& of)
@@ -48,6 +59,7 @@ struct Case {
     for (const InterfacePoint& point : equilibrium.interfaces().points) {
       iterates = iterates || point.multiplier == Multiplier::iterated;
       releases = releases || point.law->releases_at_once();
+      slides = slides || has_friction(point);
     }
   }
 
@@ -56,6 +68,8 @@ struct Case {
   double crackable() const { return static_cast<double>(equilibrium.interfaces().num_crackable()); }
   bool has_multipliers() const { return equilibrium.num_unknown_multipliers() > 0; }
   bool has_halves() const { return path.linear.name() == "cholmod" && !has_multipliers(); }
+  /// Whether new bases may be definite ones, which have cheap columns.
+  bool may_stay_definite() const { return has_halves() && !releases && !refactorises(); }
   bool refactorises() const { return path.update == LinearSystem::Update::refactorise; }
   /// Modes of more unknowns than are worth a dense problem are Anasazi's.
   bool has_modes() const { return simulation.deck().record.eigenvalues.count > 0 && !is_small(); }
@@ -69,7 +83,7 @@ struct Case {
   const std::unique_ptr<DirectSolver> solver;
   double solver_bytes = 0;  ///< of a factorisation by it
   double most_columns = 0;
-  bool iterates = false, releases = false;
+  bool iterates = false, releases = false, slides = false;
   bool has_increments = false;       ///< of the load, which end before much has cracked
   bool has_newton_at_loads = false;  ///< of them: tangents beyond the strength, indefinite
   bool has_columns = true;
@@ -127,10 +141,14 @@ bool always_loca(const Case& of) {
          (of.has_multipliers() && of.crackable() > most_on_a_line(of));
 }
 
-double library_bytes(const Case& of, bool anew) {
-  const bool loca = anew || always_loca(of);
-  const bool mumps = anew ? of.path.linear.name() != "amesos2"
-                          : of.has_multipliers() || of.switches() || of.has_newton_at_loads;
+/// How a run goes on when more has cracked than is worth updating.
+enum class Bases { one, definite, indefinite };
+
+double library_bytes(const Case& of, Bases bases) {
+  const bool loca = bases != Bases::one || always_loca(of);
+  const bool mumps = bases == Bases::indefinite
+                         ? of.path.linear.name() != "amesos2"
+                         : of.has_multipliers() || of.switches() || of.has_newton_at_loads;
   const std::pair<bool, double> all[] = {
       {loca, library::loca},
       {!loca && of.has_modes(), library::anasazi},
@@ -163,17 +181,17 @@ MemoryPrediction updates_alone(const Case& of, double cracked) {
   const double systems = of.iterates ? 2 : 1;
   MemoryPrediction out;
   out.cracked_points = static_cast<std::size_t>(cracked);
-  out.libraries = library_bytes(of, false);
+  out.libraries = library_bytes(of, Bases::one);
   out.factor = systems * of.solver_bytes + other_matrix_bytes(of);
   out.vectors = std::max(matrix_bytes(of), vector_bytes(of, always_loca(of)));
   out.columns = std::max(systems * column_bytes(of, 2 * cracked), redundancy_bytes(of));
   return out;
 }
 
-/// A base after the other: first that of the intact structure with all columns that are worth it, then
-/// indefinite ones. These keep whole columns, of which a base seldom sees more than two or three rounds of as
-/// many as may be made at once.
-MemoryPrediction new_bases(const Case& of) {
+/// A base after the other: first that of the intact structure with all columns that are worth it, then others
+/// like it, or indefinite ones. These keep whole columns, of which a base seldom sees more than two or three
+/// rounds of as many as may be made at once.
+MemoryPrediction new_bases(const Case& of, Bases bases) {
   constexpr double rounds = 2.5;
   const double all = of.refactorises() ? 0 : std::min(of.most_columns, 2 * of.crackable());
   const double later = std::min(all, rounds * static_cast<double>(most_whole_columns));
@@ -181,14 +199,26 @@ MemoryPrediction new_bases(const Case& of) {
   MemoryPrediction out;
   out.factorises_anew = true;
   out.cracked_points = static_cast<std::size_t>(all / 2);
-  out.libraries = library_bytes(of, true);
-  const double first = of.solver_bytes + column_bytes(of, of.has_halves() ? all : later);
-  const double indefinite = indefinite_bytes(of);
-  const double next = indefinite + matrix_bytes(of) + whole_column_bytes(of, later) + couplings_bytes(all);
-  out.factor =
-      systems * (next > first ? indefinite + matrix_bytes(of) : of.solver_bytes) + other_matrix_bytes(of);
-  out.columns = systems * (next > first ? next - indefinite - matrix_bytes(of) : first - of.solver_bytes);
+  out.libraries = library_bytes(of, bases);
+  double factor = of.solver_bytes, columns = column_bytes(of, of.has_halves() ? all : later);
+  if (bases == Bases::indefinite) {
+    const double indefinite = indefinite_bytes(of) + matrix_bytes(of),
+                 whole = whole_column_bytes(of, later) + couplings_bytes(all);
+    if (indefinite + whole > factor + columns) factor = indefinite, columns = whole;
+  }
+  out.factor = systems * factor + other_matrix_bytes(of);
+  out.columns = systems * columns;
   out.vectors = vector_bytes(of, true);
+  return out;
+}
+
+/// What lies between two courses where neither can be excluded.
+MemoryPrediction between(const MemoryPrediction& a, const MemoryPrediction& b) {
+  MemoryPrediction out = a;
+  out.libraries = std::midpoint(a.libraries, b.libraries);
+  out.factor = std::midpoint(a.factor, b.factor);
+  out.vectors = std::midpoint(a.vectors, b.vectors);
+  out.columns = std::midpoint(a.columns, b.columns);
   return out;
 }
 
@@ -215,12 +245,21 @@ MemoryPrediction predict_memory(const Simulation& simulation) {
   const double cracked = likely_points(of, is_open), at_most = std::min(of.crackable(), of.most_columns / 2);
   const bool goes_on = of.releases && of.path.stop.load_below == 0;
   const bool anew = of.refactorises() || (is_open && (goes_on || cracked > at_most));
-  MemoryPrediction alone = updates_alone(of, std::min(cracked, at_most)), renewed = alone;
-  if (anew || is_open) renewed = new_bases(of);
-  alone.until_here = renewed.until_here = until_here;
-  MemoryPrediction out = anew ? renewed : alone;
-  out.least = std::min(is_open ? alone.total() : out.total(), out.total());
-  out.most = std::max(is_open ? renewed.total() : out.total(), out.total());
+  const MemoryPrediction alone = updates_alone(of, std::min(cracked, at_most));
+  MemoryPrediction out = alone, most = alone;
+  if (anew || is_open) {
+    most = new_bases(of, Bases::indefinite);
+    MemoryPrediction renewed = most, with_loca = alone;
+    if (of.may_stay_definite()) renewed = between(most, new_bases(of, Bases::definite));
+    with_loca.libraries = library_bytes(of, Bases::definite);
+    if (anew)
+      out = renewed;
+    else if (of.slides)  // which LOCA follows, and often with a new base
+      out = between(with_loca, renewed);
+  }
+  out.until_here = until_here;
+  out.least = std::min(out.total(), is_open ? until_here + alone.total() : out.total());
+  out.most = std::max(out.total(), is_open ? until_here + most.total() : out.total());
   return out;
 }
 
