@@ -14,8 +14,8 @@ double points_of_one_crack(const Equilibrium& equilibrium);
 ///
 ///     points / √blocks · (1 + l_p / 2h),     l_p = π/8 l_ch,     l_ch = E Gf / ft²
 ///
-/// l_p is the process zone of D. S. Dugdale, *J. Mech. Phys. Solids* 8 (1960) 100–104, h the distance of the
-/// blocks, l_ch the mean over the points. Where strength is lost at once only the crack counts.
+/// l_p is the length of a process zone of constant traction, h the distance of the blocks, l_ch the mean over
+/// the points. Where strength is lost at once only the crack counts.
 double likely_cracks(const Equilibrium& equilibrium);
 
 }  // namespace dda

@@ -65,7 +65,7 @@ def overview(measured):
 
 
 def split(measured):
-    names = [name for name in measured[0][1][1] if name != "total"]
+    names = list(dict.fromkeys(name for _, (_, phases, _) in measured for name in phases if name != "total"))
     print("\n| phase [s] | " + " | ".join(case.name for case, _ in measured) + " |")
     print("|---|" + "---|" * len(measured))
     for name in names:
