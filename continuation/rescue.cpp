@@ -64,13 +64,19 @@ class SecantWalk {
     return false;
   }
 
-  /// Takes off what the solutions have lost by rounding.
+  /// Takes off what the solutions have lost by rounding, which is much where the base holds some blocks
+  /// loosely.
   void refine() {
     if (system_.iterates_multipliers()) return;
+    constexpr int most = 8;
+    constexpr double good = 1e-12;
     std::vector<double> r(state_.d.size());
-    system_.residual(state_.d, state_.load_factor, *system_.laws_at(state_.d, state_.load_factor), r);
-    const std::vector<double> correction = solve(std::move(r));
-    for (std::size_t i = 0; i < state_.d.size(); ++i) state_.d[i] -= correction[i];
+    for (int i = 0; i < most; ++i) {
+      system_.residual(state_.d, state_.load_factor, *system_.laws_at(state_.d, state_.load_factor), r);
+      if (i > 0 && system_.excess_residual(r, state_.d, state_.load_factor) <= good) return;
+      const std::vector<double> correction = solve(r);
+      for (std::size_t k = 0; k < state_.d.size(); ++k) state_.d[k] -= correction[k];
+    }
   }
 
   /// Scales the load to where the first unbroken point reaches its κ.

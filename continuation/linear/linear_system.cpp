@@ -23,14 +23,6 @@ bool is_symmetric(const Mat2& a) { return is_same(a.transpose(), a); }
 
 Mat2 symmetric_part(const Mat2& a) { return 0.5 * (a + a.transpose()); }
 
-/// The symmetric part with the absolute values of its eigenvalues.
-Mat2 definite(const Mat2& a) {
-  const Mat2 symmetric = symmetric_part(a);
-  const Eigen::SelfAdjointEigenSolver<Mat2> own(symmetric);
-  if (own.eigenvalues()[0] >= 0) return symmetric;
-  return own.eigenvectors() * own.eigenvalues().cwiseAbs().asDiagonal() * own.eigenvectors().transpose();
-}
-
 }  // namespace
 
 LinearSystem::LinearSystem(const Equilibrium& equilibrium, const DirectSolverChoice& solver, Update update)
@@ -66,10 +58,6 @@ bool LinearSystem::rebase(std::span<const Mat2> tangents) {
   const auto is_good = [&](std::size_t beside) {
     return factor_base() && !is_loose(stiff) && (general_ || beside <= columns_->most_at_once());
   };
-  if (update_ == Update::low_rank) {
-    std::ranges::transform(tangents, base_.begin(), definite);
-    if (const std::size_t beside = columns_beside(); beside <= most_columns() && is_good(beside)) return true;
-  }
   std::ranges::transform(tangents, base_.begin(), symmetric_part);
   const std::size_t friction = columns_beside();
   if (!takes_friction(friction) && is_good(friction)) return true;

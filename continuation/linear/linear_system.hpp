@@ -21,12 +21,11 @@ namespace dda {
 ///     K⁻¹ b = y − Z (1 + E G)⁻¹ E U y,   y = K_base⁻¹ b,  Z = K_base⁻¹ Uᵀ,  G = U Z
 ///
 /// Sherman-Morrison-Woodbury. Z and G grow by the columns of points that change for the first time. When so
-/// many points have changed that the dense part costs more than a factorisation, there is a new base; that is
-/// decided by counts, never by clocks, so that runs repeat. It is the present tangent, with the absolute
-/// values of its eigenvalues at points that soften, if these are few: positive definite, and columns are
-/// cheap. Else it is the symmetric part of the tangent, friction staying an update; where more slides than is
-/// worth updating, and wherever nothing is updated, it is the unsymmetric tangent itself, by LU, and every
-/// other tangent a new one. What hardly more than weak springs hold is no base.
+/// many points have changed that the dense part costs more than a factorisation, the present tangent becomes
+/// the base; that is decided by counts, never by clocks, so that runs repeat. The base is symmetric: of a
+/// frictional tangent it takes the symmetric part, and the rest stays an update. Where more slides than is
+/// worth updating, and wherever nothing is updated, the unsymmetric tangent is the base itself, by LU, and
+/// every other tangent a new one. What hardly more than weak springs hold is no base.
 class LinearSystem {
  public:
   enum class Update { low_rank, refactorise };
