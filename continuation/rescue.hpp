@@ -9,10 +9,12 @@ namespace dda {
 /// Sequentially linear steps from an equilibrium until `quantum` more energy has been dissipated [FL], or as
 /// far as they lead.
 ///
-///     K_sec(κ) d̂ = ∂f/∂λ,  K_sec d_dead = f_dead − Bᵀ W (t − D_sec q)      t ≠ D_sec q where friction has
-///     slid λ = largest load factor at which no unbroken point exceeds its κ κ of the point that decides
-///     grows by 8 %, capped at rupture, what slides has slid; and again
+///     K_sec(κ) d̂ = ∂f/∂λ
+///     K_sec d_dead = f_dead − Bᵀ W (t − D_sec q)
+///     λ = largest load factor at which no unbroken point exceeds its κ
+///     κ of the point that decides grows by 8 %, capped at rupture, what slides has slid; and again
 ///
+/// with t ≠ D_sec q only where friction has slid.
 /// For laws that unload to the origin every such state is an admissible equilibrium, whatever Newton says;
 /// K_sec is positive definite without friction. The way between them is no equilibrium path: its energy is
 /// booked as a jump. Nothing when no point limits the load or the contact set of the first state does not

@@ -71,14 +71,14 @@ void print_size(const Simulation& simulation) {
   line("unknowns", fmt::format("{}", simulation.equilibrium().num_unknowns()));
   const MemoryPrediction memory = predict_memory(simulation);
   const auto mib = [](double bytes) { return bytes / bytes_per_mib; };
-  line("memory", fmt::format("about {:.0f} MiB at most: {:.0f} until here, libraries {:.0f}, factors {:.0f}, "
+  line("memory", fmt::format("about {:.0f} MiB: {:.0f} until here, libraries {:.0f}, factors {:.0f}, "
                              "vectors {:.0f}, and {:.0f} if {} points crack{}",
                              mib(memory.total()), mib(memory.until_here), mib(memory.libraries),
                              mib(memory.factor), mib(memory.vectors), mib(memory.columns),
                              memory.cracked_points, memory.factorises_anew ? " between factorisations" : ""));
   if (memory.most > memory.least)
-    line("", fmt::format("at least {:.0f} MiB if few points crack, at most {:.0f} if many do",
-                         mib(memory.least), mib(memory.most)));
+    line("", fmt::format("some {:.0f} MiB if few points crack, some {:.0f} if many do", mib(memory.least),
+                         mib(memory.most)));
 }
 
 void print_loading(const Simulation& simulation) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <numeric>
 #include <string>
 
@@ -68,8 +69,6 @@ struct Case {
   double crackable() const { return static_cast<double>(equilibrium.interfaces().num_crackable()); }
   bool has_multipliers() const { return equilibrium.num_unknown_multipliers() > 0; }
   bool has_halves() const { return path.linear.name() == "cholmod" && !has_multipliers(); }
-  /// Whether new bases may be definite ones, which have cheap columns.
-  bool may_stay_definite() const { return has_halves() && !releases && !refactorises(); }
   bool refactorises() const { return path.update == LinearSystem::Update::refactorise; }
   /// Modes of more unknowns than are worth a dense problem are Anasazi's.
   bool has_modes() const { return simulation.deck().record.eigenvalues.count > 0 && !is_small(); }
@@ -95,9 +94,9 @@ constexpr double bytes_per_block = 36 * number;
 double matrix_bytes(const Case& of) { return bytes_per_block * of.stored(); }
 
 /// MUMPS' factor of a tangent that is not definite, and unsymmetric where points slide.
-double indefinite_bytes(const Case& of) {
+double indefinite_bytes(const Case& of, bool slides) {
   if (of.path.linear.name() != "cholmod") return of.solver_bytes;
-  MumpsMatrix matrix(of.releases ? MumpsMatrix::Symmetry::none : MumpsMatrix::Symmetry::general);
+  MumpsMatrix matrix(slides ? MumpsMatrix::Symmetry::none : MumpsMatrix::Symmetry::general);
   return matrix.factor_bytes(of.equilibrium.intact());
 }
 
@@ -141,14 +140,10 @@ bool always_loca(const Case& of) {
          (of.has_multipliers() && of.crackable() > most_on_a_line(of));
 }
 
-/// How a run goes on when more has cracked than is worth updating.
-enum class Bases { one, definite, indefinite };
+/// Whether its first matrices may be indefinite already.
+bool is_indefinite(const Case& of) { return of.has_multipliers() || of.switches() || of.has_newton_at_loads; }
 
-double library_bytes(const Case& of, Bases bases) {
-  const bool loca = bases != Bases::one || always_loca(of);
-  const bool mumps = bases == Bases::indefinite
-                         ? of.path.linear.name() != "amesos2"
-                         : of.has_multipliers() || of.switches() || of.has_newton_at_loads;
+double library_bytes(const Case& of, bool loca, bool mumps) {
   const std::pair<bool, double> all[] = {
       {loca, library::loca},
       {!loca && of.has_modes(), library::anasazi},
@@ -167,7 +162,8 @@ double other_matrix_bytes(const Case& of) {
   double out = 0;
   if (of.has_modes() || of.switches())
     out = of.solver_bytes + 2 * matrix_bytes(of) + 6 * blocks * number * of.n();
-  if (of.simulation.deck().record.condition) out = std::max(out, indefinite_bytes(of) + 2 * matrix_bytes(of));
+  if (of.simulation.deck().record.condition)
+    out = std::max(out, indefinite_bytes(of, of.releases) + 2 * matrix_bytes(of));
   return out;
 }
 
@@ -181,31 +177,33 @@ MemoryPrediction updates_alone(const Case& of, double cracked) {
   const double systems = of.iterates ? 2 : 1;
   MemoryPrediction out;
   out.cracked_points = static_cast<std::size_t>(cracked);
-  out.libraries = library_bytes(of, Bases::one);
+  out.libraries = library_bytes(of, always_loca(of), is_indefinite(of));
   out.factor = systems * of.solver_bytes + other_matrix_bytes(of);
   out.vectors = std::max(matrix_bytes(of), vector_bytes(of, always_loca(of)));
   out.columns = std::max(systems * column_bytes(of, 2 * cracked), redundancy_bytes(of));
   return out;
 }
 
-/// A base after the other: first that of the intact structure with all columns that are worth it, then others
-/// like it, or indefinite ones. These keep whole columns, of which a base seldom sees more than two or three
-/// rounds of as many as may be made at once.
-MemoryPrediction new_bases(const Case& of, Bases bases) {
-  constexpr double rounds = 2.5;
+/// Of new bases, which keep whole columns.
+struct Rounds {
+  double columns;  ///< as multiples of how many may be made at once
+  bool slides;     ///< a base takes the friction of points that slide
+};
+
+/// A base after the other: first that of the intact structure with all columns that are worth it, then
+/// indefinite ones.
+MemoryPrediction new_bases(const Case& of, const Rounds& rounds) {
   const double all = of.refactorises() ? 0 : std::min(of.most_columns, 2 * of.crackable());
-  const double later = std::min(all, rounds * static_cast<double>(most_whole_columns));
+  const double later = std::min(all, rounds.columns * static_cast<double>(most_whole_columns));
   const double systems = of.iterates ? 2 : 1;
   MemoryPrediction out;
   out.factorises_anew = true;
   out.cracked_points = static_cast<std::size_t>(all / 2);
-  out.libraries = library_bytes(of, bases);
+  out.libraries = library_bytes(of, true, of.path.linear.name() != "amesos2");
   double factor = of.solver_bytes, columns = column_bytes(of, of.has_halves() ? all : later);
-  if (bases == Bases::indefinite) {
-    const double indefinite = indefinite_bytes(of) + matrix_bytes(of),
-                 whole = whole_column_bytes(of, later) + couplings_bytes(all);
-    if (indefinite + whole > factor + columns) factor = indefinite, columns = whole;
-  }
+  const double indefinite = indefinite_bytes(of, rounds.slides) + matrix_bytes(of),
+               whole = whole_column_bytes(of, later) + couplings_bytes(all);
+  if (indefinite + whole > factor + columns) factor = indefinite, columns = whole;
   out.factor = systems * factor + other_matrix_bytes(of);
   out.columns = systems * columns;
   out.vectors = vector_bytes(of, true);
@@ -243,19 +241,22 @@ MemoryPrediction predict_memory(const Simulation& simulation) {
   const Case of(simulation);
   const bool is_open = is_course_open(of);
   const double cracked = likely_points(of, is_open), at_most = std::min(of.crackable(), of.most_columns / 2);
-  const bool goes_on = of.releases && of.path.stop.load_below == 0;
-  const bool anew = of.refactorises() || (is_open && (goes_on || cracked > at_most));
+  const bool ends_at_gauge = of.path.stop.load_below == 0;
+  const bool is_much = cracked > at_most || (of.releases && ends_at_gauge);
   const MemoryPrediction alone = updates_alone(of, std::min(cracked, at_most));
   MemoryPrediction out = alone, most = alone;
-  if (anew || is_open) {
-    most = new_bases(of, Bases::indefinite);
-    MemoryPrediction renewed = most, with_loca = alone;
-    if (of.may_stay_definite()) renewed = between(most, new_bases(of, Bases::definite));
-    with_loca.libraries = library_bytes(of, Bases::definite);
-    if (anew)
-      out = renewed;
+  if (of.refactorises() || is_open) {
+    constexpr double seldom_more = 2.5;
+    const MemoryPrediction anew = new_bases(of, {seldom_more, of.releases});
+    MemoryPrediction with_loca = alone;
+    with_loca.libraries = library_bytes(of, true, is_indefinite(of));
+    if (of.refactorises() || (is_much && (of.releases || !ends_at_gauge)))
+      out = anew;
+    else if (is_much)  // which may end before
+      out = between(alone, anew);
     else if (of.slides)  // which LOCA follows, and often with a new base
-      out = between(with_loca, renewed);
+      out = between(with_loca, anew);
+    most = new_bases(of, {std::numeric_limits<double>::infinity(), of.slides});
   }
   out.until_here = until_here;
   out.least = std::min(out.total(), is_open ? until_here + alone.total() : out.total());

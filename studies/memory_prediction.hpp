@@ -18,7 +18,7 @@ struct MemoryPrediction {
   double columns = 0;              ///< of the points that crack
   std::size_t cracked_points = 0;  ///< how many are taken to crack beside one factorisation
   bool factorises_anew = false;    ///< the second course is expected
-  double least = 0, most = 0;      ///< of both courses where both are possible, else the total
+  double least = 0, most = 0;  ///< of both courses where both are possible, most at its worst; else the total
 
   double total() const { return until_here + libraries + factor + vectors + columns; }
 };
