@@ -57,26 +57,9 @@ class SecantWalk {
       if (!system_.use_path_tangent(*secant)) return false;
       if (!move_to_limit(*secant)) return false;
       system_.set_multipliers(state_.multipliers);
-      if (system_.laws_at(state_.d, state_.load_factor)->tangent != secant->tangent) continue;
-      refine();
-      return true;
+      if (system_.laws_at(state_.d, state_.load_factor)->tangent == secant->tangent) return true;
     }
     return false;
-  }
-
-  /// Takes off what the solutions have lost by rounding, which is much where the base holds some blocks
-  /// loosely.
-  void refine() {
-    if (system_.iterates_multipliers()) return;
-    constexpr int most = 8;
-    constexpr double good = 1e-12;
-    std::vector<double> r(state_.d.size());
-    for (int i = 0; i < most; ++i) {
-      system_.residual(state_.d, state_.load_factor, *system_.laws_at(state_.d, state_.load_factor), r);
-      if (i > 0 && system_.excess_residual(r, state_.d, state_.load_factor) <= good) return;
-      const std::vector<double> correction = solve(r);
-      for (std::size_t k = 0; k < state_.d.size(); ++k) state_.d[k] -= correction[k];
-    }
   }
 
   /// Scales the load to where the first unbroken point reaches its κ.
@@ -100,10 +83,21 @@ class SecantWalk {
     return true;
   }
 
-  std::vector<double> solve(std::vector<double> force) {
-    std::vector<double> out(force.size());
-    system_.path_linear().solve(force, out);
-    return out;
+  /// Refined as long as it gains: an update of a base that holds some blocks loosely leaves much to take off.
+  std::vector<double> solve(std::vector<double> rest) {
+    LinearSystem& linear = system_.path_linear();
+    const std::vector<double> force = rest;
+    std::vector<double> out(force.size(), 0.0), correction(force.size());
+    constexpr double gain = 0.5;
+    for (double before = std::numeric_limits<double>::infinity();;) {
+      const double left = system_.residual_norm(rest);
+      if (!(left <= gain * before)) return out;
+      before = left;
+      linear.solve(rest, correction);
+      for (std::size_t i = 0; i < out.size(); ++i) out[i] += correction[i];
+      linear.multiply(out, rest);
+      for (std::size_t i = 0; i < rest.size(); ++i) rest[i] = force[i] - rest[i];
+    }
   }
 
   std::vector<double> live_solution(const LawValues& secant) {
