@@ -193,12 +193,15 @@ std::optional<Point> Path::land_on_turn(double failed, bool on_new_cracks, const
                      .to_event = true};
   std::string why;
   const auto candidate = try_step(landing, amount, why);
-  if (!candidate || candidate->dissipated <= walker_.here().dissipated || first_crossing(*candidate))
-    return {};
-  if (before_peak(*candidate) || is_coarse(*candidate)) return {};
+  if (!candidate || first_crossing(*candidate) || before_peak(*candidate) || is_coarse(*candidate)) return {};
+  constexpr double progress = 1e-6;  // without it two points would hand the crack to and fro for ever
+  const double quantum = memory_.last_quantum;
+  if (candidate->dissipated - walker_.here().dissipated <= progress * quantum) return {};
   memory_.step = std::max(memory_.step, amount);
   memory_.step_control = move.control;
-  return keep(*candidate, landing.control);
+  Point point = keep(*candidate, landing.control);
+  memory_.last_quantum = std::max(memory_.last_quantum, quantum);
+  return point;
 }
 
 std::optional<Candidate> Path::try_step(const Move& move, double amount, std::string& why) {
