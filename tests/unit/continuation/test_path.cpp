@@ -215,5 +215,62 @@ TEST(Rescue, KeepsWhatHasSlid) {
       << "nothing is left to be spent";
 }
 
+/// A brittle notched beam of stiff joints, all of which can crack: blocks between open joints hang loosely.
+constexpr auto brittle_beam = R"(
+scene:
+  regions: [{material: concrete, vertices: [[-170, 0], [170, 0], [170, 100], [-170, 100]]}]
+  subdivision: {type: quads, size: 15}
+  slits: {notch: [[0, 0], [0, 16.67]]}
+thickness: 100
+materials: {concrete: {type: linear_elastic, young_modulus: 30000, poisson_ratio: 0.2}}
+interfaces:
+  any:
+    between: [concrete, concrete]
+    law: {type: exponential_softening, tensile_strength: 3, fracture_energy: 0.002}
+    treatment: {type: penalty, factor: 100}
+supports: {left: {at: [-150, 0], fix: xy}, right: {at: [150, 0], fix: y}}
+stages: [{loads: [{type: point_load, at: [0, 100], force: [0, -1]}]}]
+gauges: {deflection: {type: displacement, at: [0, 100], direction: [0, -1]}}
+)";
+
+TEST(Path, DoesNotLandWhereItIs) {
+  OnPath beam(brittle_beam, "stop: {load_below: 0.1}");
+  double quantum = 0, dissipated = 0;
+  int landings = 0;
+  for (const Point& point : beam.path()) {
+    const double gain = beam.walker().here().dissipated - dissipated;
+    if (point.control == "initiation" || point.control == "corner") {
+      ++landings;
+      EXPECT_GT(gain, 1e-6 * quantum) << "step " << point.step;
+    }
+    quantum = gain;
+    dissipated += gain;
+  }
+  EXPECT_EQ(beam.path().ending().kind, Ending::Kind::goal_reached) << beam.path().ending().reason;
+  EXPECT_GT(landings, 0);
+}
+
+TEST(Rescue, EndsOnTheSurfaceWhereBlocksHangLoosely) {
+  OnPath beam(brittle_beam, "stop: {load_below: 0.2}");
+  for ([[maybe_unused]] const Point& point : beam.path()) {
+  }
+  System& system = beam.system();
+  const double dissipated = system.dissipated(system.history());
+  const auto found = sequentially_linear(system, beam.walker().state(), 1e-3 * dissipated);
+  ASSERT_TRUE(found);
+  system.set_history(found->history);
+  EXPECT_LT(system.excess_residual(found->state), 1e-9);
+  const LawValues laws = system.laws(found->state.d, found->state.load_factor);
+  double nearest = 0;
+  for (std::size_t p = 0; p < laws.opening.size(); ++p) {
+    const InterfacePoint& point = system.equilibrium().point(p);
+    if (system.is_broken(p)) continue;
+    const History& h = system.history()[p];
+    const double opening = point.law->equivalent_opening(laws.opening[p], h, point.stiffness);
+    nearest = std::max(nearest, opening / system.kappa(p));
+  }
+  EXPECT_NEAR(nearest, 1, 1e-12) << "the law tells loading from unloading by 1e-11";
+}
+
 }  // namespace
 }  // namespace dda
