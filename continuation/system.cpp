@@ -282,14 +282,12 @@ double System::residual_norm(std::span<const double> r) const {
 
 double System::excess_residual(std::span<const double> r, std::span<const double> d,
                                double load_factor) const {
-  // A row sums some 40 products of entries which are sums themselves: between the root mean square of so many
-  // roundings and the worst of them.
-  constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
+  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
   std::vector<double> terms(d.size());
   parallel_for(terms.size(), numbers_at_once, [&](std::size_t i) {
     terms[i] = std::abs(loading_->dead[i]) + std::abs(load_factor * loading_->reference[i]);
   });
-  equilibrium_.intact().multiply_add_absolute(d, terms);
+  equilibrium_.add_absolute_products(d, terms);
   parallel_for(terms.size(), numbers_at_once,
                [&](std::size_t i) { terms[i] = std::max(0.0, std::abs(r[i]) - rounding * terms[i]); });
   return relative(residual_norm(terms), d);

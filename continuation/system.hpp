@@ -118,8 +118,9 @@ class System {
 
   /// ‖R‖ with moments and stress resultants divided by the blocks' size [F].
   double residual_norm(std::span<const double> r) const;
-  /// What is left of R beyond rounding, over the force level: each row may keep 4 ε (|K0| |d| + |f|), by
-  /// which its terms cannot cancel better. Stiff joints and supports of blocks that move far make that large.
+  /// What is left of R beyond rounding, over the force level: each row may keep 4 ε of the absolute products
+  /// that it sums up (Equilibrium::add_absolute_products, |f|), by which they cannot cancel better. Stiff
+  /// joints and supports of blocks that move far make that large.
   double excess_residual(std::span<const double> r, std::span<const double> d, double load_factor) const;
   /// The same at a state.
   double excess_residual(const State& at);

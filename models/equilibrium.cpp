@@ -179,6 +179,20 @@ std::vector<BlockId> Equilibrium::watched() const {
   return out;
 }
 
+void Equilibrium::add_absolute_products(std::span<const double> d, std::span<double> out) const {
+  intact_.multiply_add_absolute(d, out);
+  for (const InterfacePoint& point : set_.points) {
+    Vec2 sum = Vec2::Zero();
+    point.for_each_part([&](BlockId i, const Mat26& rows) {
+      sum += rows.cwiseAbs() * Eigen::Map<const Vec6>(d.data() + 6 * i.value()).cwiseAbs();
+    });
+    const Vec2 force = point.weight * point.intact_stiffness().cwiseProduct(sum);
+    point.for_each_part([&](BlockId i, const Mat26& rows) {
+      Eigen::Map<Vec6>(out.data() + 6 * i.value()) += rows.cwiseAbs().transpose() * force;
+    });
+  }
+}
+
 double Equilibrium::passive_energy(std::span<const double> d) const {
   double twice = parallel_sum(num_blocks_, parts_at_once, [&](std::size_t b) {
     const Eigen::Map<const Vec6> at(d.data() + 6 * b);

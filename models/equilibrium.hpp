@@ -97,6 +97,9 @@ class Equilibrium {
   /// e·q of a point as a gauge, but for its constant part.
   Functional opening_gauge(const Loading& loading, std::size_t p, const Vec2& e) const;
 
+  /// out += |K0| |d| + Σ W |B|ᵀ D0 |B| |d|: of all products that K0 d sums up, those included which cancel in
+  /// K0 itself by the symmetry of a block.
+  void add_absolute_products(std::span<const double> d, std::span<double> out) const;
   /// Energy stored in blocks, bonds, supports and weak springs: all but the joints of active points and the
   /// springs that loads drive [FL]. A sum over the parts: ½ d·K0 d would lose the digits of a small part of a
   /// structure that moves far.
