@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
+#include <limits>
 
 #include "support/structure.hpp"
 
@@ -30,6 +31,38 @@ TEST(Equilibrium, RigidMotionsCostNothing) {
   for (const std::vector<double>& d :
        {square.field({1, 0}, Mat2::Zero()), square.field({0, 1}, Mat2::Zero()), square.field({0, 0}, turn)})
     EXPECT_LT(norm(force(equilibrium, d)), 1e-11);
+}
+
+/// Slender columns turned as one: what is left of forces that cancel is rounding of the products counted, and
+/// more than |K0| |d| tells, where entries have cancelled before.
+TEST(Equilibrium, AbsoluteProductsBoundTheRounding) {
+  std::string deck = "scene:\n  regions:\n";
+  for (int i = 0; i < 8; ++i) {
+    const std::string from = std::to_string(0.003 * i), to = std::to_string(0.003 * (i + 1));
+    deck += "    - {name: column" + std::to_string(i) + ", material: stone, vertices: [[" + from + ", 0], [" +
+            to + ", 0], [" + to + ", 1], [" + from + ", 1]]}\n";
+  }
+  deck +=
+      "thickness: 1\nsupport_stiffness: 1e-13\n"
+      "materials: {stone: {type: linear_elastic, young_modulus: 1, poisson_ratio: 0.2}}\n"
+      "interfaces: {joint: {between: [stone, stone], law: bonded, treatment: {type: penalty, factor: 1e4}}}\n"
+      "supports: {foot: {at: [0, 0], fix: xy}, side: {at: [0, 1], fix: x}}\n"
+      "stages: [{loads: [{type: point_load, at: [0, 1], force: [1, 0]}]}]\n";
+  const Structure columns(deck);
+  const Equilibrium equilibrium = columns.equilibrium();
+  Mat2 turn;
+  turn << 0, -1, 1, 0;
+  const std::vector<double> d = columns.field({0.3, 0.7}, turn), left = force(equilibrium, d);
+  std::vector<double> all(d.size(), 0.0), of_entries(d.size(), 0.0);
+  equilibrium.add_absolute_products(d, all);
+  equilibrium.intact().multiply_add_absolute(d, of_entries);
+  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+  int more = 0;
+  for (std::size_t i = 0; i < d.size(); ++i) {
+    EXPECT_LE(std::abs(left[i]), rounding * all[i]) << "row " << i;
+    more += std::abs(left[i]) > rounding * of_entries[i];
+  }
+  EXPECT_GT(more, 0);
 }
 
 /// Uniform strain in one material: the forces are those of the uniform stress on the boundary, whatever the
