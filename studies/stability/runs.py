@@ -77,7 +77,7 @@ class Outcome:
     def refusal(self):
         """What the program said when it refused; where the run's folder was does not matter."""
         said = next((line.strip() for line in self.said.splitlines() if TOO_LARGE in line), "")
-        return said.replace(f"{self.folder}/", "")
+        return said.replace(f"{self.folder.parent}/", "")
 
     @property
     def reached(self):
