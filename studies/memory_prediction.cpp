@@ -188,6 +188,7 @@ MemoryPrediction updates_alone(const Case& of, double cracked) {
 struct Rounds {
   double columns;  ///< as multiples of how many may be made at once
   bool slides;     ///< a base takes the friction of points that slide
+  double active;   ///< share of columns that an iteration uses: three dense matrices of that size
 };
 
 /// A base after the other: first that of the intact structure with all columns that are worth it, then
@@ -205,7 +206,7 @@ MemoryPrediction new_bases(const Case& of, const Rounds& rounds) {
                whole = whole_column_bytes(of, later) + couplings_bytes(all);
   if (indefinite + whole > factor + columns) factor = indefinite, columns = whole;
   out.factor = systems * factor + other_matrix_bytes(of);
-  out.columns = systems * columns;
+  out.columns = systems * (columns + 3 * number * std::pow(rounds.active * all, 2));
   out.vectors = vector_bytes(of, true);
   return out;
 }
@@ -247,7 +248,7 @@ MemoryPrediction predict_memory(const Simulation& simulation) {
   MemoryPrediction out = alone, most = alone;
   if (of.refactorises() || is_open) {
     constexpr double seldom_more = 2.5;
-    const MemoryPrediction anew = new_bases(of, {seldom_more, of.releases});
+    const MemoryPrediction anew = new_bases(of, {seldom_more, of.releases, 0});
     MemoryPrediction with_loca = alone;
     with_loca.libraries = library_bytes(of, true, is_indefinite(of));
     if (of.refactorises() || (is_much && (of.releases || !ends_at_gauge)))
@@ -256,7 +257,7 @@ MemoryPrediction predict_memory(const Simulation& simulation) {
       out = between(alone, anew);
     else if (of.slides)  // which LOCA follows, and often with a new base
       out = between(with_loca, anew);
-    most = new_bases(of, {std::numeric_limits<double>::infinity(), of.slides});
+    most = new_bases(of, {std::numeric_limits<double>::infinity(), of.slides, 1});
   }
   out.until_here = until_here;
   out.least = std::min(out.total(), is_open ? until_here + alone.total() : out.total());
