@@ -91,7 +91,7 @@ class SecantWalk {
     constexpr double gain = 0.5;
     for (double before = std::numeric_limits<double>::infinity();;) {
       const double left = system_.residual_norm(rest);
-      if (!(left <= gain * before)) return out;
+      if (!(left > 0 && left <= gain * before)) return out;
       before = left;
       linear.solve(rest, correction);
       for (std::size_t i = 0; i < out.size(); ++i) out[i] += correction[i];

@@ -36,7 +36,22 @@ std::size_t corners(int type) { return type == 2 ? 3 : type == 3 ? 4 : 0; }
 Polygon face(const std::size_t* nodes, std::size_t count, const NodePlaces& places) {
   Polygon outline;
   for (std::size_t i = 0; i < count; ++i) outline.vertices.push_back(places.at(nodes[i]).head<2>());
-  return counter_clockwise(std::move(outline));
+  return outline;
+}
+
+/// As gmsh turns them.
+std::vector<Polygon> turned_faces(int surface, const NodePlaces& places, const Position& where) {
+  const Elements elements = elements_of(2, surface);
+  std::vector<Polygon> faces;
+  for (std::size_t t = 0; t < elements.types.size(); ++t) {
+    const std::size_t count = corners(elements.types[t]);
+    if (count == 0)
+      throw InputError(where,
+                       "the mesh has elements that are no three-node triangles or four-node quadrilaterals");
+    for (std::size_t i = 0; i + count <= elements.nodes[t].size(); i += count)
+      faces.push_back(face(&elements.nodes[t][i], count, places));
+  }
+  return faces;
 }
 
 void require_plane(const NodePlaces& places, const Position& where) {
@@ -88,17 +103,17 @@ NodePlaces mesh_nodes(const Position& where) {
 }
 
 std::vector<Polygon> mesh_faces(int surface, const NodePlaces& places, const Position& where) {
-  const Elements elements = elements_of(2, surface);
-  std::vector<Polygon> faces;
-  for (std::size_t t = 0; t < elements.types.size(); ++t) {
-    const std::size_t count = corners(elements.types[t]);
-    if (count == 0)
-      throw InputError(where,
-                       "the mesh has elements that are no three-node triangles or four-node quadrilaterals");
-    for (std::size_t i = 0; i + count <= elements.nodes[t].size(); i += count)
-      faces.push_back(face(&elements.nodes[t][i], count, places));
-  }
+  std::vector<Polygon> faces = turned_faces(surface, places, where);
+  for (Polygon& outline : faces) outline = counter_clockwise(std::move(outline));
   return faces;
+}
+
+std::optional<Vec2> fold(int surface, const NodePlaces& places, const Position& where) {
+  const std::vector<Polygon> faces = turned_faces(surface, places, where);
+  const auto turns_left = [](const Polygon& outline) { return signed_area(outline) > 0; };
+  const bool most = 2 * std::ranges::count_if(faces, turns_left) > std::ssize(faces);
+  const auto other = std::ranges::find(faces, !most, turns_left);
+  return other == faces.end() ? std::nullopt : std::optional(other->vertices.front());
 }
 
 std::vector<MeshEdge> mesh_edges(int curve, const NodePlaces& places) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -23,6 +24,9 @@ NodePlaces mesh_nodes(const Position& where);
 /// Triangles and quadrilaterals of a surface of the current gmsh model, counter-clockwise.
 /// Throws InputError at `where` for elements of higher order.
 std::vector<Polygon> mesh_faces(int surface, const NodePlaces& places, const Position& where);
+
+/// A vertex of an element that is turned against the others of its surface: there the mesh folds over.
+std::optional<Vec2> fold(int surface, const NodePlaces& places, const Position& where);
 
 /// Line elements of a curve of the current gmsh model.
 std::vector<MeshEdge> mesh_edges(int curve, const NodePlaces& places);

@@ -189,11 +189,29 @@ Cells GmshSession::mesh(const ElementWish& wish) const {
       gmsh::model::mesh::clear();
       apply(wish);
       gmsh::model::mesh::generate(2);
+      if (wish.quads && fold_of_surfaces()) {  // the optimisation of quads has folded the mesh over
+        gmsh::model::mesh::clear();
+        gmsh::option::setNumber("Mesh.RecombineOptimizeTopology", 0);
+        gmsh::model::mesh::generate(2);
+      }
+      if (const auto x = fold_of_surfaces())
+        throw InputError(where_, fmt::format("gmsh's mesh folds over near ({:.4g}, {:.4g}); use another size",
+                                             x->x(), x->y()));
     }
     return {elements(), line_pieces()};
   } catch (const std::string& message) {
     throw translated(message, where_);
   }
+}
+
+std::optional<Vec2> GmshSession::fold_of_surfaces() const {
+  const NodePlaces places = mesh_nodes(where_);
+  for (const PhysicalGroup& group : groups_) {
+    if (group.dimension != 2) continue;
+    for (const int surface : group.entities)
+      if (const auto found = fold(surface, places, where_)) return found;
+  }
+  return {};
 }
 
 void GmshSession::apply(const ElementWish& wish) const {
@@ -208,6 +226,7 @@ void GmshSession::apply(const ElementWish& wish) const {
   gmsh::option::setNumber("Mesh.Algorithm", 6);
   gmsh::option::setNumber("Mesh.RecombinationAlgorithm", 1);
   gmsh::option::setNumber("Mesh.RecombineAll", 1);
+  gmsh::option::setNumber("Mesh.RecombineOptimizeTopology", 5);  // its default
 }
 
 /// h(distance) = min(size, refined size + growth × distance) as a background field.

@@ -22,6 +22,7 @@ class GmshSession final : public GmshModel {
   void open(const std::string& file);
   void read_groups();
   void apply(const ElementWish& wish) const;
+  std::optional<Vec2> fold_of_surfaces() const;
   void refine(const ElementWish& wish) const;
   std::vector<Cell> elements() const;
   std::vector<NamedLine> line_pieces() const;

@@ -47,6 +47,15 @@ INSTANTIATE_TEST_SUITE_P(Scene, EverySubdivision,
                                            "{type: grid, columns: 6, rows: 5}",
                                            "{type: grid, columns: 6, rows: 5, shape: triangles}"));
 
+/// With its optimisation gmsh turns one of these squares inside out.
+TEST(Quads, DoNotFoldOver) {
+  const Assembly a =
+      mesh_of(R"({regions: [{material: concrete, vertices: [[0, 0], [300, 0], [300, 100], [0, 100]]}],
+    slits: {notch: [[150, 0], [150, 16.666666666666668]]}, subdivision: {type: quads, size: 2.7386127875258306}})");
+  EXPECT_NEAR(total_area(a), 30000, 1e-6);
+  EXPECT_EQ(connected_groups(a).size(), 1u);
+}
+
 TEST(Scene, EveryRegisteredSubdivisionIsTestedHere) {
   std::vector<std::string> names;
   for (const FamilyMember* member : subdivisions().entries()) names.push_back(member->name);
