@@ -15,18 +15,24 @@ namespace {
 /// A release is tried again with this share of its length when no continuous path leads so far.
 constexpr double cut = 0.25;
 
-/// |R·Δd|, R of a state with its history: by so much its energies may be off those of the equilibrium which
-/// it is within the tolerance.
-double residual_work(System& system, const Candidate& at, const std::vector<double>& along) {
+/// |R·Δd| + Σ W |t·Δm|, R and the gaps P⁻¹ t − m of a state with its history: by so much its energies may be
+/// off those of the equilibrium which it is within the tolerances.
+double tolerated_work(System& system, const Candidate& at, const std::vector<double>& along) {
   const std::vector<History> history = system.history();
   const std::vector<Vec2> multipliers = system.multipliers();
   system.set_history(at.history);
   system.set_multipliers(at.state.multipliers);
+  const auto laws = system.laws_at(at.state.d, at.state.load_factor);
   std::vector<double> r(along.size());
-  system.residual(at.state.d, at.state.load_factor, *system.laws_at(at.state.d, at.state.load_factor), r);
+  system.residual(at.state.d, at.state.load_factor, *laws, r);
+  double work = std::abs(std::inner_product(r.begin(), r.end(), along.begin(), 0.0));
+  const std::vector<Vec2> next = system.next_multipliers(*laws);
+  for (std::size_t p = 0; p < next.size(); ++p)
+    work += system.equilibrium().point(p).weight *
+            std::abs(laws->traction[p].dot(next[p] - at.state.multipliers[p]));
   system.set_history(history);
   system.set_multipliers(multipliers);
-  return std::abs(std::inner_product(r.begin(), r.end(), along.begin(), 0.0));
+  return work;
 }
 
 }  // namespace
@@ -56,13 +62,17 @@ bool Path::creates_energy(const Candidate& beyond) const {
   std::vector<double> along = beyond.state.d;
   for (std::size_t i = 0; i < along.size(); ++i) along[i] -= here.state.d[i];
   System& system = walker_.system();
-  return created > explained + residual_work(system, beyond, along) + residual_work(system, here, along);
+  return created > explained + tolerated_work(system, beyond, along) + tolerated_work(system, here, along);
 }
 
 /// Accepts an equilibrium that no control led to; a wanted value can be passed but not landed on.
 std::optional<Point> Path::jump_to(Candidate beyond, const std::string& control) {
   if (!(beyond.residual <= parameters_.newton.tolerance)) {
     report("rejected", fmt::format("{}: relative residual {:.1e}", control, beyond.residual));
+    return {};
+  }
+  if (!(beyond.gap <= parameters_.multipliers.tolerance)) {
+    report("rejected", fmt::format("{}: relative gap {:.1e}", control, beyond.gap));
     return {};
   }
   if (creates_energy(beyond)) {

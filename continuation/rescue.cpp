@@ -21,7 +21,7 @@ class SecantWalk {
     constexpr double growth = 1.08;
     history[p] = point.law->grown(history[p], point.stiffness, growth);
     system_.set_history(std::move(history));
-    if (!settle()) return false;
+    if (!settle() || !polish()) return false;
     system_.set_history(system_.next_history(state_.d, state_.load_factor));  // what has slid stays so
     return true;
   }
@@ -62,25 +62,67 @@ class SecantWalk {
     return false;
   }
 
+  /// With iterated multipliers: takes off what the rounding of their joints' high stiffness p̄ has left of the
+  /// equilibrium; one step, the laws being linear.
+  bool polish() {
+    if (!system_.iterates_multipliers()) return true;
+    const auto laws = system_.laws_at(state_.d, state_.load_factor);
+    if (!system_.use_tangent(system_.new_stamp(), laws->tangent)) return false;
+    std::vector<double> residual(state_.d.size()), correction(state_.d.size());
+    system_.residual(state_.d, state_.load_factor, *laws, residual);
+    system_.linear().solve(residual, correction);
+    for (std::size_t i = 0; i < correction.size(); ++i) state_.d[i] -= correction[i];
+    return true;
+  }
+
   /// Scales the load to where the first unbroken point reaches its κ.
   bool move_to_limit(const LawValues& secant) {
-    const std::size_t n = state_.d.size(), points = secant.opening.size();
-    const auto dead = dead_solution(secant), live = live_solution(secant);
+    const Solution dead = dead_solution(secant), live = live_solution(secant);
     const Loading& loading = system_.loading();
     double limit = std::numeric_limits<double>::infinity();
-    for (std::size_t p = 0; p < points; ++p) {
+    for (std::size_t p = 0; p < secant.opening.size(); ++p) {
       if (system_.is_broken(p)) continue;
-      const double x = reach(point_at(p), system_.opening_rate(p, dead) + loading.dead_opening(p),
-                             system_.opening_rate(p, live) + loading.reference_opening(p));
+      const double x = reach(point_at(p), opening(p, dead) + loading.dead_opening(p),
+                             opening(p, live) + loading.reference_opening(p));
       if (x >= limit) continue;
       limit = x;
       critical_ = static_cast<int>(p);
     }
     if (!std::isfinite(limit)) return false;
-    for (std::size_t i = 0; i < n; ++i) state_.d[i] = dead[i] + limit * live[i];
+    for (std::size_t i = 0; i < state_.d.size(); ++i) state_.d[i] = dead.d[i] + limit * live.d[i];
     state_.load_factor = limit;
-    if (system_.iterates_multipliers()) state_.multipliers = system_.multiplier_rates(state_.d);
+    for (std::size_t p = 0; p < state_.multipliers.size(); ++p)
+      state_.multipliers[p] = multiplier(p, dead) + limit * multiplier(p, live);
     return true;
+  }
+
+  /// K_sec⁻¹ f, and what joints with iterated multipliers open beside it.
+  struct Solution {
+    std::vector<double> d;
+    std::vector<Vec2> carried;
+  };
+
+  Vec2 opening(std::size_t p, const Solution& of) const {
+    const Vec2 g = system_.equilibrium().opening(p, of.d);
+    return system_.with_multiplier(p, of.carried.empty() ? g : g + of.carried[p]);
+  }
+  Vec2 multiplier(std::size_t p, const Solution& of) const {
+    return opening(p, of) - system_.equilibrium().opening(p, of.d);
+  }
+
+  /// Carries what the finite p̄ leaves open over into the joints until that leaves no gap any more.
+  Solution closed(const std::vector<double>& force) {
+    Solution out{solve(force), {}};
+    if (!system_.iterates_multipliers()) return out;
+    constexpr int passes = 5;
+    out.carried.assign(system_.multipliers().size(), Vec2::Zero());
+    for (int pass = 0; pass < passes; ++pass) {
+      out.carried = system_.left_open(out.d, out.carried);
+      std::vector<double> rest = force;
+      system_.subtract_carried(out.carried, rest);
+      out.d = solve(std::move(rest));
+    }
+    return out;
   }
 
   /// Refined as long as it gains: an update of a base that holds some blocks loosely leaves much to take off.
@@ -100,16 +142,15 @@ class SecantWalk {
     }
   }
 
-  std::vector<double> live_solution(const LawValues& secant) {
-    std::vector<double> minus(state_.d.size());
-    system_.load_derivative(secant, minus);
-    std::vector<double> out = solve(std::move(minus));
-    for (double& value : out) value = -value;
-    return out;
+  Solution live_solution(const LawValues& secant) {
+    std::vector<double> force(state_.d.size());
+    system_.load_derivative(secant, force);
+    for (double& value : force) value = -value;
+    return closed(force);
   }
 
   /// At no load factor: dead loads, and what friction bears beside D q on points that have slid.
-  std::vector<double> dead_solution(const LawValues& secant) {
+  Solution dead_solution(const LawValues& secant) {
     std::vector<double> force = system_.loading().dead;
     const Loading& loading = system_.loading();
     constexpr double rounding = 1e-12;
@@ -124,8 +165,8 @@ class SecantWalk {
     }
     if (is_needed) system_.equilibrium().scatter_add({t.data()->data(), 2 * t.size()}, force);
     for (const double value : force)
-      if (value != 0) return solve(std::move(force));
-    return force;
+      if (value != 0) return closed(force);
+    return {std::move(force), {}};
   }
 
   System& system_;
@@ -151,6 +192,7 @@ std::optional<Settled> sequentially_linear(System& system, const State& start, d
   }
   system.set_frozen(false);
   system.set_history(before);
+  system.set_multipliers(start.multipliers);
   return out;
 }
 

@@ -77,10 +77,15 @@ double System::relative_gap(const LawValues& laws) const {
 
 namespace {
 
+/// P̄, the joint's own stiffness.
+Vec2 own_stiffness(const InterfacePoint& point) {
+  return point.physical_stiffness / point.stiffness * point.trial_stiffness();
+}
+
 /// D̄ = D (1 + (P̄⁻¹ − P⁻¹) D)⁻¹: the joint's own stiffness p̄ in place of the k that carries its multiplier.
 Mat2 with_own_stiffness(const Mat2& d, const InterfacePoint& point) {
-  const Vec2 soft = point.trial_stiffness(), stiff = point.physical_stiffness / point.stiffness * soft;
-  const Mat2 compliance = (stiff.cwiseInverse() - soft.cwiseInverse()).asDiagonal();
+  const Vec2 more = own_stiffness(point).cwiseInverse() - point.trial_stiffness().cwiseInverse();
+  const Mat2 compliance = more.asDiagonal();
   return d * (Mat2::Identity() + compliance * d).inverse();
 }
 
@@ -125,18 +130,32 @@ bool System::is_path_physical(const LawValues& laws) const {
   return true;
 }
 
-Vec2 System::opening_rate(std::size_t p, std::span<const double> d) const {
-  Vec2 rate = equilibrium_.opening(p, d);
+Vec2 System::with_multiplier(std::size_t p, const Vec2& g) const {
   const InterfacePoint& point = equilibrium_.point(p);
-  if (physical_ && point.multiplier == Multiplier::iterated)
-    rate += (path_tangent_[p] * rate).cwiseQuotient(point.trial_stiffness());
-  return rate;
+  if (!physical_ || point.multiplier != Multiplier::iterated) return g;
+  const Vec2 t = path_tangent_[p] * g;
+  return g + t.cwiseQuotient(point.trial_stiffness()) - t.cwiseQuotient(own_stiffness(point));
 }
 
 std::vector<Vec2> System::multiplier_rates(std::span<const double> d) const {
   std::vector<Vec2> out(multipliers_.size());
   for (std::size_t p = 0; p < out.size(); ++p) out[p] = opening_rate(p, d) - equilibrium_.opening(p, d);
   return out;
+}
+
+std::vector<Vec2> System::left_open(std::span<const double> d, std::span<const Vec2> carried) const {
+  std::vector<Vec2> out(multipliers_.size(), Vec2::Zero());
+  for (std::size_t p = 0; p < out.size(); ++p)
+    if (const InterfacePoint& point = equilibrium_.point(p); point.multiplier == Multiplier::iterated)
+      out[p] =
+          (path_tangent_[p] * (equilibrium_.opening(p, d) + carried[p])).cwiseQuotient(own_stiffness(point));
+  return out;
+}
+
+void System::subtract_carried(std::span<const Vec2> carried, std::span<double> force) const {
+  std::vector<Vec2> t(carried.size());
+  for (std::size_t p = 0; p < t.size(); ++p) t[p] = -(path_tangent_[p] * carried[p]);
+  equilibrium_.scatter_add({t.data()->data(), 2 * t.size()}, force);
 }
 
 std::vector<Vec2> System::openings(std::span<const double> d, double load_factor) const {

@@ -84,10 +84,20 @@ class System {
   bool is_path_physical(const LawValues& laws) const;
   LinearSystem& path_linear() { return physical_ ? *physical_ : linear_; }
   const LinearSystem& path_linear() const { return physical_ ? *physical_ : linear_; }
+  /// q of a point whose joint opens by g under the path tangent in use: with its multiplier
+  /// (P⁻¹ − P̄⁻¹) D̄ g if that is iterated, so that D q = D̄ g.
+  Vec2 with_multiplier(std::size_t p, const Vec2& g) const;
   /// Rate of q at a point when d moves by `d` under the path tangent in use.
-  Vec2 opening_rate(std::size_t p, std::span<const double> d) const;
+  Vec2 opening_rate(std::size_t p, std::span<const double> d) const {
+    return with_multiplier(p, equilibrium_.opening(p, d));
+  }
   /// Rates of the multipliers for the same movement; empty when none is iterated.
   std::vector<Vec2> multiplier_rates(std::span<const double> d) const;
+  /// What the finite p̄ leaves open when d moves by `d` and the joints by `carried` beside: P̄⁻¹ D̄ (g +
+  /// carried) of the iterated points, none of the others.
+  std::vector<Vec2> left_open(std::span<const double> d, std::span<const Vec2> carried) const;
+  /// force ← force − Bᵀ W D̄ carried.
+  void subtract_carried(std::span<const Vec2> carried, std::span<double> force) const;
 
   /// Laws at (d, λ) with the committed history, or the given one.
   LawValues laws(std::span<const double> d, double load_factor) const;

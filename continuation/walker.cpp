@@ -103,6 +103,8 @@ Candidate Walker::settled(const Settled& found) {
   system_.set_multipliers(next.state.multipliers);
   fill_energies(next);
   next.residual = system_.excess_residual(next.state);
+  if (system_.iterates_multipliers())
+    next.gap = system_.relative_gap(*system_.laws_at(next.state.d, next.state.load_factor));
   next.work = here_.work + external_work(system_, here_.state, next.state, leaving_, {}, 0.0);
   system_.set_history(before);
   system_.set_multipliers(here_.state.multipliers);

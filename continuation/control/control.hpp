@@ -42,6 +42,8 @@ class Control {
   virtual std::optional<ControlSum> as_sum(double) const { return {}; }
   /// Whether the laws are to answer with frozen damage under this control.
   virtual bool freezes_damage() const { return false; }
+  /// Whether nothing is to be met exactly: the control only decides how far the step goes.
+  virtual bool only_sizes_step() const { return false; }
 };
 
 /// A gauge prescribed, g(d, λ) − g_start = s. Load, displacement and opening control; s in the gauge's unit.

@@ -31,6 +31,7 @@ class DissipationControl final : public Control {
     return ControlSum{.gauge = nullptr, .spends = true, .target = s, .scale = scale_};
   }
   double per_path() const override { return -1 / scale_; }
+  bool only_sizes_step() const override { return true; }
 
  private:
   /// What a point spends; one that the path leaves by loading counts at once, with the slope of its surface.

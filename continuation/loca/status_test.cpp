@@ -32,7 +32,10 @@ double continuation_residual(const NOX::Solver::Generic& solver) {
 
 NOX::StatusTest::StatusType NewtonTest::checkStatus(const NOX::Solver::Generic& solver,
                                                     NOX::StatusTest::CheckType) {
-  if (solver.getNumIterations() == 0) seen_.clear();
+  if (solver.getNumIterations() == 0) {
+    seen_.clear();
+    control_.reset();
+  }
   return status_ = judge(solver);
 }
 
@@ -57,17 +60,30 @@ NOX::StatusTest::StatusType NewtonTest::judge(const NOX::Solver::Generic& solver
   const bool falls = solver.getNumIterations() > 0 && residual_ <= hardly_less * before;
   if (residual_ > parameters_.tolerance && !falls)
     residual_ = system_.excess_residual(group.residual(), group.displacement(), group.load_factor());
-  if (residual_ <= parameters_.tolerance && control <= control_tolerance) return NOX::StatusTest::Converged;
+  const std::size_t active_set = system_.active_set(group.laws());
+  const bool is_equilibrium = residual_ <= parameters_.tolerance;
+  if (is_equilibrium && meets_control(control, active_set)) return NOX::StatusTest::Converged;
+  control_ = is_equilibrium ? std::optional(control) : std::nullopt;
   if (solver.getNumIterations() >= parameters_.max_iterations) {
     reason_ = fmt::format("no convergence in {} iterations (relative residual {:.1e})",
                           parameters_.max_iterations, residual_);
     return NOX::StatusTest::Failed;
   }
-  if (repeats(system_.active_set(group.laws()))) {
+  if (repeats(active_set)) {
     reason_ = "the iteration cycles between sets of loading points";
     return NOX::StatusTest::Failed;
   }
   return NOX::StatusTest::Unconverged;
+}
+
+/// Whether N vanishes, or only sizes the step, is small and no longer falls from one equilibrium to the next:
+/// between stiff joints that is what the rounding of the openings leaves of it.
+bool NewtonTest::meets_control(double control, std::size_t active_set) {
+  if (control <= control_tolerance) return true;
+  constexpr double small = 1e-4, hardly_less = 0.1;
+  const bool only_sizes = !active_->control || active_->control->only_sizes_step();
+  const bool is_same_set = !seen_.empty() && seen_.back() == active_set;
+  return only_sizes && is_same_set && control <= small && control_ && control > hardly_less * *control_;
 }
 
 bool NewtonTest::repeats(std::size_t active_set) {

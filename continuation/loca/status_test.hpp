@@ -3,6 +3,7 @@
 #include <NOX_StatusTest_Generic.H>
 
 #include <memory>
+#include <optional>
 #include <unordered_map>
 
 #include "continuation/loca/control_constraint.hpp"
@@ -11,8 +12,9 @@
 namespace dda {
 
 /// Converged when equilibrium and control hold; a residual that does not fall counts without its rounding
-/// (System::excess_residual); failed on NaN, on too many iterations, and as soon as the set of
-/// loading points comes back to one it has left, which plain Newton would repeat for ever.
+/// (System::excess_residual), a control that rounding keeps from falling counts as met; failed on NaN, on too
+/// many iterations, and as soon as the set of loading points comes back to one it has left, which plain
+/// Newton would repeat for ever.
 class NewtonTest final : public NOX::StatusTest::Generic {
  public:
   NewtonTest(System& system, std::shared_ptr<const ActiveControl> active, const NewtonParameters& parameters)
@@ -30,6 +32,7 @@ class NewtonTest final : public NOX::StatusTest::Generic {
 
  private:
   NOX::StatusTest::StatusType judge(const NOX::Solver::Generic& solver);
+  bool meets_control(double control, std::size_t active_set);
   bool repeats(std::size_t active_set);
 
   System& system_;
@@ -38,6 +41,7 @@ class NewtonTest final : public NOX::StatusTest::Generic {
   NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
   std::string reason_;
   double residual_ = 0;
+  std::optional<double> control_;  ///< |N| of the last iteration if that was an equilibrium
   std::vector<std::size_t> seen_;  ///< fingerprints of the active sets of this solve
 };
 
