@@ -1,5 +1,6 @@
 #include "continuation/rescue.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -110,14 +111,22 @@ class SecantWalk {
     return opening(p, of) - system_.equilibrium().opening(p, of.d);
   }
 
-  /// Carries what the finite p̄ leaves open over into the joints until that leaves no gap any more.
+  /// Carries what the finite p̄ leaves open over into the joints until that no longer changes.
   Solution closed(const std::vector<double>& force) {
     Solution out{solve(force), {}};
     if (!system_.iterates_multipliers()) return out;
-    constexpr int passes = 5;
+    constexpr int most = 5;
+    constexpr double round_off = 1e-14;
     out.carried.assign(system_.multipliers().size(), Vec2::Zero());
-    for (int pass = 0; pass < passes; ++pass) {
-      out.carried = system_.left_open(out.d, out.carried);
+    for (int pass = 0; pass < most; ++pass) {
+      std::vector<Vec2> left = system_.left_open(out.d, out.carried);
+      double change = 0, largest = 0;
+      for (std::size_t p = 0; p < left.size(); ++p) {
+        change = std::max(change, (left[p] - out.carried[p]).norm());
+        largest = std::max(largest, left[p].norm());
+      }
+      if (change <= round_off * largest) break;
+      out.carried = std::move(left);
       std::vector<double> rest = force;
       system_.subtract_carried(out.carried, rest);
       out.d = solve(std::move(rest));

@@ -189,12 +189,14 @@ Cells GmshSession::mesh(const ElementWish& wish) const {
       gmsh::model::mesh::clear();
       apply(wish);
       gmsh::model::mesh::generate(2);
-      if (wish.quads && fold_of_surfaces()) {  // the optimisation of quads has folded the mesh over
+      auto x = fold_of_surfaces();
+      if (wish.quads && x) {  // the optimisation of quads has folded the mesh over
         gmsh::model::mesh::clear();
         gmsh::option::setNumber("Mesh.RecombineOptimizeTopology", 0);
         gmsh::model::mesh::generate(2);
+        x = fold_of_surfaces();
       }
-      if (const auto x = fold_of_surfaces())
+      if (x)
         throw InputError(where_, fmt::format("gmsh's mesh folds over near ({:.4g}, {:.4g}); use another size",
                                              x->x(), x->y()));
     }
