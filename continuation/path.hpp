@@ -58,7 +58,7 @@ struct Ending {
 struct PathMemory {
   double peak_load = 0;      ///< largest load so far, in the direction of the first loading
   int direction = 0;         ///< sign of the load gauge in the first loading; 0 before it
-  double step = 0;           ///< size of the next step relative to the leaving tangent's unit; 0 = choose
+  double step = 0;           ///< size of the next step in the control's quantity; 0 = choose
   std::string step_control;  ///< the control that size belongs to
   double largest_displacement = 0;
   double jump_energy = 0;
@@ -68,6 +68,8 @@ struct PathMemory {
   int leg = 0;              ///< which leg is being followed
   int leg_start = 0;        ///< accepted steps before it
   int surplus = 0;          ///< negative eigenvalues with which a branch may be left (Candidate::surplus)
+  bool has_slid = false;      ///< a contact has changed since the start
+  bool is_mechanism = false;  ///< the load has stayed while the structure moved
 };
 
 /// The equilibrium path of the last stage as a range: `for (const Point& p : path)`.
@@ -126,6 +128,13 @@ class Path {
   std::optional<Point> take_step();
   std::optional<Point> event_step();
   std::optional<Point> linear_step();
+  std::optional<Point> sliding_step();
+  std::optional<Point> first_slip(double change);
+  std::optional<Point> linear_for_good();
+  Move sliding_move();
+  double amount_to_landing() const;
+  void note_mechanism(Point& point, const State& before);
+  bool can_slide() const;
   std::optional<Point> controlled_step(const Move& move);
   std::optional<Point> sequential_step(const std::string& control, double quantum);
   std::optional<Point> release_step();
@@ -168,6 +177,7 @@ class Path {
 
   // Sizes and ends.
   double first_amount() const;
+  double unit_of(const Move& move) const;
   double bounded(double amount) const;
   void resize(const Candidate& candidate, double amount, const Move& move);
   Point keep(Candidate candidate, const std::string& control);

@@ -30,6 +30,12 @@ double Path::first_amount() const {
   return amount;
 }
 
+/// What a step is measured in, per unit of the leaving tangent: the control's own quantity. Where cracks grow
+/// both are energies; elsewhere the tangent's unit, the load factor, may all but stand still.
+double Path::unit_of(const Move& move) const {
+  return walker_.leaving().dissipates ? 1 : std::abs(move.rate);
+}
+
 /// No step may be predicted to change load or displacement by more than the deck allows.
 double Path::bounded(double amount) const {
   const double load_rate = std::abs(walker_.leaving().rate(load_));
@@ -54,7 +60,8 @@ void Path::resize(const Candidate& candidate, double amount, const Move& move) {
   constexpr double balance_share = 0.005;  // of the accuracy, for the energy a step leaves unaccounted for
   const double strayed =
       std::max({load, displacement, unaccounted(candidate) / candidate.work / balance_share, 1e-12});
-  memory_.step = amount * std::clamp(std::sqrt(parameters_.step.accuracy / strayed), 0.3, 2.0);
+  memory_.step =
+      amount * unit_of(move) * std::clamp(std::sqrt(parameters_.step.accuracy / strayed), 0.3, 2.0);
   memory_.step_control = move.control;
 }
 

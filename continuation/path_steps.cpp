@@ -43,7 +43,7 @@ std::optional<Point> Path::take_step() {
 
 std::optional<Point> Path::event_step() {
   const double amount = next_event(walker_);
-  if (!std::isfinite(amount)) return linear_step();
+  if (!std::isfinite(amount)) return can_slide() ? sliding_step() : linear_step();
   driver_->obstacle(walker_.leaving());  // fixes the direction of a prescribed gauge on the elastic branch
   if (auto point = land_ahead(amount)) return point;
   const Move move = event_move(walker_);
@@ -52,6 +52,7 @@ std::optional<Point> Path::event_step() {
   if (!candidate) {
     if (driver_->may_be_rescued() && walker_.leaving().dissipates)
       if (auto point = sequential_step("sequentially_linear", memory_.last_quantum)) return point;
+    if (can_slide()) return sliding_step();
     if (auto point = approach(amount)) return point;
     if (driver_->may_be_rescued()) {
       if (auto point = sequential_step("sequentially_linear", memory_.last_quantum)) return point;
@@ -60,7 +61,7 @@ std::optional<Point> Path::event_step() {
     return end_without_equilibrium("the next initiation was not found: " + why);
   }
   if (is_coarse(*candidate))
-    if (auto point = approach(amount)) return point;
+    if (auto point = can_slide() ? sliding_step() : approach(amount)) return point;
   if (const auto crossing = first_crossing(*candidate))
     if (auto point = land(*candidate, *crossing, "event")) return point;
   memory_.step = 0;
@@ -82,6 +83,12 @@ std::optional<Point> Path::approach(double amount) {
     return keep(*candidate, move.control);
   }
   return {};
+}
+
+/// Whether joints may slide, open or close although nothing cracks.
+bool Path::can_slide() const {
+  return walker_.system().joins_by_contact() ||
+         std::ranges::any_of(walker_.system().history(), [](const History& h) { return h.sliding; });
 }
 
 /// Lands on a wanted value that lies before an event predicted `amount` ahead.
@@ -117,7 +124,7 @@ std::optional<Point> Path::linear_step() {
 
 std::optional<Point> Path::controlled_step(const Move& move) {
   const bool known = memory_.step > 0 && memory_.step_control == move.control;
-  double amount = bounded(known ? memory_.step : first_amount());
+  double amount = bounded(known ? memory_.step / unit_of(move) : first_amount());
   if (load_of(walker_.ahead(amount)) <= 0 && load_of(walker_.state()) > 0)
     if (auto point = rupture()) return point;
   const double smallest = smallest_share * amount, natural = std::max(amount, bounded(first_amount()));
@@ -246,7 +253,11 @@ double Path::unaccounted(const Candidate& candidate) const {
 /// of these.
 bool Path::is_coarse(const Candidate& candidate) const {
   constexpr double share = 0.01;  // of the accuracy, twice what the step size aims at
-  return unaccounted(candidate) > share * parameters_.step.accuracy * std::abs(candidate.work);
+  constexpr double of_sliding = 0.02;
+  const double missing = unaccounted(candidate), work = std::abs(candidate.work - walker_.here().work);
+  const bool only_slides = !walker_.leaving().dissipates && !candidate.arriving.dissipates && can_slide();
+  return missing > share * parameters_.step.accuracy * std::abs(candidate.work) &&
+         !(only_slides && missing <= of_sliding * work);
 }
 
 /// Why a converged state is not the next point of this path; "" when it is.

@@ -6,24 +6,33 @@
 
 namespace dda {
 
-/// What Newton's method on the cracked points alone has found.
+/// What was found on the cracked points alone.
 struct Reduced {
   State state;
   int iterations = 0;
 };
 
-/// Newton's method on the cracked points alone, everything else being linear.
-///
-///     q = q_dead + λ q_ref − G z,     z = W (t(q; h) − D_base q),     N(q, λ) = 0
-///     d = d_dead + λ d_ref − Z z
-///
-/// with the base, Z and G of LinearSystem; an iteration costs a dense solve of the size of the cracked
-/// components. The state that is found is looked at in full: points that crack there are taken in and the
-/// iteration starts again from the guess, so that it goes the way of Newton's method for all unknowns. It is
-/// a better guess and no more: equilibrium is judged by the full residual. Nothing where no base is kept,
-/// under controls that look at every point, with initial stress or iterated multipliers, and where the
-/// iteration does not converge.
+/// Newton's method on the cracked points alone (contact/cracked_points.hpp). The state that is found is
+/// looked at in full: points that crack there are taken in and the iteration starts again from the guess, so
+/// that it goes the way of Newton's method for all unknowns. It is a better guess and no more: equilibrium is
+/// judged by the full residual. Nothing where no base is kept, under controls that look at every point, with
+/// initial stress or iterated multipliers, and where the iteration does not converge.
 std::optional<Reduced> solve_reduced(System& system, const Control& control, double s, const State& guess,
                                      int max_iterations);
+
+/// Chooses the base for solving contacts near a state, by that state alone: the intact structure, with the
+/// damage of the history where so much has cracked that columns for all of it would cost more. Contact of
+/// separate bodies is closed and held in it.
+void prepare_contacts(System& system, const State& guess);
+
+/// Contact and friction solved exactly on the points that are not held as in the intact structure, with
+/// Newton's method for what cracks around it, also under frozen damage, iterated multipliers and controls
+/// that look at every point; after `prepare_contacts`. Nothing with initial stress, where no joint is in
+/// contact, where more than `most_contact_points` points would take part, and where there is no equilibrium.
+std::optional<Reduced> solve_contacts(System& system, const Control& control, double s, const State& guess,
+                                      int max_iterations);
+inline constexpr std::size_t most_contact_points = 1500;
+/// Points that are not held at a state as in the intact structure.
+std::size_t num_changed(System& system, const State& at);
 
 }  // namespace dda

@@ -1,5 +1,7 @@
 #include "continuation/stepper.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <optional>
 
@@ -8,6 +10,10 @@
 
 namespace dda {
 namespace {
+
+/// Up to so many points that have cracked, slide or are open contacts are solved before Newton's method is
+/// tried on all unknowns: their dense equations grow with the third power.
+constexpr std::size_t few_points = 200;
 
 /// A state as the end of the step, if the full equations and the control have nothing to add.
 std::optional<Attempt> finished(System& system, const Control& control, double step, const State& at,
@@ -28,6 +34,36 @@ Attempt loca_step(System& system, const State& start, Control& control, double s
   return trilinos().controlled_step(system, start, control, step, guess, parameters);
 }
 
+/// Contact and friction solved exactly; iterated multipliers carried over until no gap is left.
+Attempt contact_step(System& system, const Control& control, double step, const State& guess,
+                     const StepperParameters& parameters) {
+  Attempt out{.state = guess, .reason = "contact and friction allow no equilibrium here"};
+  if (!system.has_contacts()) return out;
+  if (parameters.multipliers.predicted) system.set_multipliers(guess.multipliers);
+  prepare_contacts(system, guess);
+  for (; out.multiplier_iterations <= parameters.multipliers.max_iterations; ++out.multiplier_iterations) {
+    const auto found = solve_contacts(system, control, step, out.state, parameters.newton.max_iterations);
+    if (!found) return out;
+    out.state = found->state;
+    out.reduced_iterations += found->iterations;
+    const auto laws = system.laws_at(out.state.d, out.state.load_factor);
+    const double miss = control.residual({out.state.d, out.state.load_factor, *laws}, step);
+    out.residual = system.excess_residual(out.state);
+    if (!(std::abs(miss) <= control_tolerance) || !(out.residual <= parameters.newton.tolerance)) {
+      out.reason = fmt::format("contact and friction were met to {:.1e} only", out.residual);
+      return out;
+    }
+    out.state.multipliers = system.multipliers();
+    if (system.iterates_multipliers()) out.gap = system.relative_gap(*laws);
+    out.converged = out.gap <= parameters.multipliers.tolerance;
+    if (out.converged) return out;
+    system.set_multipliers(system.next_multipliers(*laws));
+  }
+  out.reason = fmt::format("the multipliers did not settle in {} iterations (relative gap {:.1e})",
+                           parameters.multipliers.max_iterations, out.gap);
+  return out;
+}
+
 }  // namespace
 
 Attempt controlled_step(System& system, const State& start, Control& control, double step, const State& guess,
@@ -38,13 +74,21 @@ Attempt controlled_step(System& system, const State& start, Control& control, do
   const auto reduced = solve_reduced(system, control, step, guess, parameters.newton.max_iterations);
   const State& foreseen = reduced ? reduced->state : guess;
   Attempt out;
-  if (const auto whole = finished(system, control, step, foreseen, parameters.newton))
-    out = *whole;
-  else
+  if (const auto whole = finished(system, control, step, foreseen, parameters.newton)) out = *whole;
+  const bool contacts_first = system.joins_by_contact() && num_changed(system, guess) <= few_points;
+  if (!out.converged && contacts_first) out = contact_step(system, control, step, guess, parameters);
+  if (!out.converged) {
+    system.set_multipliers(start.multipliers);
     out = loca_step(system, start, control, step, foreseen, parameters);
+  }
   // At a rupture the tangent is singular on the far side of the kink: only from this one can it be reached.
   if (!out.converged && reduced) out = loca_step(system, start, control, step, guess, parameters);
-  if (reduced) out.reduced_iterations = reduced->iterations;
+  if (!out.converged && !contacts_first) {
+    system.set_multipliers(start.multipliers);
+    if (const Attempt found = contact_step(system, control, step, guess, parameters); found.converged)
+      out = found;
+  }
+  if (reduced) out.reduced_iterations += reduced->iterations;
   system.set_frozen(false);
   return out;
 }

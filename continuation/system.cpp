@@ -20,6 +20,7 @@ System::System(const Equilibrium& equilibrium, const DirectSolverChoice& solver,
     : equilibrium_(equilibrium),
       loading_(nullptr),
       linear_(equilibrium, solver, update),
+      solver_(solver),
       history_(equilibrium.num_active()) {
   for (std::size_t p = 0; p < equilibrium.num_active() && !physical_; ++p)
     if (equilibrium.point(p).multiplier == Multiplier::iterated) {
@@ -32,20 +33,39 @@ System::System(const Equilibrium& equilibrium, const DirectSolverChoice& solver,
     screen_.push_back({0, beta * beta, point.intact_stiffness()});
   }
   screen_intact_points();
+  joins_by_contact_ = has_contacts();
   set_stage(0);
 }
 
 void System::measure_with(Timings& timings) {
   timings_ = &timings;
   linear_.measure_with(timings);
-  if (physical_) physical_->measure_with(timings);
+  for (LinearSystem* other : {physical_.get(), contact_.get()})
+    if (other) other->measure_with(timings);
 }
 
 void System::set_stage(std::size_t stage) {
   loading_ = &equilibrium_.stages()[stage];
   remembered_.laws.reset();
   linear_.keep_solutions_of(loading_->reference, loading_->dead);
-  if (physical_) physical_->keep_solutions_of(loading_->reference, loading_->dead);
+  for (LinearSystem* other : {physical_.get(), contact_.get()})
+    if (other) other->keep_solutions_of(loading_->reference, loading_->dead);
+}
+
+LinearSystem& System::contact_linear() {
+  if (contact_) return *contact_;
+  contact_ = std::make_unique<LinearSystem>(equilibrium_, solver_, LinearSystem::Update::low_rank);
+  contact_->measure_with(*timings_);
+  contact_->keep_solutions_of(loading_->reference, loading_->dead);
+  return *contact_;
+}
+
+bool System::has_contacts() const {
+  for (std::size_t p = 0; p < equilibrium_.num_active(); ++p) {
+    const InterfacePoint& point = equilibrium_.point(p);
+    if (point.law->contact(history_[p], point.stiffness)) return true;
+  }
+  return false;
 }
 
 void System::set_multipliers(const std::vector<Vec2>& m) {
@@ -91,8 +111,12 @@ Mat2 with_own_stiffness(const Mat2& d, const InterfacePoint& point) {
 
 }  // namespace
 
+/// Bodies that slide with all their points keep a residual stiffness, so that the path has a tangent there.
 std::vector<Mat2> System::path_tangents(const LawValues& laws) const {
+  constexpr double residual_share = 1e-7;
   std::vector<Mat2> out = laws.tangent;
+  for (std::size_t p = 0; joins_by_contact_ && p < out.size(); ++p)
+    out[p] += residual_share * (Mat2(equilibrium_.point(p).trial_stiffness().asDiagonal()) - out[p]);
   for (std::size_t p = 0; p < out.size(); ++p)
     if (const InterfacePoint& point = equilibrium_.point(p); point.multiplier == Multiplier::iterated)
       out[p] = with_own_stiffness(out[p], point);
@@ -111,7 +135,7 @@ std::vector<Mat2> System::all_tangents(const LawValues& laws, bool is_physical) 
 }
 
 bool System::use_path_tangent(const LawValues& laws) {
-  if (!physical_) return use_tangent(new_stamp(), laws.tangent);
+  if (!physical_) return use_tangent(new_stamp(), joins_by_contact_ ? path_tangents(laws) : laws.tangent);
   path_tangent_ = path_tangents(laws);
   return physical_->set_tangent(path_tangent_);
 }

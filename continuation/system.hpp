@@ -56,6 +56,13 @@ class System {
   const Equilibrium& equilibrium() const { return equilibrium_; }
   const Loading& loading() const { return *loading_; }
   void set_stage(std::size_t stage);
+  /// The base on which contacts are solved, made when it is asked for: always symmetric, with contact of
+  /// separate bodies closed and held.
+  LinearSystem& contact_linear();
+  /// Whether some joint is in contact without being bonded, or has cracked.
+  bool has_contacts() const;
+  /// Whether bodies are joined by contact from the start.
+  bool joins_by_contact() const { return joins_by_contact_; }
   LinearSystem& linear() { return linear_; }
   const LinearSystem& linear() const { return linear_; }
   const std::vector<History>& history() const { return history_; }
@@ -116,6 +123,9 @@ class System {
   /// Answers of intact points for which no law was asked, so far.
   std::int64_t num_screened() const { return num_screened_; }
 
+  /// What the law of a point says at q, its damage frozen or not.
+  Response respond(std::size_t p, const Vec2& q) const;
+
   /// A number for a new tangent, and its placement in the linear system. False when it is singular.
   std::size_t new_stamp() { return ++stamps_; }
   bool use_tangent(std::size_t stamp, std::span<const Mat2> tangents);
@@ -163,8 +173,6 @@ class System {
  private:
   void screen_intact_points();
   std::vector<Mat2> path_tangents(const LawValues& laws) const;
-  /// What the law of a point says at q.
-  Response respond(std::size_t p, const Vec2& q) const;
   double block_forces(std::span<const double> d) const;
   std::vector<Vec2> openings(std::span<const double> d, double load_factor) const;
 
@@ -172,7 +180,9 @@ class System {
   const Loading* loading_;
   LinearSystem linear_;
   std::unique_ptr<LinearSystem> physical_;  ///< only when multipliers are iterated
-  std::vector<Mat2> path_tangent_;          ///< D̄ in use, only then
+  DirectSolverChoice solver_;
+  std::unique_ptr<LinearSystem> contact_;  ///< only where contacts are solved
+  std::vector<Mat2> path_tangent_;         ///< D̄ in use, only then
   std::vector<Vec2> multipliers_;
   std::vector<History> history_;
   /// What the laws of intact points need not be asked for, side by side for one cheap test.
@@ -183,7 +193,7 @@ class System {
   };
   std::vector<Screen> screen_;
   mutable std::int64_t num_screened_ = 0;
-  bool frozen_ = false;
+  bool frozen_ = false, joins_by_contact_ = false;
   double highest_level_ = 0;
   struct Remembered {
     State at;

@@ -41,12 +41,12 @@ std::vector<Numbers> shapes(const Numbers& flat, std::size_t count) {
 }
 
 /// Numbers that a point's history is written as.
-constexpr std::size_t history_numbers = 15;
+constexpr std::size_t history_numbers = 14;
 
 void append(const History& h, Numbers& to) {
   to.insert(to.end(), {h.kappa, double(h.loading), double(h.sliding), double(h.phase), h.share, h.slip,
-                       h.friction, h.mixity, h.dissipated, h.opening.x(), h.opening.y(), h.traction.x(),
-                       h.traction.y(), h.held.x(), h.held.y()});
+                       h.mixity, h.dissipated, h.opening.x(), h.opening.y(), h.traction.x(), h.traction.y(),
+                       h.held.x(), h.held.y()});
 }
 
 History history_from(const double* n) {
@@ -56,12 +56,11 @@ History history_from(const double* n) {
           .phase = static_cast<int>(n[3]),
           .share = n[4],
           .slip = n[5],
-          .friction = n[6],
-          .mixity = n[7],
-          .dissipated = n[8],
-          .opening = {n[9], n[10]},
-          .traction = {n[11], n[12]},
-          .held = {n[13], n[14]}};
+          .mixity = n[6],
+          .dissipated = n[7],
+          .opening = {n[8], n[9]},
+          .traction = {n[10], n[11]},
+          .held = {n[12], n[13]}};
 }
 
 void put(RestartData& data, const std::string& name, const StoredState& at) {
@@ -126,7 +125,7 @@ std::vector<FirstCrack> take_cracks(const RestartData& data) {
 void put(RestartData& data, const PathMemory& m) {
   data.numbers["path"] = {m.peak_load,   m.step,  m.largest_displacement, m.jump_energy, m.last_quantum,
                           m.unaccounted, m.driver};
-  data.integers["path.counts"] = {m.direction, m.leg, m.leg_start, m.surplus};
+  data.integers["path.counts"] = {m.direction, m.leg, m.leg_start, m.surplus, m.has_slid, m.is_mechanism};
   data.texts["path.step_control"] = {m.step_control};
 }
 
@@ -143,7 +142,9 @@ PathMemory take_path(const RestartData& data) {
           .driver = n.at(6),
           .leg = static_cast<int>(data.integers.at("path.counts").at(1)),
           .leg_start = static_cast<int>(data.integers.at("path.counts").at(2)),
-          .surplus = static_cast<int>(data.integers.at("path.counts").at(3))};
+          .surplus = static_cast<int>(data.integers.at("path.counts").at(3)),
+          .has_slid = data.integers.at("path.counts").at(4) != 0,
+          .is_mechanism = data.integers.at("path.counts").at(5) != 0};
 }
 
 void put(RestartData& data, const Tangent& leaving) {

@@ -23,6 +23,12 @@ struct ControlSum {
   double scale = 1;
 };
 
+/// A gauge and the value that it is to have.
+struct WantedGauge {
+  Functional gauge;
+  double value = 0;
+};
+
 /// One scalar equation that closes equilibrium, N(d, λ, s) = 0: which point of the path is wanted.
 ///
 ///     N = (value(d, λ) − target(s)) / scale,      s the abstract path parameter, 0 at the start of a step
@@ -40,6 +46,8 @@ class Control {
   virtual double per_path() const = 0;
   /// N(·, ·, s) in parts, of controls that consist of them.
   virtual std::optional<ControlSum> as_sum(double) const { return {}; }
+  /// N(·, ·, s) = 0 made linear at a state, of controls that look at every point.
+  virtual std::optional<WantedGauge> tangent_gauge(const ControlPoint&, double) const { return {}; }
   /// Whether the laws are to answer with frozen damage under this control.
   virtual bool freezes_damage() const { return false; }
   /// Whether nothing is to be met exactly: the control only decides how far the step goes.

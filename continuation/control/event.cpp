@@ -17,13 +17,16 @@ class EventControl final : public Control {
   double gradient(const ControlPoint& at, std::span<double> per_d) const override {
     const Nearest found = nearest(at);
     if (found.point < 0) return 0;
-    const auto p = static_cast<std::size_t>(found.point);
-    const InterfacePoint& point = system_.equilibrium().point(p);
-    const Vec2 e =
-        point.law->opening_gradient(at.laws.opening[p], system_.history()[p], point.stiffness) / goal(p);
-    const Functional row = system_.equilibrium().opening_gauge(system_.loading(), p, e);
+    const Functional row = gauge_of(static_cast<std::size_t>(found.point), at);
     row.add_gradient(1, per_d);
     return row.per_load_factor;
+  }
+  std::optional<WantedGauge> tangent_gauge(const ControlPoint& at, double s) const override {
+    const Nearest found = nearest(at);
+    if (found.point < 0) return {};
+    Functional row = gauge_of(static_cast<std::size_t>(found.point), at);
+    const double here = row.value(at.d, at.load_factor);
+    return WantedGauge{std::move(row), here - residual(at, s)};
   }
 
   double per_path() const override { return start_; }
@@ -45,6 +48,14 @@ class EventControl final : public Control {
       if (distance > best.distance) best = {static_cast<int>(p), distance};
     }
     return best.point < 0 ? Nearest{} : best;
+  }
+
+  /// q_eq/κ of a point, made linear.
+  Functional gauge_of(std::size_t p, const ControlPoint& at) const {
+    const InterfacePoint& point = system_.equilibrium().point(p);
+    const Vec2 e =
+        point.law->opening_gradient(at.laws.opening[p], system_.history()[p], point.stiffness) / goal(p);
+    return system_.equilibrium().opening_gauge(system_.loading(), p, e);
   }
 
   bool is_meant(std::size_t p) const {

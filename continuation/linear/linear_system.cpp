@@ -131,6 +131,17 @@ bool LinearSystem::restore(std::span<const Mat2> base, std::span<const std::size
   return true;
 }
 
+bool LinearSystem::start_from(std::span<const Mat2> base) {
+  if (!std::ranges::equal(base, base_)) return restore(base, {});
+  gauges_.clear();
+  updated_.clear();
+  active_.clear();
+  std::ranges::fill(slot_, -1);
+  num_solves_ += columns_->num_solves();
+  columns_ = update_columns(equilibrium_, *solver_, batch_);
+  return true;
+}
+
 std::size_t LinearSystem::most_columns() const { return most_columns_beside(solver_->factor_flops()); }
 
 std::size_t LinearSystem::num_columns(std::span<const Mat2> tangents,

@@ -80,6 +80,11 @@ class LinearSystem {
   bool has_columns(std::size_t point) const { return slot_[point] >= 0; }
   /// Columns for these points; false where a new base would be cheaper.
   bool make_columns(std::span<const std::size_t> points);
+  /// Makes K_base the stiffness with these D, 2 × 2 per active point, and forgets all columns; false when it
+  /// is singular.
+  bool start_from(std::span<const Mat2> base);
+  /// Columns for these points, whatever they cost.
+  void add_points(std::span<const std::size_t> points) { add_columns(points); }
   /// x −= Z s for each x, s in the columns of `shares`, 2 rows per point.
   void subtract_columns(std::span<const std::size_t> points, const Eigen::MatrixXd& shares,
                         std::span<const std::span<double>> solutions);

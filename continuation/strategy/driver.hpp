@@ -70,6 +70,9 @@ Move dissipation_move(const Walker& walker);
 double next_event(const Walker& walker);
 /// The same of points that are not loading now, in the unit of the leaving tangent.
 double next_new_crack(const Walker& walker);
+/// Along the leaving tangent to where the first joint begins to slide or to stick, opens or closes, while
+/// nothing cracks; infinite when none does. One that stands at such a corner counts as having passed it.
+double next_contact_change(const Walker& walker);
 /// Where the first of the loading points passes the next corner of its softening curve.
 double next_corner(const Walker& walker);
 

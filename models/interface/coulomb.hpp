@@ -12,20 +12,27 @@ struct Friction {
   double elastic = 0;            ///< e [L]
   Vec2 gradient = Vec2::Zero();  ///< ∂e/∂q
   bool slides = false;           ///< e is at its limit
-  bool at_limit = false;         ///< within round-off of the limit, whichever side was chosen
+  bool at_limit = false;         ///< nearer to the limit than a step is solved, whichever side was chosen
   double direction = 0;          ///< sign of q_s − s
 };
 
-/// Traction under which a step slid, as far as both of its ends tell: their mean when it slid from its start
-/// or ends with less than it began with, else that of its end (it stuck at first, or turned round), none
-/// where that is unknown. So sliding never gains energy.
-struct SlidingTraction {
-  double mean = 0;     ///< [F/L²]
-  double per_now = 0;  ///< its derivative with respect to the traction at the end
+/// Sliding on the straight line of a step from q⁰ to q¹, slip s at its start, d the sign of what slides:
+///
+///     g(θ) = d (q_s − s) + m q_n      beyond the limit where positive, linear in θ
+///     θ*                              onset of sliding: g = 0, at the earliest where the sides touch
+///     energy = ½ m [p(θ*) + p(θ_b)] · g(θ_b),   p = −q_n,   θ_b = 1 or where the sides part
+///
+/// times β² k is what friction dissipates, exact along that line whether it sticks first, slides all the way
+/// or turns round; nothing is paid while the sides are apart.
+struct LineSlide {
+  double energy = 0;             ///< [L²]
+  Vec2 gradient = Vec2::Zero();  ///< its derivative with respect to q¹ [L]
+  double mean = 0;               ///< signed mean of e while sliding [L]
+  Vec2 mean_gradient = Vec2::Zero();
 };
-SlidingTraction sliding_traction(double before, double now, double slipped, bool slid_before);
+LineSlide slide_along(const Vec2& from, const Vec2& to, double slip, double m);
 
-/// At the limit `sliding` decides which side is meant. Touching, q_n = 0, counts as closed.
+/// At the limit `sliding` decides which side's gradient is meant. Touching, q_n = 0, counts as closed.
 Friction coulomb_friction(const Vec2& q, double slip, bool sliding, double m);
 
 }  // namespace dda

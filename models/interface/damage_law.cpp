@@ -190,17 +190,29 @@ Spending DamageLaw::spending(const Vec2& q, const History& h, double k) const {
                    (averaged ? 0.5 : 1) * of_mixity * at.mixity_gradient;
   }
   if (m_ == 0 || (now <= kappa0 && !loads)) return out;
+  add_friction_work(q, h, k, out);
+  return out;
+}
+
+/// ∫ β² k e d(damage s) with the mean e of where the step slides, or of both ends where it sticks; nothing
+/// where that would gain energy.
+void DamageLaw::add_friction_work(const Vec2& q, const History& h, double k, Spending& out) const {
+  const Equivalent at = equivalent(q, k);
+  const double reached = kappa(h, k), now = std::max(reached, at.kappa);
   const double stiffness = n_.shear_weight * n_.shear_weight * k;
   const Friction held = friction(q, h);
-  const double damaged = damage_at(now, k);
-  const double slipped = damaged * (q.y() - held.elastic) - damage_at(reached, k) * h.slip;
-  const auto [mean, per_now] =
-      sliding_traction(h.friction, stiffness * held.elastic, slipped, h.sliding || reached <= kappa0);
-  out.value += mean * slipped;
-  out.gradient +=
-      per_now * stiffness * slipped * held.gradient + mean * damaged * (Vec2(0, 1) - held.gradient);
-  if (loads) out.gradient -= mean * (q.y() - held.elastic) * secant_slope_at(now, k) / k * at.gradient;
-  return out;
+  const LineSlide slid = slide_along(h.opening, q, h.slip, m_);
+  const double before = friction(h.opening, h).elastic;
+  const double mean = slid.energy > 0 ? slid.mean : 0.5 * (before + held.elastic);
+  const Vec2 mean_gradient = slid.energy > 0 ? slid.mean_gradient : Vec2(0.5 * held.gradient);
+  const double damaged = damage_at(now, k), slip = q.y() - held.elastic;
+  const double slipped = damaged * slip - damage_at(reached, k) * h.slip;
+  if (mean * slipped <= 0) return;
+  out.value += stiffness * mean * slipped;
+  Vec2 slipped_gradient = damaged * (Vec2(0, 1) - held.gradient);
+  if (is_loading(at.kappa, reached, h.loading))
+    slipped_gradient -= slip * secant_slope_at(now, k) / k * at.gradient;
+  out.gradient += stiffness * (slipped * mean_gradient + mean * slipped_gradient);
 }
 
 History DamageLaw::accept(const Vec2& q, const History& h, double k) const {
@@ -217,7 +229,7 @@ History DamageLaw::accept(const Vec2& q, const History& h, double k) const {
   if (m_ == 0) return out;
   const Friction held = friction(q, h);
   const bool damaged = kappa(out, k) > initial_kappa(k);
-  out.friction = n_.shear_weight * n_.shear_weight * k * held.elastic;
+  out.opening = q;
   out.slip = damaged ? q.y() - held.elastic : 0;
   out.sliding = damaged && held.at_limit;
   return out;
@@ -230,6 +242,18 @@ double DamageLaw::stored(const Vec2& q, const History& h, double k) const {
   double out = 0.5 * (normal * q.x() * q.x() + r * beta2 * q.y() * q.y());
   if (m_ > 0 && r < k) out += 0.5 * (k - r) * beta2 * std::pow(friction(q, h).elastic, 2);
   return out;
+}
+
+std::optional<Contact> DamageLaw::contact(const History& h, double k) const {
+  const double reached = kappa(h, k);
+  if (reached <= initial_kappa(k)) return {};
+  const double beta2 = n_.shear_weight * n_.shear_weight, r = secant_at(reached, k);
+  return Contact{.closed = k,
+                 .open = r,
+                 .shear = beta2 * r,
+                 .friction = m_ > 0 ? beta2 * (k - r) : 0,
+                 .coefficient = m_,
+                 .slip = h.slip};
 }
 
 History DamageLaw::grown(const History& h, double k, double factor) const {

@@ -35,7 +35,7 @@ struct SofteningNumbers {
 /// heals.
 ///
 /// Energy spent: ∫ ½ k q_eq² d(damage) + ∫ β² k e d(damage s), the first in closed form at fixed mode,
-/// averaged over the modes of both ends, the second by the trapezoid.
+/// averaged over the modes of both ends, the second with the mean e along the straight line of the step.
 class DamageLaw final : public InterfaceLaw {
  public:
   DamageLaw(const SofteningNumbers& numbers, std::unique_ptr<SofteningShape> shape);
@@ -58,6 +58,7 @@ class DamageLaw final : public InterfaceLaw {
   double damage(const History& h, double k) const override { return damage_at(kappa(h, k), k); }
   History grown(const History& h, double k, double factor) const override;
   unsigned piece(const Vec2& q, const History& h, double k) const override;
+  std::optional<Contact> contact(const History& h, double k) const override;
 
  private:
   /// q as the damage sees it.
@@ -76,6 +77,7 @@ class DamageLaw final : public InterfaceLaw {
   bool is_loading(double opening, double kappa, bool flag) const;
   Friction friction(const Vec2& q, const History& h) const;
   Response secant(const Vec2& q, const History& h, double kappa, double k) const;
+  void add_friction_work(const Vec2& q, const History& h, double k, Spending& out) const;
 
   bool has_modes() const { return n_.shear_fracture_energy != n_.fracture_energy; }
   double energy_ratio(double mixity) const;        ///< ρ = Gf(M)/Gf

@@ -44,19 +44,20 @@ class ContactFriction final : public InterfaceLaw {
   }
 
   Spending spending(const Vec2& q, const History& h, double k) const override {
-    const Friction held = friction(q, h);
-    const double slipped = q.y() - held.elastic - h.slip;
-    const auto [mean, per_now] = sliding_traction(h.friction, k * held.elastic, slipped, h.sliding);
-    return {mean * slipped, per_now * k * slipped * held.gradient + mean * (Vec2(0, 1) - held.gradient)};
+    const LineSlide slid = slide_along(h.opening, q, h.slip, m_);
+    return {k * slid.energy, k * slid.gradient};
   }
   History accept(const Vec2& q, const History& h, double k) const override {
     const Friction held = friction(q, h);
     History out = h;
     out.dissipated += spending(q, h, k).value;
     out.slip = q.y() - held.elastic;
-    out.friction = k * held.elastic;
+    out.opening = q;
     out.sliding = held.at_limit;
     return out;
+  }
+  std::optional<Contact> contact(const History& h, double k) const override {
+    return Contact{.closed = k, .friction = k, .coefficient = m_, .slip = h.slip};
   }
   double stored(const Vec2& q, const History& h, double k) const override {
     return q.x() >= 0 ? 0 : 0.5 * k * (q.x() * q.x() + std::pow(friction(q, h).elastic, 2));

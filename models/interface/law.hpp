@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 #include "framework/family.hpp"
 #include "models/kinematics/first_order.hpp"
@@ -16,10 +17,9 @@ struct History {
   int phase = 0;          ///< what a law that releases at once has released: 0 nothing, 1 cohesion, 2 all
   double share = 0;       ///< of what is being released that is still carried, from 1 down to 0
   double slip = 0;        ///< s, slip of the part that only friction holds [L]
-  double friction = 0;    ///< traction that friction carries on that part [F/L²]
   double mixity = 0;      ///< share of mode II when the damage grew last
   double dissipated = 0;  ///< energy spent so far per area [F/L]
-  Vec2 opening{0, 0};     ///< q at the last accepted step, kept by laws that need it [L]
+  Vec2 opening{0, 0};     ///< q at the last accepted step, kept by laws with friction [L]
   Vec2 traction{0, 0};    ///< t at the last accepted step, likewise [F/L²]
   Vec2 held{0, 0};        ///< traction at the beginning of a release [F/L²]
 };
@@ -34,6 +34,19 @@ struct Response {
 struct Spending {
   double value = 0;              ///< [F/L]
   Vec2 gradient = Vec2::Zero();  ///< [F/L²]
+};
+
+/// A joint whose damage stays: piecewise linear in q.
+///
+///     closed, q_n ≤ 0:  t_n = closed q_n,   t_s = shear q_s + friction e,   e = clip(q_s − slip, ± m ⟨−q_n⟩)
+///     open,   q_n > 0:  t_n = open q_n,     t_s = shear q_s
+struct Contact {
+  double closed = 0;       ///< [F/L³]
+  double open = 0;         ///< [F/L³]
+  double shear = 0;        ///< of what is not broken [F/L³]
+  double friction = 0;     ///< of what is [F/L³]
+  double coefficient = 0;  ///< m
+  double slip = 0;         ///< s [L]
 };
 
 /// What an interface does with the trial opening q of its two sides, in the local frame (n, s).
@@ -100,6 +113,10 @@ class InterfaceLaw {
   virtual History grown(const History& h, double, double) const { return h; }
   /// Which smooth piece of the law q lies on, as a small number; 0 for the intact piece.
   virtual unsigned piece(const Vec2&, const History&, double) const { return 0; }
+
+  /// The joint with the damage of h, where that makes it piecewise linear; nothing where q decides more, and
+  /// of joints that are still intact.
+  virtual std::optional<Contact> contact(const History&, double) const { return {}; }
 
   /// Whether a point at its strength loses it at once instead of softening (see continuation/release.hpp).
   virtual bool releases_at_once() const { return false; }

@@ -71,14 +71,9 @@ class MohrCoulomb final : public InterfaceLaw {
   /// contact gives everything back.
   Spending spending(const Vec2& q, const History& h, double k) const override {
     if (h.phase == 0) return {};
-    const Response now = respond(q, h, k);
-    const Vec2 step = q - h.opening;
-    const double t = now.traction.y(), slipped = step.y() - (t - h.traction.y()) / k;
-    const auto [mean, per_now] = h.share > 0 ? SlidingTraction{0.5 * (h.traction.y() + t), 0.5}
-                                             : sliding_traction(h.traction.y(), t, slipped, h.sliding);
-    const Vec2 per_q = now.tangent.row(1);
-    Spending out{mean * slipped, per_now * slipped * per_q + mean * (Vec2(0, 1) - per_q / k)};
+    Spending out = h.share > 0 ? spent_in_release(q, h, k) : spent_in_sliding(q, h, k);
     if (h.phase < 2) return out;
+    const Vec2 step = q - h.opening;
     const double before = h.traction.x() - k * std::min(h.opening.x(), 0.0), held = h.share * h.held.x();
     out.value += 0.5 * (before + held) * (step.x() - (held - before) / k);
     out.gradient.x() += 0.5 * (before + held);
@@ -126,7 +121,24 @@ class MohrCoulomb final : public InterfaceLaw {
     return h.phase == 1 && h.share > 0 ? Vec2(0, q.y() < 0 ? -1 : 1) : Vec2(1, 0);
   }
 
+  std::optional<Contact> contact(const History& h, double k) const override {
+    if (h.phase == 0 || h.share > 0) return {};
+    return Contact{
+        .closed = k, .open = h.phase == 1 ? k : 0, .friction = k, .coefficient = residual_, .slip = h.slip};
+  }
+
  private:
+  Spending spent_in_sliding(const Vec2& q, const History& h, double k) const {
+    const LineSlide slid = slide_along(h.opening, q, h.slip, residual_);
+    return {k * slid.energy, k * slid.gradient};
+  }
+  Spending spent_in_release(const Vec2& q, const History& h, double k) const {
+    const Response now = respond(q, h, k);
+    const double mean = 0.5 * (h.traction.y() + now.traction.y());
+    const double slipped = q.y() - h.opening.y() - (now.traction.y() - h.traction.y()) / k;
+    const Vec2 per_q = now.tangent.row(1);
+    return {mean * slipped, 0.5 * slipped * per_q + mean * (Vec2(0, 1) - per_q / k)};
+  }
   struct Nearest {
     double opening;
     Vec2 gradient;

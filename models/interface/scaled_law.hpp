@@ -72,6 +72,14 @@ class ScaledLaw final : public InterfaceLaw {
     return law_->piece(q / b_, h, own(k));
   }
 
+  std::optional<Contact> contact(const History& h, double k) const override {
+    std::optional<Contact> out = law_->contact(h, own(k));
+    if (!out) return out;
+    for (double* stiffness : {&out->closed, &out->open, &out->shear, &out->friction}) *stiffness *= a_ / b_;
+    out->slip *= b_;
+    return out;
+  }
+
   bool releases_at_once() const override { return law_->releases_at_once(); }
   History release(const Vec2& q, const History& h, double k, double share) const override {
     return law_->release(q / b_, h, own(k), share);

@@ -130,7 +130,6 @@ TEST_P(LawEnergy, WorkOfLoadingIsThatOfAPotential) {
 History rescaled(History h, const UnitChange& units) {
   const double stress = units.factor(dimension::stress);
   for (double* length : {&h.kappa, &h.slip}) *length *= units.length;
-  h.friction *= stress;
   h.dissipated *= units.factor(dimension::energy_per_area);
   h.opening *= units.length;
   h.traction *= stress;

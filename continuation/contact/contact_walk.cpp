@@ -1,0 +1,274 @@
+#include "continuation/contact/contact_walk.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "continuation/linear/dense_lu.hpp"
+
+namespace dda {
+namespace {
+
+using Matrix = Eigen::MatrixXd;
+using Vector = Eigen::VectorXd;
+
+/// Share of the trial stiffness that is left to what is open or slides, until it is corrected away.
+constexpr double residual_share = 1e-7;
+
+Eigen::Index place(std::size_t point) { return 2 * static_cast<Eigen::Index>(point); }
+
+/// A number in (1, 1.3) that belongs to an index: breaks ties, and repeats.
+double tie_breaker(std::size_t index) {
+  const double golden = 0.6180339887498949 * static_cast<double>(index + 1);
+  return 1 + 0.3 * (golden - std::floor(golden));
+}
+
+/// (J + Σ g vᵀ)⁻¹: a dense factorisation and the changes of rank one since.
+class ChangingInverse {
+ public:
+  bool factor(Matrix matrix) {
+    changes_.clear();
+    return lu_.compute(std::move(matrix));
+  }
+  Vector solve(const Vector& b) const {
+    Vector x = lu_.solve(b);
+    for (const Change& change : changes_) x -= change.column * (change.along(x) / change.ratio);
+    return x;
+  }
+  /// Adds u vᵀ, v at two rows only; the factor by which the determinant changes.
+  double add(const Vector& u, Eigen::Index at, const Vec2& v) {
+    Change change{solve(u), at, v, 1};
+    change.ratio = 1 + change.along(change.column);
+    changes_.push_back(std::move(change));
+    return changes_.back().ratio;
+  }
+  /// Brings a solution before the last change up to it.
+  void update(Vector& x) const {
+    const Change& last = changes_.back();
+    x -= last.column * (last.along(x) / last.ratio);
+  }
+  std::size_t num_changes() const { return changes_.size(); }
+
+ private:
+  struct Change {
+    Vector column;
+    Eigen::Index at;
+    Vec2 v;
+    double ratio;
+    double along(const Vector& x) const { return v.dot(x.segment<2>(at)); }
+  };
+  DenseLu lu_;
+  std::vector<Change> changes_;
+};
+
+class Walk {
+ public:
+  explicit Walk(const ContactProblem& problem)
+      : problem_(problem), pieces_(size(), ContactPiece::stuck), centre_(Vector::Zero(2 * count())) {}
+
+  std::optional<Vector> from(const Vector& start) {
+    x_ = start;
+    centre_ = openings(start);
+    disturb();
+    read_pieces();
+    tau_ = 1;
+    return follow(residual(x_, residual_share));
+  }
+
+  std::optional<Vector> covered() {
+    for (std::size_t i = 0; i < size(); ++i)
+      if (const auto& contact = problem_.points[i].contact)
+        pieces_[i] = contact->coefficient > 0 ? ContactPiece::stuck : ContactPiece::forward;
+    x_ = Vector::Zero(problem_.constant.size());
+    if (!inverse_.factor(matrix())) return {};
+    x_ -= inverse_.solve(residual(x_, residual_share));
+    Vector overlap = Vector::Zero(x_.size());
+    for (std::size_t i = 0; i < size(); ++i)
+      if (problem_.points[i].contact) overlap[place(i)] = -tie_breaker(i);
+    tau_ = covering(overlap);
+    x_ += tau_ * overlap;
+    return follow(matrix() * overlap);
+  }
+
+ private:
+  std::size_t size() const { return problem_.points.size(); }
+  Eigen::Index count() const { return static_cast<Eigen::Index>(size()); }
+  Vec2 opening(const Vector& x, std::size_t i) const { return x.segment<2>(place(i)); }
+
+  /// Traction and tangent of a point on its piece, its residual stiffness included.
+  Response respond(std::size_t i, const Vec2& q, double share) const {
+    const ContactProblem::Point& point = problem_.points[i];
+    if (!point.contact) return {point.traction + point.tangent * q, point.tangent};
+    Response out = response_on(*point.contact, pieces_[i], q);
+    const Mat2 trial = point.trial.asDiagonal();
+    const Vec2 opened = trial * q - out.traction - trial * centre_.segment<2>(place(i));
+    out.traction += share * opened;
+    out.tangent += share * (trial - out.tangent);
+    return out;
+  }
+
+  /// w = q − P⁻¹ t of all points.
+  Vector openings(const Vector& x) {
+    read_pieces_at(x);
+    Vector out = Vector::Zero(2 * count());
+    for (std::size_t i = 0; i < size(); ++i) {
+      const Vec2 q = opening(x, i);
+      out.segment<2>(place(i)) = q - respond(i, q, 0).traction.cwiseQuotient(problem_.points[i].trial);
+    }
+    return out;
+  }
+
+  Vector residual(const Vector& x, double share) const {
+    Vector z(2 * count());
+    for (std::size_t i = 0; i < size(); ++i) {
+      const ContactProblem::Point& point = problem_.points[i];
+      const Vec2 q = opening(x, i);
+      z.segment<2>(place(i)) =
+          point.weight * (respond(i, q, share).traction - point.base * (q - point.multiplier));
+    }
+    return problem_.fixed * x + problem_.constant + problem_.couplings * z;
+  }
+
+  Matrix matrix() const {
+    Matrix out = problem_.fixed;
+    for (std::size_t i = 0; i < size(); ++i) {
+      const ContactProblem::Point& point = problem_.points[i];
+      const Mat2 change = point.weight * (respond(i, Vec2::Zero(), residual_share).tangent - point.base);
+      if (change.isZero(0)) continue;
+      out.middleCols<2>(place(i)).noalias() += problem_.couplings.middleCols<2>(place(i)) * change;
+    }
+    return out;
+  }
+
+  void read_pieces() { read_pieces_at(x_); }
+  void read_pieces_at(const Vector& x) {
+    for (std::size_t i = 0; i < size(); ++i)
+      if (const auto& contact = problem_.points[i].contact)
+        pieces_[i] = piece_at(*contact, opening(x, i), problem_.points[i].slides);
+  }
+
+  /// Off all corners by next to nothing, so that no two points cross theirs at once.
+  void disturb() {
+    constexpr double little = 1e-6;
+    const double size_of_openings = x_.head(2 * count()).lpNorm<Eigen::Infinity>();
+    for (Eigen::Index i = 0; i < 2 * count(); ++i)
+      x_[i] += little * size_of_openings * (tie_breaker(static_cast<std::size_t>(i)) - 1.15);
+  }
+
+  /// An overlap at which all joints are closed and held.
+  double covering(const Vector& overlap) const {
+    double out = 0, largest = 0;
+    for (std::size_t i = 0; i < size(); ++i) {
+      const auto& contact = problem_.points[i].contact;
+      if (!contact) continue;
+      const Vec2 q = opening(x_, i);
+      const double lever =
+          contact->coefficient > 0 ? std::abs(q.y() - contact->slip) / contact->coefficient : 0;
+      out = std::max(out, (q.x() + lever) / -overlap[place(i)]);
+      largest = std::max(largest, q.norm());
+    }
+    return 1.1 * out + largest;
+  }
+
+  /// Along F(x) = τ r to τ = 0, then corrected until F is met as it is.
+  std::optional<Vector> follow(const Vector& right) {
+    if (!refactor(right)) return {};
+    direction_ = -1;
+    last_ = -1;
+    const std::size_t most = 50 * size() + 200;
+    for (std::size_t pivots = 0; pivots < most; ++pivots) {
+      const Vector along = direction_ * way_;
+      const auto end = next_end(along);
+      const double rest = direction_ < 0 ? tau_ : std::numeric_limits<double>::infinity();
+      if (!end || end->length >= rest) {
+        if (!std::isfinite(rest)) return {};  // a ray: nothing holds what moves
+        x_ += rest * along;
+        return corrected();
+      }
+      x_ += end->length * along;
+      tau_ += direction_ * end->length;
+      if (!cross(end->point, end->to, right)) return {};
+    }
+    return {};
+  }
+
+  bool refactor(const Vector& right) {
+    if (!inverse_.factor(matrix())) return false;
+    way_ = inverse_.solve(right);
+    return way_.allFinite();
+  }
+
+  struct NextEnd {
+    double length;
+    std::size_t point;
+    ContactPiece to;
+  };
+  std::optional<NextEnd> next_end(const Vector& along) const {
+    std::optional<NextEnd> out;
+    for (std::size_t i = 0; i < size(); ++i) {
+      const auto& contact = problem_.points[i].contact;
+      if (!contact) continue;
+      const auto end = end_of_piece(*contact, pieces_[i], opening(x_, i), along.segment<2>(place(i)));
+      if (!end || (out && end->length >= out->length)) continue;
+      if (static_cast<int>(i) == last_ && end->to == left_ && is_here(i, end->length, along)) continue;
+      out = NextEnd{end->length, i, end->to};
+    }
+    return out;
+  }
+  /// Whether a corner is no farther than rounding.
+  bool is_here(std::size_t i, double length, const Vector& along) const {
+    constexpr double round_off = 1e-10;
+    return length * opening(along, i).norm() <= round_off * opening(x_, i).norm();
+  }
+
+  bool cross(std::size_t i, ContactPiece to, const Vector& right) {
+    const ContactProblem::Point& point = problem_.points[i];
+    const PieceChange change = change_between(*point.contact, pieces_[i], to);
+    const Vector u =
+        problem_.couplings.middleCols<2>(place(i)) * ((1 - residual_share) * point.weight * change.u);
+    last_ = static_cast<int>(i);
+    left_ = pieces_[i];
+    pieces_[i] = to;
+    const double ratio = inverse_.add(u, place(i), change.v);
+    if (ratio < 0) direction_ = -direction_;
+    constexpr double singular = 1e-11;
+    constexpr std::size_t most_changes = 24;
+    if (std::abs(ratio) < singular || inverse_.num_changes() >= most_changes) return refactor(right);
+    inverse_.update(way_);
+    return way_.allFinite();
+  }
+
+  /// Proximal corrections on the pieces that were found, until the equations hold as they are.
+  std::optional<Vector> corrected() {
+    if (!inverse_.factor(matrix())) return {};
+    double before = std::numeric_limits<double>::infinity();
+    for (int correction = 0; correction < 12; ++correction) {
+      const Vector rest = residual(x_, 0);
+      const double error = rest.lpNorm<Eigen::Infinity>();
+      if (!std::isfinite(error) || error > 10 * before) return {};
+      if (error <= problem_.accuracy || (correction > 3 && error > 0.5 * before)) return x_;
+      before = error;
+      x_ -= inverse_.solve(rest);
+    }
+    return x_;
+  }
+
+  const ContactProblem& problem_;
+  std::vector<ContactPiece> pieces_;
+  Vector centre_;  ///< w that the residual stiffness pulls to
+  Vector x_, way_;
+  double tau_ = 1, direction_ = -1;
+  ChangingInverse inverse_;
+  int last_ = -1;                            ///< point that crossed last
+  ContactPiece left_ = ContactPiece::stuck;  ///< the piece it came from
+};
+
+}  // namespace
+
+std::optional<Vector> walk_from(const ContactProblem& problem, const Vector& start) {
+  return Walk(problem).from(start);
+}
+
+std::optional<Vector> walk_covered(const ContactProblem& problem) { return Walk(problem).covered(); }
+
+}  // namespace dda

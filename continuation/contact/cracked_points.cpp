@@ -1,0 +1,270 @@
+#include "continuation/contact/cracked_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "framework/threads.hpp"
+
+namespace dda {
+namespace {
+
+auto pair(Eigen::VectorXd& v, std::size_t i) { return v.segment<2>(2 * static_cast<Eigen::Index>(i)); }
+auto pair(const Eigen::VectorXd& v, std::size_t i) { return v.segment<2>(2 * static_cast<Eigen::Index>(i)); }
+
+/// Of the openings that the loads alone make: by so much the equations may be missed.
+constexpr double good = 1e-11;
+
+}  // namespace
+
+CrackedPoints::CrackedPoints(const System& system, LinearSystem& linear, const ControlSum& control)
+    : system_(system),
+      linear_(linear),
+      control_(control),
+      points_(linear_.updated_points()),
+      dead_(size()),
+      live_(size()) {
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    pair(dead_, i) = system.equilibrium().opening(points_[i], linear_.dead_solution()) + multiplier(i);
+    pair(live_, i) = system.equilibrium().opening(points_[i], linear_.reference_solution());
+  }
+  if (!control.gauge) return;
+  gauge_dead_ = control.gauge->value(linear_.dead_solution(), 0);
+  gauge_live_ = control.gauge->value(linear_.reference_solution(), 1) - control.gauge->constant;
+  along_ = linear_.along_columns(*control.gauge);
+}
+
+Vec2 CrackedPoints::multiplier(std::size_t i) const {
+  return system_.iterates_multipliers() ? system_.multipliers()[points_[i]] : Vec2(Vec2::Zero());
+}
+
+void CrackedPoints::start_at(const State& guess) {
+  q_.resize(size());
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    pair(q_, i) = system_.equilibrium().opening(points_[i], guess.d) + multiplier(i);
+  load_factor_ = guess.load_factor;
+  elastic_ =
+      std::max(dead_.lpNorm<Eigen::Infinity>(), std::abs(load_factor_) * live_.lpNorm<Eigen::Infinity>());
+  evaluate();
+}
+
+std::optional<int> CrackedPoints::newton(int max_iterations, Cycles cycles) {
+  constexpr int most = 50;
+  std::set<std::size_t> seen;
+  std::size_t last = 0;
+  int counted = 0;
+  for (int iteration = 0; iteration <= most; ++iteration) {
+    if (is_solved()) return iteration;
+    const std::size_t now = pieces();
+    const bool is_old = !seen.insert(now).second;
+    if (is_old && now != last && cycles == Cycles::end_it) return {};
+    last = now;
+    if (is_old && counted++ >= max_iterations) return {};
+    const double step = correct();
+    if (!std::isfinite(step)) return {};
+    evaluate();
+    constexpr double rounding = 1e-12;  // below which the equations cannot be met better
+    if (step <= rounding * opening_scale()) return iteration + 1;
+  }
+  return {};
+}
+
+std::optional<int> CrackedPoints::walk(int max_iterations) {
+  double before = std::numeric_limits<double>::infinity();
+  int rises = 0;
+  for (int iteration = 0; iteration <= max_iterations; ++iteration) {
+    if (is_solved()) return iteration;
+    const double error = gap().lpNorm<Eigen::Infinity>();
+    constexpr int most_rises = 4;
+    if (iteration > 1 && error > 0.5 * before && ++rises > most_rises) return {};
+    before = error;
+    const ContactProblem problem = linearised();
+    Vector start(size() + 1);
+    start << q_, load_factor_;
+    auto found = walk_from(problem, start);
+    if (!found) found = walk_covered(problem);
+    if (!found || !found->allFinite()) return {};
+    q_ = found->head(size());
+    load_factor_ = (*found)[size()];
+    evaluate();
+  }
+  return {};
+}
+
+State CrackedPoints::state() const {
+  State out{linear_.dead_solution(), load_factor_};
+  const std::vector<double>& live = linear_.reference_solution();
+  for (std::size_t i = 0; i < out.d.size(); ++i) out.d[i] += load_factor_ * live[i];
+  std::vector<std::size_t> points;
+  Matrix z(2 * static_cast<Eigen::Index>(active_.size()), 1);
+  for (std::size_t a = 0; a < active_.size(); ++a) {
+    points.push_back(points_[active_[a]]);
+    z.middleRows<2>(2 * static_cast<Eigen::Index>(a)) =
+        z_.segment<2>(2 * static_cast<Eigen::Index>(active_[a]));
+  }
+  const std::span<double> d(out.d);
+  linear_.subtract_columns(points, z, std::span<const std::span<double>>(&d, 1));
+  return out;
+}
+
+double CrackedPoints::opening_scale() const {
+  constexpr double far = 100;
+  const double loads = std::max(elastic_, std::abs(load_factor_) * live_.lpNorm<Eigen::Infinity>());
+  return std::clamp(q_.lpNorm<Eigen::Infinity>(), loads, far * loads);
+}
+
+bool CrackedPoints::is_solved() const {
+  return gap().lpNorm<Eigen::Infinity>() <= good * opening_scale() &&
+         std::abs(value() - control_.target) <= good * control_.scale;
+}
+
+/// z and its derivative E at q; which points are not as in the base.
+void CrackedPoints::evaluate() {
+  z_ = Vector::Zero(size());
+  change_.assign(points_.size(), Mat2::Zero());
+  spent_ = 0;
+  spending_ = Vector::Zero(size());
+  active_.clear();
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const std::size_t p = points_[i];
+    const InterfacePoint& point = system_.equilibrium().point(p);
+    const Vec2 q = pair(q_, i), jump = q - multiplier(i);
+    const Response now = system_.respond(p, q);
+    if (control_.spends) {
+      const Spending spending = point.law->spending(q, system_.history()[p], point.stiffness);
+      spent_ += point.weight * spending.value;
+      pair(spending_, i) = point.weight * spending.gradient;
+    }
+    if (linear_.is_as_in_base(p, jump, now)) continue;
+    active_.push_back(i);
+    pair(z_, i) = point.weight * (now.traction - linear_.base()[p] * jump);
+    change_[i] = point.weight * (now.tangent - linear_.base()[p]);
+  }
+}
+
+/// A fingerprint of the pieces of their laws that the points are on.
+std::size_t CrackedPoints::pieces() const {
+  std::size_t hash = 1469598103934665603ull;  // FNV-1a
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const InterfacePoint& point = system_.equilibrium().point(points_[i]);
+    const std::size_t piece = point.law->piece(pair(q_, i), system_.history()[points_[i]], point.stiffness);
+    hash = (hash ^ (piece + 32 * (piece ? points_[i] + 1 : 0))) * 1099511628211ull;
+  }
+  return hash;
+}
+
+/// q − q_dead − λ q_ref + G z.
+Eigen::VectorXd CrackedPoints::gap() const {
+  constexpr std::size_t rows_at_once = 500;
+  Vector out = q_ - dead_ - load_factor_ * live_;
+  parallel_pieces(static_cast<std::size_t>(size()), rows_at_once, [&](std::size_t begin, std::size_t end) {
+    const auto first = static_cast<Eigen::Index>(begin), rows = static_cast<Eigen::Index>(end - begin);
+    for (const std::size_t i : active_)
+      out.segment(first, rows).noalias() += couplings(i).middleRows(first, rows) * pair(z_, i);
+  });
+  return out;
+}
+
+/// One Newton step; its largest change of an opening.
+double CrackedPoints::correct() {
+  Matrix columns(size(), 2 * static_cast<Eigen::Index>(active_.size()));
+  constexpr std::size_t columns_at_once = 64;
+  parallel_for(active_.size(), columns_at_once, [&](std::size_t a) {
+    columns.middleCols<2>(2 * static_cast<Eigen::Index>(a)) = couplings(active_[a]) * change_[active_[a]];
+  });
+  Matrix x(size(), 2);
+  x.col(0) = gap();
+  x.col(1) = live_;
+  solve_in_place(columns, x);
+  const double miss = value() - control_.target;
+  const double along = slope(x.col(1)) + (control_.gauge ? gauge_live_ : 0);
+  const double change = -(miss - slope(x.col(0))) / along;
+  const Vector step = change * x.col(1) - x.col(0);
+  q_ += step;
+  load_factor_ += change;
+  return step.lpNorm<Eigen::Infinity>();
+}
+
+/// x ← (1 + G E)⁻¹ x, from the columns of G E that are not zero.
+void CrackedPoints::solve_in_place(const Matrix& columns, Matrix& x) const {
+  const Eigen::Index n = columns.cols();
+  if (n == 0) return;
+  Matrix matrix(n, n), right(n, 2);
+  for (Eigen::Index a = 0; a < n / 2; ++a) {
+    const auto at = 2 * static_cast<Eigen::Index>(active_[static_cast<std::size_t>(a)]);
+    matrix.middleRows<2>(2 * a) = columns.middleRows<2>(at);
+    right.middleRows<2>(2 * a) = x.middleRows<2>(at);
+  }
+  matrix.diagonal().array() += 1;
+  DenseLu lu;
+  lu.compute(std::move(matrix));  // a singular one gives a step that is no number
+  x.noalias() -= columns * lu.solve(std::move(right));
+}
+
+/// Gauge and energy spent, as the control adds them.
+double CrackedPoints::value() const {
+  double out = control_.spends ? spent_ : 0;
+  if (control_.gauge) out += gauge_dead_ + load_factor_ * gauge_live_ - along_.dot(z_);
+  return out;
+}
+
+/// Their change along a change of the openings, the load factor staying.
+double CrackedPoints::slope(const Vector& dq) const {
+  double out = control_.spends ? spending_.dot(dq) : 0;
+  if (!control_.gauge) return out;
+  for (const std::size_t i : active_) {
+    const auto at = 2 * static_cast<Eigen::Index>(i);
+    out -= along_.segment<2>(at).dot(change_[i] * dq.segment<2>(at));
+  }
+  return out;
+}
+
+/// All but contact and friction made linear where the iteration stands, the control in units of the openings.
+ContactProblem CrackedPoints::linearised() const {
+  ContactProblem out;
+  const Eigen::Index n = size();
+  const double size_now = opening_scale();
+  const double unit = size_now > 0 && control_.scale > 0 ? size_now / control_.scale : 1;
+  out.fixed = Matrix::Identity(n + 1, n + 1);
+  out.fixed.block(0, n, n, 1) = -live_;
+  out.fixed.block(n, 0, 1, n) = unit * (control_.spends ? spending_ : Vector(Vector::Zero(n))).transpose();
+  out.fixed(n, n) = unit * (control_.gauge ? gauge_live_ : 0);
+  out.couplings.resize(n + 1, n);
+  out.couplings.topRows(n) = linear_.couplings().topLeftCorner(n, n);
+  out.couplings.row(n).setZero();
+  if (control_.gauge) out.couplings.row(n) = -unit * along_.transpose();
+  out.constant.resize(n + 1);
+  out.constant.head(n) = -dead_;
+  const double spent = control_.spends ? spent_ - spending_.dot(q_) : 0;
+  out.constant[n] = unit * ((control_.gauge ? gauge_dead_ : 0) + spent - control_.target);
+  out.accuracy = 0.1 * good * size_now;
+  for (std::size_t i = 0; i < points_.size(); ++i) out.points.push_back(point_of(i));
+  return out;
+}
+
+/// A point as contact where the damage stays at its q, else linear by its tangent.
+ContactProblem::Point CrackedPoints::point_of(std::size_t i) const {
+  const std::size_t p = points_[i];
+  const InterfacePoint& point = system_.equilibrium().point(p);
+  const History& h = system_.history()[p];
+  const Vec2 q = pair(q_, i);
+  const Response now = system_.respond(p, q);
+  ContactProblem::Point out{.weight = point.weight,
+                            .trial = point.trial_stiffness(),
+                            .base = linear_.base()[p],
+                            .multiplier = multiplier(i),
+                            .contact = point.law->contact(h, point.stiffness),
+                            .slides = h.sliding,
+                            .traction = now.traction - now.tangent * q,
+                            .tangent = now.tangent};
+  if (!out.contact) return out;
+  const Response kept = response_on(*out.contact, piece_at(*out.contact, q, h.sliding), q);
+  constexpr double same = 1e-12;
+  const double stiff = out.trial.maxCoeff();
+  if ((kept.traction - now.traction).norm() > same * stiff * q.norm() ||
+      (kept.tangent - now.tangent).cwiseAbs().maxCoeff() > same * stiff)
+    out.contact.reset();
+  return out;
+}
+
+}  // namespace dda

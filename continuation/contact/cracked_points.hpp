@@ -1,0 +1,72 @@
+#pragma once
+
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "continuation/contact/contact_walk.hpp"
+#include "continuation/control/control.hpp"
+
+namespace dda {
+
+/// The equations of the points with columns under one control, everything else being linear.
+///
+///     q = q_dead + λ q_ref + m − G z,     z = W (t(q; h) − D_base (q − m)),     N(q, λ) = 0
+///     d = d_dead + λ d_ref − Z z
+///
+/// with the base, Z and G of a LinearSystem and the iterated multipliers m. An iteration costs a dense solve
+/// of the size of the cracked components.
+class CrackedPoints {
+ public:
+  CrackedPoints(const System& system, LinearSystem& linear, const ControlSum& control);
+
+  /// Begins at a state's openings.
+  void start_at(const State& guess);
+  /// Newton's method; the number of iterations, or nothing. Those that bring a new set of pieces do not count
+  /// against `max_iterations`; a set that comes back ends it at once where something else can be tried.
+  enum class Cycles { end_it, may_settle };
+  std::optional<int> newton(int max_iterations, Cycles cycles);
+  /// Solves contact and friction exactly (contact_walk.hpp), anew for each tangent of what cracks; the number
+  /// of tangents, or nothing.
+  std::optional<int> walk(int max_iterations);
+  /// The whole structure where the iteration stands.
+  State state() const;
+
+ private:
+  using Matrix = Eigen::MatrixXd;
+  using Vector = Eigen::VectorXd;
+
+  Eigen::Index size() const { return 2 * static_cast<Eigen::Index>(points_.size()); }
+  Vec2 multiplier(std::size_t i) const;
+  /// What openings are compared with: those that the loads alone make, or what has opened up to a hundred
+  /// times as much. What floats away on a singular matrix must not be the measure of its own error.
+  double opening_scale() const;
+  bool is_solved() const;
+  void evaluate();
+  std::size_t pieces() const;
+  auto couplings(std::size_t i) const {
+    return linear_.couplings().block(0, 2 * static_cast<Eigen::Index>(i), size(), 2);
+  }
+  Vector gap() const;
+  double correct();
+  void solve_in_place(const Matrix& columns, Matrix& x) const;
+  double value() const;
+  double slope(const Vector& dq) const;
+  ContactProblem linearised() const;
+  ContactProblem::Point point_of(std::size_t i) const;
+
+  const System& system_;
+  LinearSystem& linear_;
+  const ControlSum& control_;
+  const std::vector<std::size_t> points_;
+  Vector dead_, live_;  ///< q_dead + m, q_ref
+  Vector along_;        ///< Zᵀ ∂g/∂d
+  double gauge_dead_ = 0, gauge_live_ = 0;
+  Vector q_, z_, spending_;
+  double load_factor_ = 0, spent_ = 0;
+  double elastic_ = 0;               ///< size of the openings that the loads alone make [L]
+  std::vector<Mat2> change_;         ///< E
+  std::vector<std::size_t> active_;  ///< places in points_ with z or E
+};
+
+}  // namespace dda

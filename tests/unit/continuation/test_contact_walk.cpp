@@ -1,0 +1,118 @@
+// Contact and friction on random small structures, solved from piece to piece.
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+
+#include "continuation/contact/contact_walk.hpp"
+#include "support/random.hpp"
+
+namespace dda {
+namespace {
+
+using Matrix = Eigen::MatrixXd;
+using Vector = Eigen::VectorXd;
+
+/// q = q0 − G z under a prescribed load factor 1, G of a structure with as many free bodies as `loose` says:
+/// S = P − P G P has as many zero eigenvalues.
+ContactProblem random_problem(Random& random, int points, double coefficient, int loose = 0) {
+  const Eigen::Index n = 2 * points;
+  Matrix q(n, n);
+  for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index j = 0; j < n; ++j) q(i, j) = random.between(-1, 1);
+  const Matrix basis = q.householderQr().householderQ();
+  Vector share(n);
+  for (Eigen::Index i = 0; i < n; ++i) share[i] = i < loose ? 1 : random.between(0.05, 0.95);
+  ContactProblem out;
+  out.couplings = Matrix::Zero(n + 1, n);
+  out.couplings.topRows(n) = basis * share.asDiagonal() * basis.transpose();
+  out.fixed = Matrix::Identity(n + 1, n + 1);
+  out.constant = Vector::Zero(n + 1);
+  for (Eigen::Index i = 0; i < n; ++i) out.constant[i] = -random.between(-1, 1);
+  out.constant[n] = -1;
+  out.accuracy = 1e-12;
+  for (int i = 0; i < points; ++i)
+    out.points.push_back({.weight = 1,
+                          .trial = {1, 1},
+                          .base = Mat2::Identity(),
+                          .contact = Contact{.closed = 1, .friction = 1, .coefficient = coefficient}});
+  return out;
+}
+
+/// |F| with the tractions that contact and Coulomb's law give at q, the worst component.
+double missed(const ContactProblem& problem, const Vector& x) {
+  Vector z(x.size() - 1);
+  for (std::size_t i = 0; i < problem.points.size(); ++i) {
+    const Vec2 q = x.segment<2>(2 * static_cast<Eigen::Index>(i));
+    const ContactProblem::Point& point = problem.points[i];
+    const Response now = response_on(*point.contact, piece_at(*point.contact, q, false), q);
+    z.segment<2>(2 * static_cast<Eigen::Index>(i)) = now.traction - point.base * q;
+  }
+  return (problem.fixed * x + problem.constant + problem.couplings * z).lpNorm<Eigen::Infinity>();
+}
+
+TEST(ContactWalk, SolvesFromAnywhereForAnyFriction) {
+  Random random(5);
+  for (const double coefficient : {0.0, 0.1, 0.5, 1.0, 3.0})
+    for (int i = 0; i < 20; ++i) {
+      const ContactProblem problem = random_problem(random, 12, coefficient);
+      Vector start = 0.5 * Vector::Ones(problem.constant.size());
+      for (double& value : start) value *= random.between(-1, 1);
+      const auto found = walk_from(problem, start), covered = walk_covered(problem);
+      ASSERT_TRUE(covered) << coefficient << " " << i;
+      EXPECT_LT(missed(problem, *covered), 1e-11);
+      if (found) EXPECT_LT(missed(problem, *found), 1e-11);
+      if (coefficient <= 0.1) EXPECT_TRUE(found);
+    }
+}
+
+/// One point with S = [[1, −c], [−c, 1]]: more than one solution from μ = 1/c on; one of them is found.
+TEST(ContactWalk, FindsOneOfSeveralSolutions) {
+  Random random(6);
+  for (int i = 0; i < 40; ++i) {
+    ContactProblem problem = random_problem(random, 1, 3);
+    const double c = 0.6;
+    problem.couplings.topRows(2) = Mat2::Identity() - 0.5 * (Mat2() << 1, -c, -c, 1).finished();
+    const auto found = walk_covered(problem);
+    ASSERT_TRUE(found);
+    EXPECT_LT(missed(problem, *found), 1e-11);
+  }
+}
+
+TEST(ContactWalk, FindsNothingWhereABodyFliesAway) {
+  ContactProblem problem;
+  problem.couplings = Matrix::Zero(3, 2);
+  problem.couplings.topRows(2).setIdentity();  // nothing but the contact holds the body
+  problem.fixed = Matrix::Identity(3, 3);
+  problem.constant = Vector::Zero(3);
+  problem.constant[0] = -1;  // pulled off
+  problem.constant[2] = -1;
+  problem.accuracy = 1e-12;
+  problem.points.push_back({.weight = 1,
+                            .trial = {1, 1},
+                            .base = Mat2::Identity(),
+                            .contact = Contact{.closed = 1, .friction = 1, .coefficient = 0.5}});
+  const auto found = walk_covered(problem);
+  EXPECT_TRUE(!found || missed(problem, *found) > 1e-3);
+}
+
+TEST(ContactPieces, MeetAtTheirEnds) {
+  Random random(7);
+  const Contact contact{
+      .closed = 3, .open = 0.4, .shear = 0.2, .friction = 2, .coefficient = 0.7, .slip = 0.1};
+  for (int i = 0; i < 300; ++i) {
+    const Vec2 q = random.point(1), along = random.point(1);
+    const ContactPiece piece = piece_at(contact, q, false);
+    const auto end = end_of_piece(contact, piece, q, along);
+    if (!end) continue;
+    const Vec2 there = q + end->length * along;
+    const Response here = response_on(contact, piece, there), behind = response_on(contact, end->to, there);
+    EXPECT_LT((here.traction - behind.traction).norm(), 1e-12);
+    const PieceChange change = change_between(contact, piece, end->to);
+    EXPECT_LT((behind.tangent - here.tangent - change.u * change.v.transpose()).norm(), 1e-14);
+    EXPECT_EQ(piece_at(contact, q + 1.000001 * end->length * along + 1e-9 * along, false), end->to);
+  }
+}
+
+}  // namespace
+}  // namespace dda
