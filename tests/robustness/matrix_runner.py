@@ -9,11 +9,10 @@ from concurrent.futures import ThreadPoolExecutor
 COLUMNS = ("case", "status", "exit", "steps", "rejected", "end", "peak", "expected", "verdict", "seconds", "reason")
 
 
-def start(case, folder, program, limit):
-    """Exit code (or `time`), seconds and the last line said."""
+def start_deck(deck, folder, program, limit):
+    """Runs a deck into a folder: exit code (or `time`), seconds and the last line said."""
     begun = time.monotonic()
-    command = [program, "run", str(folder / f"{case.name}.yaml"), "--folder", str(folder / case.name), "--overwrite",
-               "--quiet", "--threads", "1"]
+    command = [program, "run", str(deck), "--folder", str(folder), "--overwrite", "--quiet", "--threads", "1"]
     try:
         done = subprocess.run(command, capture_output=True, text=True, timeout=limit, check=False)
         said = (done.stderr.strip() or done.stdout.strip() or " ").splitlines()[-1]
@@ -59,8 +58,8 @@ def faults(case, row):
 
 
 def run_case(case, folder, arguments):
-    code, seconds, said = start(case, folder, arguments.run, arguments.time_limit)
     run = folder / case.name
+    code, seconds, said = start_deck(folder / f"{case.name}.yaml", run, arguments.run, arguments.time_limit)
     summary, curve = read_json(run / "summary.json"), read_curve(run)
     factors = [float(entry["load_factor"]) for entry in curve]
     row = {"case": case.name, "status": summary.get("status", "none"), "exit": code, "steps": max(len(factors) - 1, 0),
