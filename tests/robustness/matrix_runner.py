@@ -5,6 +5,12 @@ import subprocess
 import sys
 import time
 from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "python"))
+
+from ddapath.errors import DdapathError  # noqa: E402
+from ddapath.verify import verify  # noqa: E402
 
 COLUMNS = ("case", "status", "exit", "steps", "rejected", "end", "peak", "expected", "verdict", "seconds", "reason")
 
@@ -41,6 +47,14 @@ def rejections(folder):
         return sum('"rejected"' in line for line in file)
 
 
+def refusals(folder):
+    """The checks of `dda verify` that refuse a run, each with its place."""
+    try:
+        return [f"{found.check} ({found.worst:.1e} at {found.place})" for found in verify(folder) if not found.holds]
+    except (DdapathError, OSError, KeyError, ValueError) as error:
+        return [f"cannot be verified: {error}"]
+
+
 def faults(case, row):
     """What is wrong with a case's run, in words; empty when all that is known of it holds."""
     out = [] if row["exit"] == 0 else [f"exit {row['exit']}"]
@@ -68,7 +82,8 @@ def run_case(case, folder, arguments):
            "expected": " ".join(f"{name} {value:.10g}" for name, (value, _) in case.expected.items()),
            "goal": {name: float(curve[-1][name]) for name in case.deck["path"]["stop"]["gauges"]} if curve else {},
            "seconds": round(seconds, 2), "reason": summary.get("reason", said)}
-    row["verdict"] = "; ".join(faults(case, row)) or "good"
+    wrong = faults(case, row) + (refusals(run) if row["exit"] in (0, 3) else [])
+    row["verdict"] = "; ".join(wrong) or "good"
     return row
 
 

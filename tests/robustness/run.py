@@ -17,11 +17,9 @@ from pathlib import Path
 
 import yaml
 
-sys.path[:0] = [str(Path(__file__).resolve().parent), str(Path(__file__).resolve().parents[2] / "python")]
+sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-from ddapath.errors import DdapathError  # noqa: E402
-from ddapath.verify import verify  # noqa: E402
-from matrix_runner import read_json, start_deck  # noqa: E402
+from matrix_runner import read_json, refusals, start_deck  # noqa: E402
 from structures import TREATMENTS, structure  # noqa: E402
 
 SHARES = {"consistent": 0.97, "penalty": 0.97, "lagrange": 0.90, "augmented_lagrangian": 0.90}
@@ -39,14 +37,6 @@ class Outcome:
     @property
     def name(self):
         return f"{self.seed}: {self.kind['shape']}, {self.kind['mesh']}, {self.kind['treatment']}"
-
-
-def refusals(folder):
-    """The checks that refuse a run, each with its place."""
-    try:
-        return [f"{found.check} ({found.worst:.1e} at {found.place})" for found in verify(folder) if not found.holds]
-    except (DdapathError, OSError, KeyError, ValueError) as error:
-        return [f"cannot be verified: {error}"]
 
 
 def run_one(seed, folder, arguments):

@@ -106,6 +106,7 @@ class Model:
         self.stiffness = each[self.mesh.region]
         self.volumes = self.mesh.areas * self.thickness
         self.centroids = self.mesh.means(self.mesh.vertices)
+        self.moduli = np.array([material["young_modulus"] for material in materials])[self.mesh.region]
         self.largest_modulus = max(material["young_modulus"] for material in materials)
         self.weak_stiffness = self.deck["weak_springs"] * self.largest_modulus * self.thickness
         none = np.zeros((self.mesh.num_blocks, 3))
@@ -172,6 +173,9 @@ class Points:
         self.trial = np.stack([k, k * beta**2], -1)
         self.active = np.array([interface.is_active for interface in of], dtype=bool)[self.interface]
         self.kind = np.array([interface.treatment for interface in of])[self.interface]
+        first, second = model.moduli[self.blocks].T
+        apart = model.centroids[self.blocks[:, 1]] - model.centroids[self.blocks[:, 0]]
+        self.spring_unit = 2 * first * second / (first + second) / np.hypot(apart[:, 0], apart[:, 1])
         self.perturbation = np.array([interface.perturbation for interface in of])[self.interface]
 
     def _set_rows(self, model):

@@ -60,8 +60,19 @@ class Step:
                 self.traction[chosen] = np.nan
             elif chosen.any():
                 self.traction[chosen] = interface.law.traction(self.trial[chosen], points.trial[chosen])
-        carried = np.isin(points.kind, ("lagrange", "augmented_lagrangian"))
-        self.multiplier = np.where(carried[:, None], self.traction / points.trial / (1 + points.perturbation[:, None]), 0)
+        self._set_multipliers()
+
+    def _set_multipliers(self):
+        """m of unknown multipliers is P⁻¹ t/(1 + δ); of iterated ones what the stored opening w = g + m − P⁻¹ t says."""
+        points = self.model.points
+        unknown, iterated = (self.model.points.kind == kind for kind in ("lagrange", "augmented_lagrangian"))
+        carried = self.traction / points.trial
+        self.multiplier = np.where(unknown[:, None], carried / (1 + points.perturbation[:, None]), 0)
+        if iterated.any():
+            opening = np.zeros_like(carried)
+            opening[points.active] = self.fields.points[["opening_n", "opening_s"]].to_numpy()
+            self.multiplier[iterated] = (opening + carried - self.jump)[iterated]
+        self.gap = np.where(iterated[:, None], carried - self.multiplier, 0)
         self.trial = self.trial + self.multiplier
 
     def points_of(self, number):
@@ -78,6 +89,13 @@ class Step:
         """What rounding of the displacements may make of a point's traction [F/L²]."""
         largest = np.abs(self.d[:, :2]).max(axis=1)[self.model.points.blocks].max(axis=1)
         return ROUND_OFF * self.model.points.trial.max(axis=1) * largest
+
+    @cached_property
+    def spring_noise(self):
+        """The same of every part of a spring [F]."""
+        springs = self.model.springs
+        held = np.abs(springs["row"][:, :2]).sum(axis=1) * np.abs(self.d[springs["block"], :2]).max(axis=1, initial=0)
+        return ROUND_OFF * springs["stiffness"][springs["spring"]] * held
 
     @cached_property
     def spring_forces(self):
