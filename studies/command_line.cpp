@@ -151,6 +151,11 @@ void Grammar::add_looking() {
       add("report", "Write one HTML page about a run or a sweep, to be read offline", command_report);
   report->add_option("folder", line_.runs, "The folder of the run or sweep")->required()->expected(1);
   report->add_option("--out", line_.page, "The page; report.html in that folder if not given");
+  CLI::App* verify = add("verify",
+                         "Check runs independently of what computed them: equilibrium, laws, energies, "
+                         "reactions, the reason; 0 all hold, 3 some are refused",
+                         command_verify);
+  verify->add_option("runs", line_.runs, "Run folders")->required();
 }
 
 std::string Grammar::unknown_name(int argc, char** argv) const {

@@ -11,7 +11,7 @@ namespace dda {
 /// What the program's commands take from the command line.
 struct CommandLine {
   std::filesystem::path deck;                ///< run, sweep, check, compare
-  std::vector<std::filesystem::path> runs;   ///< plot, and the one of resume and report
+  std::vector<std::filesystem::path> runs;   ///< plot, verify, and the one of resume and report
   std::vector<std::string> overrides;        ///< --set
   std::vector<std::string> controls;         ///< compare
   std::string topic;                         ///< explain
@@ -36,5 +36,7 @@ int command_sweep(const CommandLine& line);
 /// file there where the file itself is gone.
 int resume_sweep(const CommandLine& line);
 int command_report(const CommandLine& line);
+/// Becomes Python's `ddapath.verify` on `line.runs`; 0 all checks hold, 3 some are refused, 2 no run.
+int command_verify(const CommandLine& line);
 
 }  // namespace dda

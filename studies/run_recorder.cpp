@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "framework/output/provenance.hpp"
+#include "studies/model_tables.hpp"
 #include "studies/pictures.hpp"
 #include "studies/profile.hpp"
 #include "studies/restart.hpp"
@@ -43,10 +44,12 @@ CurveTable open_curve(const RunFolder& folder, const std::vector<Column>& column
   return CurveTable::resume(file, columns, static_cast<std::size_t>(memory->last_step) + 1);
 }
 
-ResultsFile open_results(const RunFolder& folder, const Fields& fields, const ResultsFile::Texts& texts,
-                         const std::optional<RunMemory>& memory) {
+ResultsFile open_results(const RunFolder& folder, const Fields& fields, const Simulation& simulation,
+                         const ResultsFile::Texts& texts, const std::optional<RunMemory>& memory) {
   if (memory) return ResultsFile::resume(folder.path(), memory->last_step);
-  return {folder.path(), fields.mesh(), texts};
+  ResultsMesh mesh = fields.mesh();
+  mesh.model = model_tables(simulation.body(), simulation.deck(), simulation.equilibrium());
+  return {folder.path(), mesh, texts};
 }
 
 }  // namespace
@@ -66,7 +69,7 @@ RunRecorder::RunRecorder(const RunFolder& folder, Simulation& simulation, const 
       interfaces_(simulation.equilibrium(), simulation.deck().units, memory_),
       log_(folder.file("log.jsonl"), memory ? FileWriter::Mode::append : FileWriter::Mode::create),
       curve_(open_curve(folder, columns(), memory)),
-      results_(open_results(folder, fields_, texts_of(deck, effective_), memory)) {
+      results_(open_results(folder, fields_, simulation, texts_of(deck, effective_), memory)) {
   simulation.path().report_to([this](const std::string& event, const std::string& text) {
     log_.info(event, {{"step", memory_.last_step + 1}, {"text", text}});
   });

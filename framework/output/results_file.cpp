@@ -51,6 +51,16 @@ void write_segments(Hdf5File& file, const ResultsMesh& mesh) {
   file.write("/mesh/segments", pairs, 2);
 }
 
+void write_table(Hdf5File& file, const ResultsTable& table) {
+  const std::string name = "/model/" + table.name;
+  if (!table.texts.empty())
+    file.write(name, table.texts);
+  else if (!table.integers.empty())
+    file.write(name, table.integers, table.width);
+  else
+    file.write(name, table.numbers, table.width);
+}
+
 Hdf5File first_content(const ResultsMesh& mesh, const ResultsFile::Texts& provenance) {
   Hdf5File file = Hdf5File::in_memory();
   write_blocks(file, mesh);
@@ -59,6 +69,7 @@ Hdf5File first_content(const ResultsMesh& mesh, const ResultsFile::Texts& proven
   if (!region.empty()) file.write("/mesh/region", region);
   file.set_attribute("/mesh/vertices", "unit", mesh.length_unit);
   file.set_attribute("/mesh/segment_ends", "unit", mesh.length_unit);
+  for (const ResultsTable& table : mesh.model) write_table(file, table);
   file.make_group("/field");
   file.make_group("/provenance");
   for (const auto& [name, text] : provenance) file.write("/provenance/" + name, std::vector{text});

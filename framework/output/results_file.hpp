@@ -2,6 +2,7 @@
 
 #include <array>
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -11,12 +12,22 @@
 
 namespace dda {
 
-/// The geometry that fields are given on; written once.
+/// Given numbers or texts that do not change from step to step, under /model/<name>: one of the three lists.
+struct ResultsTable {
+  std::string name;
+  std::vector<double> numbers;
+  std::vector<std::int64_t> integers;
+  std::vector<std::string> texts;
+  std::size_t width = 1;  ///< columns
+};
+
+/// The geometry that fields are given on, and the model's tables; written once.
 struct ResultsMesh {
   std::vector<std::vector<Vec2>> blocks;      ///< outline of every block, reference position [L]
   std::vector<int> block_region;              ///< one number per block, or empty
   std::vector<std::array<Vec2, 2>> segments;  ///< interface segments, reference position [L]; may be empty
   std::string length_unit;
+  std::vector<ResultsTable> model = {};
 };
 
 /// What one row of a field belongs to.
@@ -48,6 +59,7 @@ struct Snapshot {
 /// `run.h5` and `run.xdmf`: fields of the stored steps, readable by ParaView and h5py while the run goes on.
 ///
 ///     /mesh/vertices [n,3]  /mesh/offsets [blocks+1]  /mesh/mixed  /mesh/region  /mesh/segment_ends [2m,3]
+///     /model/<name>                              what the run can be checked from, see ResultsTable
 ///     /field/000034/displacement [n,3]           one dataset per field per step, unit as attribute
 ///     /provenance/<name>                         texts
 ///

@@ -176,6 +176,14 @@ class Tests(unittest.TestCase):
             self.assertIn("0 tests failed out of 1", result.stdout)
             self.assertIn("quick", result.stdout)
 
+    def test_nightly_tests_run_when_they_are_asked_for(self):
+        self.toy.write("CMakeLists.txt", CMAKE + "add_test(NAME night COMMAND ${CMAKE_COMMAND} -E true)\n"
+                       "set_tests_properties(night PROPERTIES LABELS nightly)\n")
+        self.assertNotIn("night", self.toy.run("test").stdout)
+        result = self.toy.run("test", "--label", "nightly")
+        self.assertIn("0 tests failed out of 1", result.stdout)
+        self.assertIn("night", result.stdout)
+
     def test_no_test_is_a_failure(self):
         self.assertNotEqual(self.toy.run("test", "--label", "quicker").returncode, 0)
 

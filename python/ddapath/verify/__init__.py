@@ -1,0 +1,42 @@
+"""Checks a run folder independently of the program that computed it: `dda verify RUN`, or
+
+    from ddapath.verify import verify
+    for finding in verify("runs/notched-beam"): print(finding.check, finding.worst, finding.bound, finding.holds)
+
+Read are run.h5, curve.csv, summary.json, effective_deck.yaml and log.jsonl. Stresses, openings, forces, energies and
+envelopes are derived again from strains, displacements, stored tractions and the deck's materials and laws.
+"""
+import re
+
+from ..run_folder import opened, read_run
+from . import curve_checks, fields_checks
+from .finding import Finding
+from .model import Model
+from .state import Step
+
+__all__ = ["Finding", "verify"]
+
+BETWEEN_EQUILIBRIA = ("release", "jump")  # rows in which a point is losing its strength
+
+
+def read_steps(run, model):
+    curve = run.curve
+    out = []
+    for number in run.steps:
+        control = str(curve["control"][number]) if number < len(curve) else ""
+        out.append(Step(model, run.fields(number), control.startswith(BETWEEN_EQUILIBRIA)))
+    return out
+
+
+def verify(folder):
+    """The Findings about a run folder. Throws NotFound or NothingStored for what is none, or holds too little."""
+    run = read_run(folder)
+    out = curve_checks.all_checks(run)
+    with opened(run.folder / "run.h5") as file:
+        model = Model(file, run.deck)
+    steps = read_steps(run, model)
+    return out + (fields_checks.all_checks(steps, run.curve, dead_loads_are_carried(run)) if steps else [])
+
+
+def dead_loads_are_carried(run):
+    return not re.match("stage '.*' cannot be carried", run.summary.get("reason", ""))

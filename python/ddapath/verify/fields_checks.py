@@ -1,0 +1,208 @@
+"""Checks of the stored steps: equilibrium, laws, contact, damage, supports, size of displacements, stored energy."""
+import numpy as np
+
+from .finding import not_made, worst_of
+
+EQUILIBRIUM = 1e-6  # of the forces on a block and a hundredth of those on the most loaded one of the run
+ENVELOPE = 1e-4     # of the limit
+LAW = 1e-4          # of the traction and a hundredth of the largest of the interface
+REACTIONS = 1e-6    # of the largest sum of all loads and reactions of the run
+MULTIPLIERS = 1e-6  # of the shortening of a block under the largest traction
+DAMAGE = 1e-9
+ENERGY = 1e-6       # of the largest stored energy
+DISPLACEMENT = 1.0  # of the diagonal of the structure
+CURVE = 1e-9        # curve.csv against run.h5, of the largest value of the column
+
+
+def at(step, place, what):
+    return f"step {step.number}, {what} at ({place[0]:.6g}, {place[1]:.6g})"
+
+
+def worst_point(step, values, what):
+    """(largest value, its place) over points; unknown tractions left out."""
+    known = ~np.isnan(step.traction).any(axis=1) | np.isnan(values)
+    values = np.where(known, values, 0)
+    index = int(np.argmax(np.where(np.isnan(values), np.inf, values)))
+    return values[index], at(step, step.model.points.place[index], what)
+
+
+def residuals(step):
+    """(residual force of every block, sum of the forces on it); nan where a traction is not stored."""
+    size = np.sqrt(step.model.mesh.areas)
+    unit = np.stack([np.ones_like(size), np.ones_like(size), size, size, size, size], -1)
+    residual, scale = np.zeros((len(size), 6)), np.zeros(len(size))
+    for blocks, forces in step.parts():
+        np.add.at(residual, blocks, forces)
+        np.add.at(scale, blocks, np.abs(forces / unit[blocks]).max(axis=1))
+    noise = np.zeros(len(size))
+    for side in (0, 1):  # tractions of bonds are worked out from displacements
+        of_bonds = np.where(step.model.points.active, 0, step.model.points.weight * step.noise)
+        np.add.at(noise, step.model.points.blocks[:, side], of_bonds)
+    np.add.at(noise, step.model.springs["block"], step.spring_noise)
+    return np.maximum(np.abs(residual / unit).max(axis=1) - noise, 0), scale
+
+
+def over(error, scale):
+    """error / scale, zero where there is no error."""
+    return np.where(error > 0, error / np.where(scale > 0, scale, 1e-300), error)
+
+
+def equilibrium(steps):
+    found, unknown = [], 0
+    forces = [residuals(step) for step in steps]
+    largest = 0.01 * max(np.nanmax(scale, initial=0.0) for _, scale in forces)
+    for step, (residual, scale) in zip(steps, forces):
+        error = over(residual, scale + largest)
+        known = ~np.isnan(step.traction).any(axis=1)
+        bad = np.zeros(len(error), dtype=bool)
+        bad[step.model.points.blocks[~known].ravel()] = True
+        unknown, error = int(bad.sum()), np.where(bad, 0, error)
+        block = int(np.argmax(np.where(np.isnan(error), np.inf, error)))
+        note = f" ({unknown} blocks have bonds by multipliers, which are not stored)" if unknown else ""
+        found.append((error[block], at(step, step.model.centroids[block], f"block {block}") + note))
+    return worst_of("block equilibrium", found, EQUILIBRIUM)
+
+
+def per_interface(steps, value):
+    """(largest value, place) of every interface and step; `value` gives one number per point."""
+    for step in steps:
+        for number, interface in enumerate(step.model.interfaces):
+            chosen = step.points_of(number) & step.model.points.active
+            if not chosen.any():
+                continue
+            values = np.zeros(len(step.traction))
+            values[chosen] = value(step, interface, chosen)
+            yield worst_point(step, values, interface.name or "a bond")
+
+
+def envelope(steps):
+    def value(step, interface, chosen):
+        t = step.traction[chosen]
+        excess, limit = interface.law.excess(t, step.law_state(chosen, interface))
+        floor = 0.01 * np.abs(t).max(initial=0.0)
+        return over(np.maximum(excess - step.noise[chosen], 0), limit + floor)
+    return worst_of("law envelope", per_interface(steps, value), ENVELOPE)
+
+
+def normal_law(steps):
+    """t_n = k q_n where closed, r q_n where open: neither tension beyond the damage nor penetration."""
+    def value(step, interface, chosen):
+        t, q = step.traction[chosen, 0], step.trial[chosen, 0]
+        error = np.abs(t - interface.law.normal(q, step.law_state(chosen, interface))) - step.noise[chosen]
+        scale = np.abs(t) + 0.01 * np.abs(step.traction[chosen]).max(initial=0.0)
+        return over(np.maximum(error, 0), scale)
+    at_rest = [step for step in steps if not step.releasing]
+    return worst_of("contact and normal law", per_interface(at_rest, value), LAW)
+
+
+def multipliers_settled(steps):
+    """Iterated multipliers carry what the law gives: P m = t."""
+    name = "multipliers carry the traction"
+    if not any((step.model.points.kind == "augmented_lagrangian").any() for step in steps):
+        return not_made(name, "no joint iterates them")
+    found = []
+    for step in steps:
+        unit = np.nanmax(np.abs(step.traction).max(axis=1) / step.model.points.spring_unit)
+        gap = np.maximum(np.abs(step.gap).max(axis=1) - 2 * step.noise / step.model.points.trial.min(axis=1), 0)
+        found.append(worst_point(step, over(gap, unit), "a joint"))
+    return worst_of(name, found, MULTIPLIERS)
+
+
+def damage_grows(steps):
+    found = []
+    for before, now in zip(steps, steps[1:]):
+        fall = before.damage - now.damage
+        found.append(worst_point(now, fall, "damage") if len(fall) else (0.0, "everywhere"))
+    return worst_of("damage never falls", found, DAMAGE)
+
+
+def resultant(step, blocks, forces):
+    """(Fx, Fy, M/size) about the middle of the structure."""
+    middle = step.model.mesh.vertices.mean(axis=0)
+    lever = step.model.centroids[blocks] - middle
+    moment = forces[:, 2] + lever[:, 0] * forces[:, 1] - lever[:, 1] * forces[:, 0]
+    return np.array([forces[:, 0].sum(), forces[:, 1].sum(), moment.sum() / step.model.size])
+
+
+def reactions_carry(steps):
+    """Loads and reactions sum up to nothing; what is left hangs in the weak springs."""
+    found, largest = [], 0.0
+    for step in steps:
+        springs = step.model.springs
+        held = springs["row"] * step.spring_forces[springs["spring"], None]
+        loads, every = step.model.forces(step.load_factor), np.arange(step.model.mesh.num_blocks)
+        rest = resultant(step, springs["block"], held) + resultant(step, every, loads)
+        largest = max(largest, np.abs(held[:, :2]).sum() + np.abs(loads[:, :2]).sum())
+        found.append((max(np.abs(rest).max() - step.spring_noise.sum(), 0.0), f"step {step.number}"))
+    found = [(float(over(np.array(rest), largest)), place) for rest, place in found]
+    return worst_of("reactions carry the load", found, REACTIONS)
+
+
+def displacements(steps):
+    found = []
+    for step in steps:
+        moved = np.hypot(step.d[:, 0], step.d[:, 1]) / step.model.size
+        block = int(np.argmax(np.where(np.isnan(moved), np.inf, moved)))
+        found.append((moved[block], at(step, step.model.centroids[block], f"block {block}")))
+    return worst_of("displacements within the structure's size", found, DISPLACEMENT)
+
+
+def stored_energy(step):
+    """Of blocks, joints, supports and weak springs; loads and what drives the structure have none."""
+    model, points = step.model, step.model.points
+    total = 0.5 * (model.volumes * np.einsum("bi,bi->b", step.d[:, 3:], step.stress)).sum()
+    total -= 0.5 * (step.weak_forces * step.d[:, :3]).sum()
+    springs = model.springs
+    held = (springs["dead"] == 0) & (springs["reference"] == 0)
+    total += 0.5 * (step.spring_forces[held]**2 / springs["stiffness"][held]).sum()
+    joints = np.zeros(len(points.weight))
+    for number, interface in enumerate(model.interfaces):
+        chosen = step.points_of(number)
+        if chosen.any():
+            joints[chosen] = interface.law.stored(step.traction[chosen], step.trial[chosen], step.law_state(chosen, interface))
+    taken = 0.5 * (step.mean**2 / points.trial).sum(axis=1)
+    taken += 0.5 * ((1 + points.perturbation[:, None]) * points.trial * step.multiplier**2).sum(axis=1)
+    return total + (points.weight * (joints - taken)).sum()
+
+
+def stored_energies(steps, curve):
+    name = "stored energy of curve.csv"
+    if any(np.any(part) for part in steps[0].model.stress):
+        return not_made(name, "there is initial stress, whose energy is counted with the loads")
+    if any(np.isnan(step.traction).any() for step in steps):
+        return not_made(name, "bonds by multipliers are not stored")
+    scale = max(np.abs(curve["stored_energy"]).max(), np.abs(curve["external_work"]).max(), 1e-300)
+    scale += curve["dissipated_energy"].max()
+    found = [(abs(stored_energy(step) - curve["stored_energy"][step.number]) / scale, f"step {step.number}")
+             for step in steps if not step.releasing and step.number < len(curve)]
+    return worst_of(name, found, ENERGY)
+
+
+def agrees_with_curve(steps, curve):
+    """Load factors and reactions of curve.csv are those of run.h5."""
+    found = []
+    for step in steps:
+        if step.number >= len(curve):
+            found.append((np.inf, f"step {step.number} has no row"))
+            continue
+        row, springs = curve.iloc[step.number], step.model.springs
+        sums = {"load_factor": step.load_factor}
+        for name, force in zip(springs["names"], step.spring_forces):
+            column = name if name in curve and f"reaction_{name}" not in curve else f"reaction_{name}"
+            sums[column] = sums.get(column, 0.0) + force
+        for column, value in sums.items():
+            if column not in curve:
+                continue
+            scale = max(np.abs(curve[column]).max(), 1e-300)
+            error = abs(value - row[column]) - (0 if column == "load_factor" else step.spring_noise.sum())
+            found.append((max(error, 0) / scale if error == error else error, f"step {step.number}, {column}"))
+    return worst_of("run.h5 agrees with curve.csv", found, CURVE)
+
+
+def all_checks(steps, curve, is_carried):
+    """`is_carried` is false where the dead loads could not be brought to their full value."""
+    balanced = [equilibrium(steps), reactions_carry(steps)]
+    if not is_carried:
+        balanced = [not_made(found.check, "the dead loads were not carried in full") for found in balanced]
+    return [*balanced, envelope(steps), normal_law(steps), multipliers_settled(steps), damage_grows(steps), displacements(steps),
+            stored_energies(steps, curve), agrees_with_curve(steps, curve)]

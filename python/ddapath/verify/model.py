@@ -1,0 +1,198 @@
+"""What a run's equilibrium is checked with: blocks, points, loads and springs, from run.h5 and the deck alone.
+
+Per block d = (u0, v0, r0, εx, εy, γxy) about the centroid, u(x) = T(x) d; per point a trial opening q in (n, s).
+"""
+from dataclasses import dataclass
+from functools import cached_property
+
+import h5py
+import numpy as np
+
+from ..errors import NothingStored
+from ..fields import read_mesh, text_of
+from . import laws
+
+GAUSS = 0.5 / np.sqrt(3.0)
+RULES = {"gauss": (0.5 - GAUSS, 0.5 + GAUSS), "vertices": (0.0, 1.0), "midpoint": (0.5,)}
+WITH_MULTIPLIERS = ("lagrange", "augmented_lagrangian")
+
+
+def displacement_rows(x, y):
+    """T of places (x, y) about the centroids, n × 2 × 6."""
+    one, zero = np.ones_like(x), np.zeros_like(x)
+    return np.stack([np.stack([one, zero, -y, x, zero, y / 2], -1), np.stack([zero, one, x, zero, y, x / 2], -1)], 1)
+
+
+def elastic_stiffness(material, plane):
+    """C of a material of the deck [F/L²]."""
+    e, nu = material["young_modulus"], material["poisson_ratio"]
+    if plane == "strain":
+        e, nu = e / (1 - nu**2), nu / (1 - nu)
+    return e / (1 - nu**2) * np.array([[1, nu, 0], [nu, 1, 0], [0, 0, (1 - nu) / 2]])
+
+
+def trace_constants(mesh, stiffness):
+    """c = max over σ of ∮|σn|² ds / (A σ:C⁻¹:σ) of every block [F/L³]."""
+    following = mesh.fans[2]
+    edge = mesh.vertices[following] - mesh.vertices
+    length = np.hypot(edge[:, 0], edge[:, 1])
+    nx, ny, zero = edge[:, 1] / length, -edge[:, 0] / length, np.zeros(len(edge))
+    rows = np.stack([np.stack([nx, zero, ny], -1), np.stack([zero, ny, nx], -1)], 1)
+    parts = length[:, None, None] * np.einsum("eia,eib->eab", rows, rows)
+    sums = np.add.reduceat(parts, mesh.offsets[:-1]) / mesh.areas[:, None, None]
+    root = np.linalg.cholesky(stiffness)
+    return np.linalg.eigvalsh(np.einsum("bki,bkl,blj->bij", root, sums, root))[:, -1]
+
+
+@dataclass(frozen=True)
+class Interface:
+    """How the sides of one name are joined."""
+    name: str
+    law: object
+    treatment: str
+    points: str
+    perturbation: float
+    energy_exponent: float
+
+    @property
+    def is_active(self):
+        return self.law.can_crack or self.treatment == "augmented_lagrangian"
+
+
+def interface_of(name, deck):
+    entry = deck["interfaces"][name]
+    treatment = entry["treatment"]
+    kind = treatment if isinstance(treatment, str) else treatment["type"]
+    number = 1e-7 if isinstance(treatment, str) else treatment.get("perturbation", 1e-7)
+    points = entry.get("points") or ("vertices" if kind in WITH_MULTIPLIERS else "gauss")
+    field = entry.get("field") or {}
+    return Interface(name, laws.make(entry["law"]), kind, points, number if kind == "lagrange" else 0.0,
+                     field.get("energy_exponent", 2.0))
+
+
+BOND = Interface("", laws.make({"type": "bonded"}), "consistent", "gauss", 0.0, 2.0)
+
+
+class Tables:
+    """The group /model of run.h5."""
+
+    def __init__(self, group):
+        self._group = group
+
+    def __getitem__(self, name):
+        values = self._group[name][()]
+        return [text_of(value) for value in values] if values.dtype.kind in "OS" else values
+
+    def rows(self, name, width):
+        return self[name].reshape(-1, width) if name in self._group else None
+
+
+class Model:
+    """Geometry, stiffness, points, loads and springs of a run."""
+
+    def __init__(self, file, deck):
+        if "model" not in file:
+            raise NothingStored(f"{file.filename}: has no /model; this run was written by a version before `dda verify`")
+        self.deck, self.mesh, self.thickness = deck, read_mesh(file), deck["thickness"]
+        tables = Tables(file["model"])
+        self._set_blocks(tables)
+        self._set_sides(tables)
+        self._set_loads(tables)
+        self._set_springs(tables)
+
+    def _set_blocks(self, tables):
+        materials = [self.deck["materials"][name] for name in tables["region_materials"]]
+        each = np.array([elastic_stiffness(material, self.deck["plane"]) for material in materials])
+        self.stiffness = each[self.mesh.region]
+        self.volumes = self.mesh.areas * self.thickness
+        self.centroids = self.mesh.means(self.mesh.vertices)
+        self.moduli = np.array([material["young_modulus"] for material in materials])[self.mesh.region]
+        self.largest_modulus = max(material["young_modulus"] for material in materials)
+        self.weak_stiffness = self.deck["weak_springs"] * self.largest_modulus * self.thickness
+        none = np.zeros((self.mesh.num_blocks, 3))
+        self.stress = [none if found is None else found
+                       for found in (tables.rows(f"initial_stress/{part}", 3) for part in ("dead", "reference"))]
+
+    def _set_sides(self, tables):
+        self.interfaces = [interface_of(name, self.deck) for name in tables["interface_names"]] + [BOND]
+        self.sides = {"blocks": tables.rows("side/blocks", 2).astype(int), "ends": tables.rows("side/ends", 4),
+                      "stiffness": tables["side/stiffness"], "interface": tables["side/interface"].astype(int)}
+        self.points = Points(self)
+
+    def _set_loads(self, tables):
+        self.loads = {}
+        blocks = tables["load/block"].astype(int)
+        for part in ("dead", "reference"):
+            force = np.zeros((self.mesh.num_blocks, 6))
+            force[blocks] = tables.rows(f"load/{part}", 6)
+            self.loads[part] = force
+
+    def _set_springs(self, tables):
+        self.springs = {name: tables[f"spring/{name}"] for name in ("stiffness", "dead", "reference", "names")}
+        self.springs |= {"spring": tables["spring_part/spring"].astype(int), "block": tables["spring_part/block"].astype(int),
+                         "row": tables.rows("spring_part/row", 6)}
+
+    @cached_property
+    def size(self):
+        """Diagonal of the structure [L]."""
+        return float(np.hypot(*np.ptp(self.mesh.vertices, axis=0)))
+
+    def forces(self, load_factor):
+        """External forces on d without those of springs and initial stress, blocks × 6."""
+        return self.loads["dead"] + load_factor * self.loads["reference"]
+
+    def initial_stress(self, load_factor):
+        return self.stress[0] + load_factor * self.stress[1]
+
+
+class Points:
+    """All points of all sides, side after side; the active ones are those whose tractions run.h5 has, in that order."""
+
+    def __init__(self, model):
+        sides = model.sides
+        rules = [RULES[interface.points] for interface in model.interfaces]
+        counts = np.array([len(rules[i]) for i in sides["interface"]])
+        self.side = np.repeat(np.arange(len(counts)), counts)
+        self.interface = sides["interface"][self.side]
+        share = np.concatenate([rules[i] for i in sides["interface"]]) if len(counts) else np.zeros(0)
+        start, end = sides["ends"][self.side, :2], sides["ends"][self.side, 2:]
+        edge = end - start
+        length = np.hypot(edge[:, 0], edge[:, 1])
+        self.place = start + share[:, None] * edge
+        self.normal = np.stack([edge[:, 1], -edge[:, 0]], -1) / length[:, None]
+        self.tangent = np.stack([-self.normal[:, 1], self.normal[:, 0]], -1)
+        self.weight = length * model.thickness / counts[self.side]
+        self.blocks = sides["blocks"][self.side]
+        self._set_laws(model)
+        self._set_rows(model)
+
+    def _set_laws(self, model):
+        of = [model.interfaces[i] for i in range(len(model.interfaces))]
+        beta = np.array([interface.law.shear_weight for interface in of])[self.interface]
+        k = model.sides["stiffness"][self.side]
+        self.trial = np.stack([k, k * beta**2], -1)
+        self.active = np.array([interface.is_active for interface in of], dtype=bool)[self.interface]
+        self.kind = np.array([interface.treatment for interface in of])[self.interface]
+        first, second = model.moduli[self.blocks].T
+        apart = model.centroids[self.blocks[:, 1]] - model.centroids[self.blocks[:, 0]]
+        self.spring_unit = 2 * first * second / (first + second) / np.hypot(apart[:, 0], apart[:, 1])
+        self.perturbation = np.array([interface.perturbation for interface in of])[self.interface]
+
+    def _set_rows(self, model):
+        """Rows of the jump and, for consistent joints, of the mean traction: [first, second], each n × 2 × 6."""
+        frame = np.stack([self.normal, self.tangent], 1)
+        n, s = self.normal, self.tangent
+        traction = np.stack([np.stack([n[:, 0]**2, n[:, 1]**2, 2 * n[:, 0] * n[:, 1]], -1),
+                             np.stack([s[:, 0] * n[:, 0], s[:, 1] * n[:, 1], s[:, 0] * n[:, 1] + s[:, 1] * n[:, 0]], -1)], 1)
+        trace = trace_constants(model.mesh, model.stiffness)[self.blocks]
+        shares = np.where((self.kind == "consistent")[:, None], trace[:, ::-1] / trace.sum(axis=1, keepdims=True), 0.0)
+        self.jump_rows, self.stress_rows = [], []
+        for side, sign in ((0, -1.0), (1, 1.0)):
+            offset = self.place - model.centroids[self.blocks[:, side]]
+            self.jump_rows.append(sign * frame @ displacement_rows(offset[:, 0], offset[:, 1]))
+            self.stress_rows.append(shares[:, side, None, None] * traction)
+
+
+def open_model(path, deck):
+    with h5py.File(path, "r") as file:
+        return Model(file, deck)

@@ -1,0 +1,205 @@
+"""`dda verify`: a true run passes every check, a doctored one is refused by the check that is meant."""
+
+import json
+import os
+import shutil
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pandas as pd
+
+import ddapath
+from ddapath.verify import curve_checks, laws, verify
+
+TESTS = Path(__file__).resolve().parents[1]
+
+
+class Doctored(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.scratch = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.scratch.cleanup)
+        cls.original = Path(cls.scratch.name) / "run"
+        ddapath.run(TESTS / "program" / "beam.yaml", {"path.stop.load_below": 0.3, "record.fields_every": 4}, folder=cls.original)
+
+    def setUp(self):
+        self.folder = Path(self.scratch.name) / "copy"
+        shutil.copytree(self.original, self.folder)
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def refused(self):
+        return [finding.check for finding in verify(self.folder) if not finding.holds]
+
+    def change_field(self, name, change, step=-1):
+        """`change` gets the last stored step's rows and changes them in place."""
+        with h5py.File(self.folder / "run.h5", "a") as file:
+            group = sorted(file["field"])[step]
+            data = file[f"field/{group}/segments/{name}"]
+            values = data[()]
+            change(values)
+            data[...] = values
+
+    def change_cell(self, column, row, change):
+        file = self.folder / "curve.csv"
+        rows = [line.split(",") for line in file.read_text().splitlines()]
+        at = rows[0].index(column)
+        rows[row][at] = change(rows[row][at])
+        file.write_text("\n".join(",".join(cells) for cells in rows) + "\n")
+
+    def change_summary(self, **values):
+        file = self.folder / "summary.json"
+        file.write_text(json.dumps(json.loads(file.read_text()) | values))
+
+    def test_a_true_run_passes(self):
+        findings = verify(self.folder)
+        self.assertEqual([finding.check for finding in findings if not finding.holds], [])
+        self.assertEqual([finding.check for finding in findings if not finding.is_made], ["multipliers carry the traction"])
+
+    def test_a_traction_scaled(self):
+        def scale(values):
+            values[np.argmax(np.abs(values[:, 0])), 0] *= 1.01
+        self.change_field("traction", scale)
+        self.assertIn("block equilibrium", self.refused())
+        self.assertIn("contact and normal law", self.refused())
+
+    def test_a_traction_beyond_its_strength(self):
+        def exceed(values):
+            values[np.argmax(values[:, 0]), 0] = 10
+        self.change_field("traction", exceed)
+        self.assertIn("law envelope", self.refused())
+
+    def test_a_block_moved(self):
+        with h5py.File(self.folder / "run.h5", "a") as file:
+            data = file["field"][sorted(file["field"])[-1]]["displacement"]
+            data[:4] = data[:4] + 1e-6
+        self.assertIn("contact and normal law", self.refused())
+
+    def test_damage_lowered(self):
+        def lower(values):
+            values[np.argmax(values)] -= 0.01
+        self.change_field("damage", lower)
+        self.assertIn("damage never falls", self.refused())
+
+    def test_a_load_altered(self):
+        self.change_cell("load", -1, lambda cell: repr(1.5 * float(cell)))
+        self.assertIn("last row is what the reason says", self.refused())
+
+    def test_a_reaction_altered(self):
+        self.change_cell("right", -1, lambda cell: repr(1.001 * float(cell)))
+        self.assertEqual(self.refused(), ["run.h5 agrees with curve.csv"])
+
+    def test_work_altered(self):
+        self.change_cell("external_work", -1, lambda cell: repr(1.1 * float(cell)))
+        self.assertIn("work = stored + dissipated + jumps", self.refused())
+        self.assertIn("summary.json agrees with curve.csv", self.refused())
+
+    def test_stored_energy_altered(self):
+        self.change_cell("stored_energy", -1, lambda cell: repr(1.001 * float(cell)))
+        self.assertIn("stored energy of curve.csv", self.refused())
+
+    def test_dissipated_energy_that_falls(self):
+        self.change_cell("dissipated_energy", -2, lambda cell: repr(2 * float(cell)))
+        self.assertIn("dissipated energy never falls", self.refused())
+
+    def test_a_number_that_is_none(self):
+        self.change_cell("stored_energy", 3, lambda _: "nan")
+        self.assertIn("every number is finite", self.refused())
+
+    def test_unknown_stability_is_allowed(self):
+        self.change_cell("negative_eigenvalues", 3, lambda _: "nan")
+        self.assertEqual(self.refused(), [])
+
+    def test_reasons_altered(self):
+        for reason in ("deflection reached 0.5", "load below 20 % of its peak", "complete rupture", "1000 steps", "done", ""):
+            self.change_summary(reason=reason)
+            self.assertEqual(self.refused(), ["last row is what the reason says"], reason)
+
+    def test_an_early_stop_needs_a_reason(self):
+        self.change_summary(status="stopped_early", reason="")
+        self.assertEqual(self.refused(), ["last row is what the reason says"])
+
+    def test_an_unfinished_run(self):
+        (self.folder / "summary.json").unlink()
+        self.assertEqual(self.refused(), [])
+
+
+class Command(unittest.TestCase):
+    def verify(self, *folders):
+        return subprocess.run([os.environ["DDA"], "verify", *map(str, folders)], capture_output=True, text=True, check=False)
+
+    def test_codes_and_table(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            run = ddapath.run(TESTS / "program" / "beam.yaml", {"path.stop.load_below": 0.8}, folder=Path(scratch) / "run").folder
+            said = self.verify(run)
+            self.assertEqual((said.returncode, said.stderr), (0, ""))
+            self.assertIn("block equilibrium", said.stdout)
+            summary = run / "summary.json"
+            summary.write_text(summary.read_text().replace("load below 80 %", "load below 8 %"))
+            said = self.verify(run)
+            self.assertEqual(said.returncode, 3)
+            self.assertIn("REFUSED  last row is what the reason says", said.stdout)
+            said = self.verify(run, Path(scratch) / "none")
+            self.assertEqual(said.returncode, 2)
+            self.assertIn("there is no such folder", said.stderr)
+
+
+class Laws(unittest.TestCase):
+    def state(self, damage, stiffness=1000.0):
+        damage = np.atleast_1d(damage).astype(float)
+        one = np.ones_like(damage)
+        return laws.State(stiffness * one, damage, one, 2.0, False)
+
+    def test_softening_curves_give_back_their_points(self):
+        """From ω over the secant r = ft g/(w + ft g/k) to the damage, and back to ft g."""
+        for kind in ("linear_softening", "bilinear_softening", "exponential_softening"):
+            law = laws.make({"type": kind, "tensile_strength": 3, "fracture_energy": 0.1, "shear_fracture_energy": 0.4})
+            for mixity in (0.0, 1.0):
+                energy = 0.1 * (1 + 3 * mixity)
+                for omega in (1e-6, 0.3, 0.7, 1.2, 1.9):
+                    traction = 3 * law.shape.value(np.array([omega]))
+                    secant = traction / (omega * energy / 3 + traction / 1000)
+                    found = law.limit(np.array([mixity]), self.state(1 - secant / 1000))
+                    self.assertAlmostEqual(float(found[0] / traction[0]), 1, places=8, msg=f"{kind} {omega}")
+
+    def test_envelopes(self):
+        friction = laws.make({"type": "friction", "friction_angle": 45})
+        excess, _ = friction.excess(np.array([[-2.0, 1.9], [-2.0, 2.1], [0.1, 0.0]]), self.state([1, 1, 1]))
+        np.testing.assert_allclose(excess, [0 - 0.1, 0.1, 0.1], atol=1e-12)
+        bond = laws.make({"type": "mohr_coulomb", "tensile_strength": 3, "cohesion": 5, "friction_angle": 45})
+        traction = np.array([[3.1, 0.0], [-1.0, 6.1], [1.0, 0.1], [0.1, 0.0]])
+        excess, _ = bond.excess(traction, self.state([0, 0, 0.5, 1]))
+        np.testing.assert_allclose(excess, 0.1, atol=1e-12)
+
+
+class Reasons(unittest.TestCase):
+    """Each kind of goal, true and false."""
+    curve = pd.DataFrame({"load": [0.0, 9.0, 6.0, 6.0], "load_factor": [0.0, 9.0, 6.0, 6.0], "drift": [0.0, 1.0, 1.5, 2.0],
+                          "drift_top": [0.0, 1.0, 2.0, 3.0]})
+    deck = {"path": {"stop": {"steps": 1000, "after_steps": 3}}, "interfaces": {"a": {"law": {"type": "friction"}}}}
+
+    def holds(self, reason):
+        return curve_checks.reason_is_true(self.curve, {"status": "goal_reached", "reason": reason}, self.deck).holds
+
+    def test_true_ones(self):
+        for reason in ("drift_top reached 3", "drift reached 2", "drift reached 1.9 and stands at 2", "load below 70 % of its peak",
+                       "3 steps", "slides as a mechanism at a load factor of 6: 2 points slide, 0 are open", "load reached 6"):
+            self.assertTrue(self.holds(reason), reason)
+
+    def test_false_ones(self):
+        for reason in ("drift_top reached 2", "drift reached 2.1 and stands at 2", "drift reached 1.9 and stands at 2.1", "1000 steps",
+                       "load below 60 % of its peak", "slides as a mechanism at a load factor of 6.001", "complete rupture",
+                       "complete rupture: 1.0e-03 of the peak was left", "nothing can crack; the full reference load is applied"):
+            self.assertFalse(self.holds(reason), reason)
+
+    def test_a_mechanism_whose_load_still_changes(self):
+        moving = self.curve.assign(load=[0.0, 9.0, 7.0, 6.0])
+        summary = {"status": "goal_reached", "reason": "slides as a mechanism at a load factor of 6: 2 points slide, 0 are open"}
+        self.assertFalse(curve_checks.reason_is_true(moving, summary, self.deck).holds)
+
+
+if __name__ == "__main__":
+    unittest.main()

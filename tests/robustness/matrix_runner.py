@@ -1,0 +1,114 @@
+"""Runs the cases of the contact matrix and judges them: a row per case."""
+import csv
+import json
+import subprocess
+import sys
+import time
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "python"))
+
+from ddapath.errors import DdapathError  # noqa: E402
+from ddapath.verify import verify  # noqa: E402
+
+COLUMNS = ("case", "status", "exit", "steps", "rejected", "end", "peak", "expected", "verdict", "seconds", "reason")
+
+
+def start_deck(deck, folder, program, limit):
+    """Runs a deck into a folder: exit code (or `time`), seconds and the last line said."""
+    begun = time.monotonic()
+    command = [program, "run", str(deck), "--folder", str(folder), "--overwrite", "--quiet", "--threads", "1"]
+    try:
+        done = subprocess.run(command, capture_output=True, text=True, timeout=limit, check=False)
+        said = (done.stderr.strip() or done.stdout.strip() or " ").splitlines()[-1]
+        return done.returncode, time.monotonic() - begun, said
+    except subprocess.TimeoutExpired:
+        return "time", time.monotonic() - begun, f"not done in {limit:g} s"
+
+
+def read_json(path):
+    return json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
+
+
+def read_curve(folder):
+    path = folder / "curve.csv"
+    if not path.exists():
+        return []
+    with path.open(encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def rejections(folder):
+    path = folder / "log.jsonl"
+    if not path.exists():
+        return 0
+    with path.open(encoding="utf-8") as file:
+        return sum('"rejected"' in line for line in file)
+
+
+def refusals(folder):
+    """The checks of `dda verify` that refuse a run, each with its place."""
+    try:
+        return [f"{found.check} ({found.worst:.1e} at {found.place})" for found in verify(folder) if not found.holds]
+    except (DdapathError, OSError, KeyError, ValueError) as error:
+        return [f"cannot be verified: {error}"]
+
+
+def faults(case, row):
+    """What is wrong with a case's run, in words; empty when all that is known of it holds."""
+    out = [] if row["exit"] == 0 else [f"exit {row['exit']}"]
+    if row["exit"] == 0:
+        goal = case.deck["path"]["stop"]["gauges"]
+        out += [f"{name} stands at {row['goal'][name]:.6g}, not {value:g}" for name, value in goal.items()
+                if not abs(row["goal"][name] - value) <= 1e-6 * abs(value)]
+    for quantity, (value, tolerance) in case.expected.items():
+        found = row[quantity]
+        if found is None or not abs(found - value) <= tolerance:
+            out.append(f"{quantity} is not {value:.10g}")
+    if case.rejected is not None and row["rejected"] > case.rejected:
+        out.append(f"{row['rejected']} rejected")
+    return out
+
+
+def run_case(case, folder, arguments):
+    run = folder / case.name
+    code, seconds, said = start_deck(folder / f"{case.name}.yaml", run, arguments.run, arguments.time_limit)
+    summary, curve = read_json(run / "summary.json"), read_curve(run)
+    factors = [float(entry["load_factor"]) for entry in curve]
+    row = {"case": case.name, "status": summary.get("status", "none"), "exit": code, "steps": max(len(factors) - 1, 0),
+           "rejected": rejections(run), "end": factors[-1] if factors else None,
+           "peak": max(map(abs, factors)) if factors else None,
+           "expected": " ".join(f"{name} {value:.10g}" for name, (value, _) in case.expected.items()),
+           "goal": {name: float(curve[-1][name]) for name in case.deck["path"]["stop"]["gauges"]} if curve else {},
+           "seconds": round(seconds, 2), "reason": summary.get("reason", said)}
+    wrong = faults(case, row) + (refusals(run) if row["exit"] in (0, 3) else [])
+    row["verdict"] = "; ".join(wrong) or "good"
+    return row
+
+
+def shown(value):
+    return "" if value is None else f"{value:.10g}" if isinstance(value, float) else str(value)
+
+
+def run_cases(cases, folder, arguments):
+    """The rows in order; each is printed as soon as it is there."""
+    print(" | ".join(COLUMNS), flush=True)
+    rows = []
+    with ThreadPoolExecutor(arguments.jobs) as pool:
+        for row in pool.map(lambda case: run_case(case, folder, arguments), cases):
+            rows.append(row)
+            print(" | ".join(shown(row[column]) for column in COLUMNS), flush=True)
+    return rows
+
+
+def print_rows(rows, path):
+    """Writes the rows to `path` where one is given; returns 1 when a case is not good."""
+    if path:
+        with path.open("w", encoding="utf-8", newline="") as file:
+            writer = csv.DictWriter(file, COLUMNS, extrasaction="ignore")
+            writer.writeheader()
+            writer.writerows(rows)
+    good = sum(row["verdict"] == "good" for row in rows)
+    print(f"{good} of {len(rows)} cases are good", file=sys.stderr)
+    return 0 if good == len(rows) else 1
