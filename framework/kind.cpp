@@ -12,6 +12,9 @@ namespace dda {
 
 namespace {
 
+/// Products of a few numbers of a deck stay finite.
+constexpr double largest_number = 1e50;
+
 std::string shortened(const std::string& text) {
   return text.size() <= 60 ? text : text.substr(0, 57) + "...";
 }
@@ -66,6 +69,9 @@ std::optional<double> read_number(const Node& node, const Reading& reading) {
     add(node, reading, "must be a finite number, got " + node.text);
   else if (result.ec == std::errc::result_out_of_range)
     add(node, reading, "'" + shortened(node.text) + "' is too large or too small for a number");
+  else if (is_whole(result, node) && std::abs(value) > largest_number)
+    add(node, reading,
+        "'" + shortened(node.text) + "' is larger than any quantity (1e50); choose other units");
   else if (is_whole(result, node))
     return value;
   else if (result.ec == std::errc() && node.text[result.ptr - node.text.data()] == ' ')

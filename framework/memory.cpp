@@ -1,12 +1,16 @@
 #include "framework/memory.hpp"
 
+#include <fmt/format.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
 #include <limits>
+#include <optional>
 #include <string>
+
+#include "framework/errors.hpp"
 
 namespace dda {
 namespace {
@@ -50,7 +54,25 @@ double spare_of_shell() {
                   static_cast<double>(limit.rlim_cur) - pages * static_cast<double>(sysconf(_SC_PAGESIZE)));
 }
 
+std::optional<double>& given_limit() {
+  static std::optional<double> bytes;
+  return bytes;
+}
+
 }  // namespace
+
+double memory_limit() { return given_limit().value_or(usable_memory()); }
+void set_memory_limit(double bytes) { given_limit() = bytes; }
+bool has_memory_limit() { return given_limit().has_value(); }
+
+void require_address_space() {
+  constexpr double mib = 1024 * 1024, least = 512 * mib;  // OpenBLAS takes 128 MiB for each copy of it
+  const double left = spare_of_shell();
+  if (left < least)
+    throw InputError(
+        {}, fmt::format("only {:.0f} MiB of address space are left by `ulimit -v`; a run needs {:.0f}",
+                        left / mib, least / mib));
+}
 
 double usable_memory() { return std::min({spare_of_machine(), spare_of_container(), spare_of_shell()}); }
 

@@ -59,8 +59,9 @@ void set_limit(__rlimit_resource resource, rlim_t value) {
 
 /// No file to write to, no core file, a deep stack as gmsh would have, and no more memory than half of what
 /// there is; sanitizers need address space of their own, and to speak.
-void set_limits() {
-  set_limit(RLIMIT_FSIZE, 0);
+void set_limits(bool is_confined) {
+  if (is_confined) set_limit(RLIMIT_FSIZE, 0);
+  std::signal(SIGXFSZ, SIG_IGN);  // gmsh tries to write preferences as it starts
   set_limit(RLIMIT_CORE, 0);
   set_limit(RLIMIT_STACK, rlim_t{1} << 30);
 #ifndef __SANITIZE_ADDRESS__
@@ -103,7 +104,7 @@ void serve_gmsh(int socket, pid_t parent, const GmshTask& task) {
     send_message(socket, reply::broken + std::string(error.what()));
     quit();
   }
-  set_limits();
+  set_limits(task.is_confined);
   std::shared_ptr<const GmshModel> model;
   const std::string opened = answer_of(task, [&] {
     if (task.is_confined) module().confine(task.folders);
