@@ -193,11 +193,22 @@ class Campaign {
     return seeds_.back();
   }
 
+  /// Of a run those that are read again.
+  static std::vector<std::string> changeable(const Seed& seed) {
+    static const std::set<std::string> read_again{
+        "out/restart.h5",   "out/run.h5",           "out/curve.csv", "out/log.jsonl",
+        "out/summary.json", "out/curve.units.json", "out/deck.yaml", "out/effective_deck.yaml"};
+    std::vector<std::string> out;
+    for (const auto& [name, text] : seed.files)
+      if (!seed.files.contains("out/restart.h5") || read_again.contains(name)) out.push_back(name);
+    return out;
+  }
+
   End try_mutant(std::size_t number) {
     Mutator mutator(options_.seed * 0x9e3779b97f4a7c15ULL + number, words_);
     Seed mutant = pick(mutator);
-    auto file = mutant.files.begin();
-    std::advance(file, static_cast<std::ptrdiff_t>(mutator.below(mutant.files.size())));
+    const std::vector<std::string> names = changeable(mutant);
+    const auto file = mutant.files.find(names[mutator.below(names.size())]);
     const bool is_binary = file->second.find('\0') != std::string::npos;
     file->second = mutator.mutated(file->second, is_binary);
     place(mutant, scratch_ / "it");

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <random>
 #include <string>
 #include <vector>
@@ -15,9 +17,9 @@ class Mutator {
 
   /// One to a few changes of words, lines or bytes.
   std::string mutated(std::string text, bool is_binary) {
-    const std::size_t changes = std::size_t{1} << below(4);
+    const std::size_t changes = below(2) == 0 ? 1 : std::size_t{1} << below(4);
     for (std::size_t i = 0; i < changes; ++i)
-      is_binary || below(4) == 0 ? change_bytes(text) : change_words(text);
+      is_binary || below(8) == 0 ? change_bytes(text) : change_words(text);
     return text;
   }
 
@@ -60,8 +62,9 @@ class Mutator {
     while (begin > 0 && is_word(text[begin - 1])) --begin;
     std::size_t end = begin;
     while (end < text.size() && is_word(text[end])) ++end;
-    const bool is_number = end > begin && (text[begin] < 'A') && below(5) > 0;
-    text.replace(begin, end - begin, is_number ? number() : words_[below(words_.size())]);
+    const bool is_number = end > begin && (text[begin] < 'A') && below(8) > 0;
+    const std::string old = text.substr(begin, end - begin);
+    text.replace(begin, old.size(), is_number ? number(old) : words_[below(words_.size())]);
   }
 
   void change_line(std::string& text) {
@@ -74,7 +77,13 @@ class Mutator {
     text.insert(below(2) ? begin : below(text.size()), line);
   }
 
-  std::string number() {
+  /// Near the old one, so that much of it stays valid, or one of those that are seldom right.
+  std::string number(const std::string& old) {
+    static const std::vector<std::string> factors{"0.1", "0.5", "0.9", "1.0001", "2", "3", "10", "-1"};
+    char* end = nullptr;
+    const double value = std::strtod(old.c_str(), &end);
+    if (below(2) == 0 && *end == 0)
+      return std::to_string(value * std::strtod(factors[below(factors.size())].c_str(), nullptr));
     static const std::vector<std::string> numbers{
         "0",     "-0",     "1",        "-1",         "2",
         "1e-12", "1e-300", "1e12",     "1e49",       "-1e49",

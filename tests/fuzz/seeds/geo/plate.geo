@@ -3,14 +3,17 @@ DefineConstant[
   width = {100, Name "plate/width"},
   h = {40, Name "plate/size"}
 ];
-Macro corner
-  Point(n) = {x, y, 0, h}; n = n + 1;
+Macro Corner
+  Point(n) = {x, y, 0, h};
 Return
-n = 1;
-For i In {0:1}
-  x = i * width / 2; y = 0; Call corner;
+For n In {1:3}
+  x = (n - 1) * width / 2; y = 0;
+  Call Corner;
 EndFor
-x = width; Call corner; y = 100; Call corner; x = width / 2; Call corner; x = 0; Call corner;
+For n In {4:6}
+  x = (6 - n) * width / 2; y = 100;
+  Call Corner;
+EndFor
 For i In {1:5}
   Line(i) = {i, i + 1};
 EndFor
