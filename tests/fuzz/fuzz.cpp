@@ -1,6 +1,6 @@
 // Runs the program on mutants of decks, geometries, meshes and run folders, each in a process of its own, and
 // fails on a crash, on more than 10 s, or on an exit code that is not in 0, 2, 3.
-//   fuzz check|run|resume|report COUNT [--seed N] [--first N] [--keep FOLDER] DECK...
+//   fuzz check|run|resume|report COUNT [--seed N] [--first N] [--keep FOLDER] [--show] DECK...
 // A mutant is made of (seed, number) alone: `--first NUMBER` with a count of 1 makes it again.
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -49,6 +49,7 @@ struct Options {
   std::string mode;
   std::size_t count = 0, seed = 1, first = 0;
   fs::path keep;
+  bool shows_all = false;
   std::vector<fs::path> decks;
 };
 
@@ -136,7 +137,9 @@ class Campaign {
     for (std::size_t i = options_.first; i < options_.first + options_.count; ++i) {
       const End end = try_mutant(i);
       ++ends[end.words()];
-      if (!end.is_right()) report(i, end), ++failed;
+      const bool is_right = end.is_right() && !has_no_number();
+      if (!is_right || options_.shows_all) report(i, end);
+      if (!is_right) ++failed;
     }
     for (const auto& [words, count] : ends) fmt::print("{:>8}  {}\n", count, words);
     return failed;
@@ -165,7 +168,7 @@ class Campaign {
     const bool is_run = options_.mode == "resume" || options_.mode == "report";
     const End end = end_of(arguments_of(is_run ? "run" : options_.mode, seed.deck), scratch_ / "it");
     seed.seconds = end.seconds;
-    if (is_run && end.code != 0 && end.code != 3) return;
+    if (end.is_late || end.signal || (end.code != 0 && end.code != 3)) return;
     if (is_run) {
       seed.files.clear();
       for (const fs::directory_entry& entry : fs::directory_iterator(scratch_ / "it" / "out"))
@@ -215,6 +218,12 @@ class Campaign {
     return end_of(arguments_of(options_.mode, mutant.deck), scratch_ / "it");
   }
 
+  /// "nan MiB" is no answer.
+  bool has_no_number() const {
+    const std::string said = read(scratch_ / "it" / "said.log");
+    return said.find("nan MiB") != std::string::npos || said.find("inf MiB") != std::string::npos;
+  }
+
   void report(std::size_t number, const End& end) const {
     std::string said = read(scratch_ / "it" / "said.log");
     said = said.substr(said.size() > 300 ? said.size() - 300 : 0);
@@ -240,6 +249,8 @@ Options read_options(const std::vector<std::string>& words) {
   for (std::size_t i = 2; i < words.size(); ++i) {
     if (words[i] == "--seed")
       out.seed = std::stoul(words.at(++i));
+    else if (words[i] == "--show")
+      out.shows_all = true;
     else if (words[i] == "--first")
       out.first = std::stoul(words.at(++i));
     else if (words[i] == "--keep")

@@ -49,16 +49,19 @@ class Mutator {
     }
   }
 
+  static bool is_digit(char c) { return c >= '0' && c <= '9'; }
   static bool is_word(char c) {
-    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' ||
-           c == '.' || c == '-' || c == '+';
+    return is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '.' ||
+           c == '-' || c == '+';
   }
 
   void change_words(std::string& text) {
     if (text.empty()) return;
-    if (below(4) == 0) return change_line(text);
+    if (below(8) == 0) return change_line(text);
+    const bool is_number_wanted = below(3) > 0;
     std::size_t begin = below(text.size());
-    while (begin < text.size() && !is_word(text[begin])) ++begin;
+    while (begin < text.size() && !(is_number_wanted ? is_digit(text[begin]) : is_word(text[begin]))) ++begin;
+    if (begin == text.size()) return;
     while (begin > 0 && is_word(text[begin - 1])) --begin;
     std::size_t end = begin;
     while (end < text.size() && is_word(text[end])) ++end;

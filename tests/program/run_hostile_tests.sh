@@ -66,6 +66,7 @@ EndFor'
   refused "a loop without end" "gmsh was stopped after 1 s with 'endless.geo'" "$program" check endless.yaml \
     --set scene.meshing_seconds=1
   local value
+  refused "a plate of no width" "sound.yaml:1:8: " "$program" check sound.yaml --set scene.parameters.w=1e-9 --set "scene.subdivision={type: voronoi, size: 10}"
   for value in 0 -1e-300 1e40; do
     refused "w = $value" "s" "$program" check sound.yaml --set "scene.parameters.w=$value"
   done
@@ -131,6 +132,7 @@ locked_folder() {
   "$program" run "$beam" --folder taken --quiet &
   local pid=$!
   for _ in $(seq 500); do [ -e taken/effective_deck.yaml ] && break; sleep 0.01; done
+  kill -STOP $pid
   refused "a folder in use" "taken: another run is at work" "$program" run "$beam" --folder taken --overwrite --quiet
   refused "a run in use" "taken: another run is at work" "$program" resume taken --quiet
   kill -KILL $pid
