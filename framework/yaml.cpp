@@ -235,8 +235,9 @@ Node parse_yaml(const std::string& text, const std::string& file_name) {
   if (text.size() > longest_document) throw InputError({file_name, 0, 0}, "is larger than any deck (64 MiB)");
   // Some editors begin a file with a byte order mark.
   constexpr std::string_view mark = "\xEF\xBB\xBF";
-  if (text.starts_with(mark)) return Builder(text.substr(mark.size()), file_name).build();
-  return Builder(text, file_name).build();
+  if (!text.starts_with(mark)) return Builder(text, file_name).build();
+  const std::string rest = text.substr(mark.size());
+  return Builder(rest, file_name).build();
 }
 
 Node read_yaml(const std::filesystem::path& path) { return parse_yaml(read_text(path), path.string()); }

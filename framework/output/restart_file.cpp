@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <string_view>
 
@@ -22,16 +23,22 @@ std::uint64_t checksum(std::string_view bytes) {
   return value;
 }
 
-/// Behind the end of the HDF5 file, which HDF5 does not mind: that of a damaged file must not even be opened.
-std::string trailer(std::string_view bytes) { return fmt::format("dda{:016x}", checksum(bytes)); }
+/// Behind the end of the HDF5 file, which HDF5 does not mind: a damaged file must not even be opened.
+constexpr std::string_view trailer_name = "ddapath restart ";
+constexpr std::size_t trailer_size = trailer_name.size() + 16;
+
+std::string trailer(std::string_view bytes) {
+  return fmt::format("{}{:016x}", trailer_name, checksum(bytes));
+}
 
 /// The bytes of the HDF5 file.
 std::string without_trailer(std::string bytes) {
-  const std::size_t length = trailer("").size();
   const std::string_view all = bytes;
-  if (all.size() < length || all.substr(all.size() - length) != trailer(all.substr(0, all.size() - length)))
+  const std::size_t size = std::max(all.size(), trailer_size) - trailer_size;
+  if (!all.substr(size).starts_with(trailer_name)) throw Hdf5Error("it is cut short, or of another kind");
+  if (all.substr(size) != trailer(all.substr(0, size)))
     throw Hdf5Error("its checksum does not fit its content");
-  bytes.resize(bytes.size() - length);
+  bytes.resize(size);
   return bytes;
 }
 

@@ -108,7 +108,12 @@ TEST(Yaml, FilesThatCannotBeRead) {
 }
 
 TEST(Yaml, ByteOrderMarkIsNotPartOfTheText) {
-  EXPECT_EQ(parse_yaml("\xEF\xBB\xBFa: 1\n", "a.yaml").find("a")->text, "1");
+  EXPECT_EQ(parse_yaml("\xEF\xBB\xBF"
+                       "a: 1\n",
+                       "a.yaml")
+                .find("a")
+                ->text,
+            "1");
 }
 
 TEST(Yaml, FileNamesPositions) {
