@@ -8,4 +8,5 @@ pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5-serial)
 include(hdf5_archive)
 include(cholmod_archive)
 find_library(GMSH_LIBRARY gmsh REQUIRED)
+find_library(SECCOMP_LIBRARY seccomp REQUIRED)  # keeps gmsh to reading and computing
 find_library(GEOS_C_LIBRARY geos_c REQUIRED)

@@ -8,14 +8,21 @@ namespace dda {
 
 namespace {
 
+/// What a terminal still shows of a broken file.
+constexpr std::size_t most_lines = 30, longest_line = 2000;
+
 std::string line_of(const Finding& finding) {
   const std::string where = to_string(finding.where);
-  return where.empty() ? finding.what : where + ": " + finding.what;
+  std::string line = where.empty() ? finding.what : where + ": " + finding.what;
+  if (line.size() > longest_line) line = line.substr(0, longest_line) + " ...";
+  return line;
 }
 
 std::string text_of(const std::vector<Finding>& findings) {
   std::string text;
-  for (const Finding& finding : findings) text += (text.empty() ? "" : "\n") + line_of(finding);
+  const std::size_t shown = std::min(findings.size(), most_lines);
+  for (std::size_t i = 0; i < shown; ++i) text += (text.empty() ? "" : "\n") + line_of(findings[i]);
+  if (shown < findings.size()) text += "\n... and " + std::to_string(findings.size() - shown) + " more";
   return text;
 }
 

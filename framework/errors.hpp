@@ -22,7 +22,7 @@ struct Finding {
   std::string what;
 };
 
-/// The user's input cannot be used. Holds every finding, prints one per line. The program exits with 2.
+/// The user's input cannot be used. Holds every finding and prints the first ones. The program exits with 2.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(std::vector<Finding> findings);

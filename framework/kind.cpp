@@ -12,6 +12,9 @@ namespace dda {
 
 namespace {
 
+/// Products and quotients of a few numbers of a deck stay finite.
+constexpr double largest_number = 1e50, smallest_number = 1e-50;
+
 std::string shortened(const std::string& text) {
   return text.size() <= 60 ? text : text.substr(0, 57) + "...";
 }
@@ -31,6 +34,16 @@ std::string found(const Node& node) {
 
 void add(const Node& node, const Reading& reading, const std::string& what) {
   reading.findings.add(node.where, reading.name.empty() ? what : reading.name + ": " + what);
+}
+
+bool check_magnitude(double value, const Node& node, const Reading& reading) {
+  const double size = std::abs(value);
+  if (size == 0 || (size >= smallest_number && size <= largest_number)) return true;
+  add(node, reading,
+      shortened(node.text) +
+          (size > 1 ? " is larger than any quantity (1e50)" : " is smaller than any quantity (1e-50)") +
+          "; choose other units");
+  return false;
 }
 
 bool check_bounds(double value, const Bounds& bounds, const Node& node, const Reading& reading) {
@@ -67,7 +80,7 @@ std::optional<double> read_number(const Node& node, const Reading& reading) {
   else if (result.ec == std::errc::result_out_of_range)
     add(node, reading, "'" + shortened(node.text) + "' is too large or too small for a number");
   else if (is_whole(result, node))
-    return value;
+    return check_magnitude(value, node, reading) ? std::optional(value) : std::nullopt;
   else if (result.ec == std::errc() && node.text[result.ptr - node.text.data()] == ' ')
     add(node, reading,
         "expected a number, found " + found(node) + " (numbers carry no unit, the deck declares them)");

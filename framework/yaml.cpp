@@ -17,6 +17,7 @@ namespace {
 /// Aliases of aliases make a small file huge; no honest deck comes near these.
 constexpr std::size_t max_depth = 100;
 constexpr std::size_t max_nodes = 1'000'000;
+constexpr std::size_t longest_document = 64 << 20;  // bytes
 
 std::size_t count_nodes(const Node& node) {
   std::size_t count = 1;
@@ -219,6 +220,8 @@ std::string read_text(const std::filesystem::path& path) {
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) throw InputError(where, "no such file");
   if (std::filesystem::is_directory(status)) throw InputError(where, "is a folder, expected a file");
+  if (!std::filesystem::is_regular_file(status))
+    throw InputError(where, "is a device or a pipe, expected a file");
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
   if (file.peek() != std::ifstream::traits_type::eof()) text << file.rdbuf();
@@ -229,7 +232,12 @@ std::string read_text(const std::filesystem::path& path) {
 }  // namespace
 
 Node parse_yaml(const std::string& text, const std::string& file_name) {
-  return Builder(text, file_name).build();
+  if (text.size() > longest_document) throw InputError({file_name, 0, 0}, "is larger than any deck (64 MiB)");
+  // Some editors begin a file with a byte order mark.
+  constexpr std::string_view mark = "\xEF\xBB\xBF";
+  if (!text.starts_with(mark)) return Builder(text, file_name).build();
+  const std::string rest = text.substr(mark.size());
+  return Builder(rest, file_name).build();
 }
 
 Node read_yaml(const std::filesystem::path& path) { return parse_yaml(read_text(path), path.string()); }

@@ -1,11 +1,18 @@
 #pragma once
 
 #include <memory>
+#include <stdexcept>
 #include <vector>
 
 #include "meshing/polygon.hpp"
 
 namespace dda {
+
+/// GEOS did not do what it was asked, for polygons of no area or of numbers too far apart.
+class GeosError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 double area(const Figure& figure);
 

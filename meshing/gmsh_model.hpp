@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
@@ -26,11 +27,11 @@ struct ElementWish {
 
 using GmshParameters = std::map<std::string, double>;
 
-/// A geometry or mesh held by gmsh, which is started for it and stopped with it: one at a time; or a mesh
-/// read from a file without it.
+/// A geometry or mesh held by gmsh, in a process of its own that is started for it and ended with it
+/// (GmshProcess); or a mesh read from a file without it.
 ///
-/// gmsh lives in a module of its own that is loaded with the first model: its libraries take 0.07 s to load,
-/// which a scene of polygons and Voronoi cells or a mesh file need not pay.
+/// That process loads gmsh with a module: its libraries take 0.07 s to load, which a scene of polygons and
+/// Voronoi cells or a mesh file need not pay.
 ///
 /// Roles come from the names of physical groups:
 ///     surfaces   material:NAME or material:NAME/REGION
@@ -38,14 +39,16 @@ using GmshParameters = std::map<std::string, double>;
 ///     points     gauge:NAME
 /// All surfaces of one group are one region. Groups are told apart by (dimension, tag), names by role.
 /// Throws InputError for a missing file, a syntax error (with the line in that file), an untagged surface,
-/// an unknown role, an entity in two groups of one role. gmsh itself prints nothing.
+/// an unknown role, an entity in two groups of one role, commands that a geometry may not give
+/// (refuse_commands), and when gmsh fails or takes longer than `seconds`. gmsh itself prints nothing.
 class GmshModel {
  public:
   /// A .geo file; parameters replace the values of DefineConstant, by variable name or by ONELAB name.
   static std::shared_ptr<const GmshModel> from_geo(const std::string& file, const GmshParameters& parameters,
-                                                   const Position& where);
+                                                   const Position& where, double seconds = 600);
   /// A .msh file; versions 4.1 and 2.2 in ASCII without gmsh, other formats through it.
-  static std::shared_ptr<const GmshModel> from_msh(const std::string& file, const Position& where);
+  static std::shared_ptr<const GmshModel> from_msh(const std::string& file, const Position& where,
+                                                   double seconds = 600);
   /// Polygons, cut along their common borders and along the layout's lines.
   static std::shared_ptr<const GmshModel> from_layout(const Layout& layout);
 
@@ -61,8 +64,14 @@ class GmshModel {
   virtual Cells mesh(const ElementWish& wish) const = 0;
 };
 
+/// Whether a .geo file may use the whole language of gmsh, which runs programs and writes files. Off at
+/// first.
+void set_geo_trust(bool is_trusted);
+bool trusts_geo();
+
 /// What the gmsh module gives out under the symbol `dda_gmsh_module`.
 struct GmshModule {
+  void (*confine)(const std::vector<std::filesystem::path>& folders);
   std::shared_ptr<const GmshModel> (*from_geo)(const std::string&, const GmshParameters&, const Position&);
   std::shared_ptr<const GmshModel> (*from_msh)(const std::string&, const Position&);
   std::shared_ptr<const GmshModel> (*from_layout)(const Layout&);

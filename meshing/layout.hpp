@@ -36,6 +36,7 @@ struct Layout {
   std::vector<NamedLine> lines;
   std::map<std::string, Vec2> points;
   Position where;
+  double meshing_seconds = 600;            ///< that gmsh may take for one answer [s]
   std::shared_ptr<const GmshModel> model;  ///< null where the scene is made of polygons
 };
 

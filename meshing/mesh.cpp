@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "meshing/geos.hpp"
 #include "meshing/neighbours.hpp"
 #include "meshing/scene.hpp"
 
@@ -77,9 +78,7 @@ Cells cells_of(const Scene& scene, const Layout& layout) {
   return subdivision->divide(layout);
 }
 
-}  // namespace
-
-Assembly mesh(const Scene& scene) {
+Assembly meshed(const Scene& scene) {
   const Layout layout = layout_of(scene);
   const Cells cells = cells_of(scene, layout);
   Findings findings;
@@ -95,6 +94,19 @@ Assembly mesh(const Scene& scene) {
   assembly.sides = std::move(found.sides);
   assembly.boundary = std::move(found.boundary);
   return assembly;
+}
+
+}  // namespace
+
+Assembly mesh(const Scene& scene) {
+  try {
+    return meshed(scene);
+  } catch (const GeosError& error) {
+    throw InputError(scene.where,
+                     fmt::format("the scene's outlines cannot be cut into blocks; has each of them an "
+                                 "area, and is the size of the blocks in proportion? ({})",
+                                 error.what()));
+  }
 }
 
 }  // namespace dda

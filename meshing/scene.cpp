@@ -50,8 +50,9 @@ Layout polygons_of(const Scene& scene) {
 Layout file_of(const Scene& scene) {
   if (!scene.file) throw InputError(scene.where, "a scene of type geo or msh needs the parameter 'file'");
   const std::string file = scene.file->string();
-  const auto model = scene.type == SceneType::geo ? GmshModel::from_geo(file, scene.parameters, scene.where)
-                                                  : GmshModel::from_msh(file, scene.where);
+  const auto model = scene.type == SceneType::geo
+                         ? GmshModel::from_geo(file, scene.parameters, scene.where, scene.meshing_seconds)
+                         : GmshModel::from_msh(file, scene.where, scene.meshing_seconds);
   Layout layout = model->layout();
   layout.model = model;
   return layout;
@@ -77,6 +78,10 @@ Schema<Scene> scene_schema() {
       .map("slits", &Scene::slits, polyline(),
            {.text = "Polylines across which nothing is joined: notches of no width."})
       .map("points", &Scene::points, point_kind(), {.text = "Named places, for gauges."})
+      .number("meshing_seconds", &Scene::meshing_seconds,
+              {.fallback = 600,
+               .bounds = above(0),
+               .text = "Longest time for gmsh to read the file and to mesh [s]."})
       .choice("subdivision", &Scene::subdivision, subdivisions(),
               {.fallback = "given", .text = "How regions are cut into blocks."})
       .check(check_keys);
@@ -85,6 +90,7 @@ Schema<Scene> scene_schema() {
 Layout layout_of(const Scene& scene) {
   Layout layout = scene.type == SceneType::polygons ? polygons_of(scene) : file_of(scene);
   layout.where = scene.where;
+  layout.meshing_seconds = scene.meshing_seconds;
   add_lines(scene.curves, LineRole::interface, scene.where, layout);
   add_lines(scene.boundaries, LineRole::boundary, scene.where, layout);
   add_lines(scene.slits, LineRole::slit, scene.where, layout);

@@ -33,6 +33,7 @@ struct Scene {
   std::vector<RegionInput> regions;           ///< of polygons
   Lines curves, boundaries, slits;            ///< polylines, added to those of a file
   std::map<std::string, Vec2> points;
+  double meshing_seconds = 600;     ///< that gmsh may take for one answer [s]
   Choice<Subdivision> subdivision;  ///< empty means `given`
   Position where;
 };

@@ -7,10 +7,14 @@
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
+#include <iostream>
+#include <new>
 
+#include "framework/memory.hpp"
 #include "framework/output/provenance.hpp"
 #include "framework/suggestion.hpp"
 #include "framework/threads.hpp"
+#include "meshing/gmsh_model.hpp"
 #include "studies/commands.hpp"
 
 namespace dda {
@@ -82,6 +86,15 @@ class Grammar {
                                   "for the runs of a sweep")
         ->check(CLI::Range(1, 1024));
   }
+  void add_permissions(CLI::App* sub) {
+    sub->add_flag_function(
+        "--trust-geo", [](std::int64_t) { set_geo_trust(true); },
+        "Let the scene's .geo file run programs and write files, as gmsh would");
+    sub->add_option_function<double>(
+           "--memory-limit", [](double gib) { set_memory_limit(gib * bytes_per_gib); },
+           "Memory that a run may need at the least [GiB]; what the machine has to spare if not given")
+        ->check(CLI::PositiveNumber);
+  }
   void add_jobs(CLI::App* sub) {
     sub->add_option("--jobs", line_.jobs, "Runs of a sweep at a time; one per processor if not given")
         ->check(CLI::Range(1, 1024));
@@ -100,6 +113,7 @@ void Grammar::add_solving() {
       "run", "Follow the equilibrium path of a deck into a run folder; a sweep as `sweep` does", command_run);
   add_deck(run);
   add_output(run);
+  add_permissions(run);
   add_jobs(run);
   add_threads(run);
   add_profile(run);
@@ -110,6 +124,7 @@ void Grammar::add_solving() {
   resume->add_option("run", line_.runs, "The run folder")->required()->expected(1);
   add_set(resume);
   add_output(resume);
+  add_permissions(resume);
   add_jobs(resume);
   add_threads(resume);
   add_profile(resume);
@@ -121,6 +136,7 @@ void Grammar::add_many() {
       command_sweep);
   add_deck(sweep);
   add_output(sweep);
+  add_permissions(sweep);
   add_jobs(sweep);
   add_threads(sweep);
   sweep->add_flag("--dry-run", line_.dry_run, "Print the cases and a line for GNU parallel, and run nothing");
@@ -131,6 +147,7 @@ void Grammar::add_many() {
       ->delimiter(',')
       ->required();
   add_output(compare);
+  add_permissions(compare);
   add_threads(compare);
 }
 
@@ -139,6 +156,7 @@ void Grammar::add_looking() {
       add("check", "Read, mesh and validate a deck; print counts, quality and predicted size without solving",
           command_check);
   add_deck(check);
+  add_permissions(check);
   add_threads(check);
   CLI::App* explain =
       add("explain", "The manual of the deck: a section, a family, or family/name", command_explain);
@@ -198,9 +216,7 @@ void refuse_ranks() {
                     ranks));
 }
 
-}  // namespace
-
-int run_command_line(int argc, char** argv) {
+int execute(int argc, char** argv) {
   try {
     refuse_ranks();
     Grammar grammar;
@@ -216,9 +232,27 @@ int run_command_line(int argc, char** argv) {
     return complain(error.what(), 2);
   } catch (const OutputError& error) {
     return complain(fmt::format("dda: {}", error.what()), 4);
+  } catch (const std::bad_alloc&) {
+    return complain("dda: not enough memory", 4);
   } catch (const std::exception& error) {
     return complain(fmt::format("dda: internal error: {}", error.what()), 4);
+  } catch (...) {  // libraries throw texts as well
+    return complain("dda: internal error", 4);
   }
+}
+
+/// What is printed may get lost as late as here: on a full disk.
+bool is_printed() {
+  std::cout.flush();
+  const bool is_flushed = std::fflush(stdout) == 0;
+  return is_flushed && std::cout.good() && std::ferror(stdout) == 0;
+}
+
+}  // namespace
+
+int run_command_line(int argc, char** argv) {
+  const int code = execute(argc, argv);
+  return is_printed() ? code : complain("dda: cannot write to standard output", 4);
 }
 
 }  // namespace dda

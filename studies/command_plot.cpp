@@ -17,8 +17,10 @@ void check_units(const std::vector<RunCurve>& runs) {
 
 int command_plot(const CommandLine& line) {
   std::vector<RunCurve> runs;
-  for (const std::filesystem::path& folder : line.runs)
-    runs.push_back(read_run_curve(RunFolder::open(folder).path()));
+  for (const std::filesystem::path& folder : line.runs) {
+    require_run_folder(folder);
+    runs.push_back(read_run_curve(folder));
+  }
   check_units(runs);
   const std::vector<std::string> common = common_displacements(runs);
   if (common.empty())

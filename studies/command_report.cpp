@@ -30,7 +30,8 @@ std::string run_below(const fs::path& folder) {
 }  // namespace
 
 int command_report(const CommandLine& line) {
-  const fs::path folder = RunFolder::open(line.runs.front()).path();
+  const fs::path folder = line.runs.front();
+  require_run_folder(folder);
   const fs::path page = line.page.empty() ? folder / "report.html" : line.page;
   const bool is_sweep = report::is_sweep(folder);
   if (!is_sweep && !report::is_run(folder)) refuse(folder);

@@ -83,7 +83,7 @@ int command_sweep(const CommandLine& line) {
   const std::string parallel = parallel_line(sweep, folder, num_jobs(line));
   if (line.dry_run) return dry_run(sweep, parallel, states);
   open_folder(folder, line.run.overwrite);
-  const SweepLock lock(folder);
+  const auto lock = lock_sweep(folder);
   place_cases(folder, sweep, earlier, line.run.overwrite);
   write_whole(folder / "sweep.yaml", sweep.text, Flush::to_system);
   if (!line.run.quiet) announce(sweep, parallel, earlier, states);

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <numeric>
-#include <string>
 
 #include "continuation/stability/eigenmodes.hpp"
 #include "framework/output/provenance.hpp"
@@ -22,15 +20,8 @@ constexpr double number = sizeof(double), mib = 1024.0 * 1024.0;
 namespace library {
 constexpr double of_every_run = 6;  // HDF5, the program's own pages
 constexpr double loca = 22, anasazi = 14, amesos2 = 24, mumps = 13;
-constexpr double shared = 7;  // of each of them (MPI, Teuchos), counted once; gmsh brings it too
+constexpr double shared = 7;  // of each of them (MPI, Teuchos), counted once
 }  // namespace library
-
-bool has_mpi() {
-  std::ifstream maps("/proc/self/maps");
-  for (std::string line; std::getline(maps, line);)
-    if (line.find("/libmpi.so") != std::string::npos) return true;
-  return false;
-}
 
 /// Whether a damaged point bears friction.
 bool has_friction(const InterfacePoint& point) {
@@ -45,11 +36,7 @@ bool has_friction(const InterfacePoint& point) {
 /// What a run with this deck uses and how large it is.
 struct Case {
   explicit Case(const Simulation& of)
-      : simulation(of),
-        equilibrium(of.equilibrium()),
-        path(of.deck().path),
-        has_mpi_already(has_mpi()),
-        solver(path.linear.make()) {
+      : simulation(of), equilibrium(of.equilibrium()), path(of.deck().path), solver(path.linear.make()) {
     const auto driver = path.control.make(of.gauges());
     if (const LoadSolver* increments = driver->load_solver()) {
       has_increments = true;
@@ -78,7 +65,6 @@ struct Case {
   const Simulation& simulation;
   const Equilibrium& equilibrium;
   const PathParameters& path;
-  const bool has_mpi_already;
   const std::unique_ptr<DirectSolver> solver;
   double solver_bytes = 0;  ///< of a factorisation by it
   double most_columns = 0;
@@ -149,7 +135,7 @@ double library_bytes(const Case& of, bool loca, bool mumps) {
       {!loca && of.has_modes(), library::anasazi},
       {of.path.linear.name() == "amesos2", library::amesos2},
       {mumps || of.path.linear.name() == "mumps" || of.simulation.deck().record.condition, library::mumps}};
-  double sum = 0, used = of.has_mpi_already ? 1 : 0;
+  double sum = 0, used = 0;
   for (const auto& [is_used, size] : all)
     if (is_used) sum += size - (used++ > 0 ? library::shared : 0);
   return mib * (library::of_every_run + sum);

@@ -72,6 +72,7 @@ class Template {
     const auto digits = case_folder(sweep_, 0).filename().string().size();
     out += " --quiet --folder " + inner((folder_ / "cases").string() + "/") +
            fmt::format("'{{=1 $_=sprintf(\"%0{}d\",seq()) =}}'", digits);
+    for (const std::string& option : options_of_processes()) out += " " + option;
     for (const std::string& text : fixed()) out += " --set " + inner(text);
     for (const auto& [path, k] : varied()) out += " --set " + inner(path + "=") + place(k);
     return out + arguments();
@@ -132,6 +133,7 @@ std::string one_by_one(const Sweep& sweep, const fs::path& folder, int jobs) {
   for (std::size_t i = 0; i < sweep.cases.size(); ++i) {
     Words words{program_file(), "run",      sweep.cases[i].deck.string(),
                 "--quiet",      "--folder", (folder / case_folder(sweep, i)).string()};
+    for (const std::string& option : options_of_processes()) words.push_back(option);
     for (const std::string& text : sweep.cases[i].overrides) {
       words.emplace_back("--set");
       words.push_back(text);

@@ -15,6 +15,8 @@
 #include <filesystem>
 
 #include "framework/errors.hpp"
+#include "framework/memory.hpp"
+#include "meshing/gmsh_model.hpp"
 
 namespace dda {
 namespace {
@@ -95,6 +97,14 @@ void Processes::stop() {
 }
 
 std::string program_file() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
+
+std::vector<std::string> options_of_processes() {
+  std::vector<std::string> out;
+  if (trusts_geo()) out.emplace_back("--trust-geo");
+  if (has_memory_limit())
+    out.push_back(fmt::format("--memory-limit={:.17g}", memory_limit() / bytes_per_gib));
+  return out;
+}
 
 std::string threads_of_processes() {
   const char* const set = std::getenv("OMP_NUM_THREADS");

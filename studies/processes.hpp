@@ -48,6 +48,9 @@ class Processes {
 /// The file of this program.
 std::string program_file();
 
+/// What the command line allowed this process, for those that it starts: --trust-geo, --memory-limit.
+std::vector<std::string> options_of_processes();
+
 /// OMP_NUM_THREADS of processes that run side by side: as it is set, else 1.
 std::string threads_of_processes();
 

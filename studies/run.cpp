@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdio>
 
+#include "framework/memory.hpp"
 #include "framework/output/interrupt.hpp"
 #include "studies/restart.hpp"
 #include "studies/summary.hpp"
@@ -47,6 +50,13 @@ void follow_primary(const DeckFile& deck, const RunFolder& folder, const RunMemo
   run_deck(deck_from_text(deck.text, deck.path, overrides), options);
 }
 
+constexpr auto out_of_range = "the numbers of the next step are too large or too small to compute with";
+
+bool is_finite(const Candidate& at) {
+  return std::ranges::all_of(std::array{at.state.load_factor, at.load, at.stored, at.dissipated, at.work},
+                             [](double x) { return std::isfinite(x); });
+}
+
 /// Follows the path to its end.
 Ending follow(Simulation& simulation, RunRecorder& recorder, bool quiet) {
   Progress progress = Progress::for_stream(stderr, quiet);
@@ -54,6 +64,7 @@ Ending follow(Simulation& simulation, RunRecorder& recorder, bool quiet) {
   Path& path = simulation.path();
   path.interrupt_when(interrupted);
   for (const Point& point : path) {
+    if (!is_finite(simulation.walker().here())) return {Ending::Kind::stopped_early, out_of_range};
     recorder.record(point);
     progress.show(recorder.progress());
   }
@@ -76,6 +87,18 @@ void copy_run(const fs::path& from, const RunFolder& to) {
   }
 }
 
+/// A run that was killed in its first second has left a deck and no more.
+void require_restart(const RunFolder& folder) {
+  std::error_code error;
+  if (fs::exists(folder.file("restart.h5"), error) || !fs::exists(folder.file("effective_deck.yaml"), error))
+    return;
+  throw InputError(
+      Position{folder.path().string()},
+      fmt::format("the run ended before its first restart file; `dda run DECK --folder {} --overwrite` "
+                  "starts it again",
+                  folder.path().string()));
+}
+
 /// The conclusions of a run that goes on are not those of the whole.
 void remove_conclusions(const RunFolder& folder) {
   for (const char* name : {"summary.json", "curve.svg", "deformed.svg", "detail.svg", "eigenvalues.svg",
@@ -89,10 +112,12 @@ void remove_conclusions(const RunFolder& folder) {
 
 RunResult run_deck(const DeckFile& deck, const RunOptions& options) {
   Timings timings;
-  const InterruptGuard guard;
+  require_address_space();
+  InterruptGuard guard(OnInterrupt::end);
   timings.end_start_up();
   Simulation simulation(deck.deck, timings);
   simulation.prepare();
+  guard.set_flag_first();
   const RunFolder folder = new_folder(deck, options);
   const std::string effective = effective_deck(deck);
   write_decks(folder, deck, effective);
@@ -109,13 +134,16 @@ RunResult run_deck(const DeckFile& deck, const RunOptions& options) {
 RunResult resume_run(const fs::path& existing, const std::vector<std::string>& overrides,
                      const RunOptions& options) {
   Timings timings;
-  const InterruptGuard guard;
+  require_address_space();
+  InterruptGuard guard(OnInterrupt::end);
   const RunFolder source = RunFolder::open(existing);
+  require_restart(source);
   const RestartData data = read_restart(source.file("restart.h5"));
   const DeckFile deck = deck_of(data, existing, overrides);
   timings.end_start_up();
   Simulation simulation(deck.deck, timings);
   simulation.prepare();
+  guard.set_flag_first();
   const RunMemory memory = restore(data, existing, simulation);
   const bool in_place = options.folder.empty();
   const RunFolder folder = in_place ? source : new_folder(deck, options);

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "continuation/dead_load.hpp"
 #include "continuation/linear/matrix_quality.hpp"
+#include "framework/memory.hpp"
 #include "framework/suggestion.hpp"
 #include "studies/stiffness_record.hpp"
 
@@ -31,6 +34,10 @@ std::vector<std::shared_ptr<const Material>> materials_of(const Assembly& assemb
   return out;
 }
 
+bool is_zero(const std::vector<double>& numbers) {
+  return std::ranges::all_of(numbers, [](double x) { return x == 0; });
+}
+
 }  // namespace
 
 Simulation::Simulation(const Deck& deck, Timings& timings) : deck_(deck), timings_(timings) {
@@ -41,6 +48,8 @@ Simulation::Simulation(const Deck& deck, Timings& timings) : deck_(deck), timing
   const auto scope = timings.measure("equilibrium");
   body_ = std::make_unique<const Body>(Body{*assembly_, deck.thickness, materials_of(*assembly_, deck)});
   equilibrium_ = std::make_unique<const Equilibrium>(*body_, deck);
+  require_loads();
+  require_eigenvalues();
   gauges_.gauges = loading().gauges;
   for (const auto& [name, choice] : deck.gauge_names) {
     if (choice.name() == "displacement" && gauges_.first_displacement.empty())
@@ -66,6 +75,53 @@ Simulation::Simulation(const Deck& deck, Timings& timings) : deck_(deck), timing
     for (const auto& [name, value] : deck.record.reference_peak->at) gauge(name, deck.where);
 }
 
+void Simulation::require_loads() const {
+  const std::vector<StageParameters> stages = deck_.loaded_stages();
+  const std::vector<Loading>& loadings = equilibrium_->stages();
+  Findings findings;
+  for (std::size_t s = 0; s < stages.size(); ++s)
+    if (is_zero(loadings[s].reference) && is_zero(loadings[s].reference_offset))
+      findings.add(stages[s].where, "stage '" + loadings[s].name +
+                                        "' applies no load: its forces are zero or cancel each other");
+  findings.throw_if_any();
+}
+
+void Simulation::require_eigenvalues() const {
+  const double count = deck_.record.eigenvalues.count,
+               unknowns = static_cast<double>(equilibrium_->num_unknowns());
+  const double bytes = 2 * count * unknowns * sizeof(double);  // the modes, and the space they are sought in
+  if (count > unknowns)
+    throw InputError(deck_.where,
+                     fmt::format("record.eigenvalues.count: the structure has only {} eigenvalues",
+                                 equilibrium_->num_unknowns()));
+  if (bytes > memory_limit())
+    throw InputError(deck_.where,
+                     fmt::format("record.eigenvalues.count: so many modes need {:.3g} GiB of memory; "
+                                 "ask for fewer, or give `--memory-limit` to try it all the same",
+                                 bytes / bytes_per_gib));
+}
+
+void Simulation::try_passed_through() {
+  const PathParameters& path = deck_.path;
+  Findings findings;
+  for (const auto& [name, list] : {std::pair("path.nox", &path.nox), std::pair("path.loca", &path.loca)})
+    if (!list->is_map() && !list->is_null())
+      findings.add(list->where, std::string(name) + ": expected a map of parameters");
+  findings.throw_if_any();
+  if (path.nox.entries.empty() && path.loca.entries.empty()) return;
+  const Position& where = path.nox.entries.empty() ? path.loca.where : path.nox.where;
+  const std::string text = "NOX and LOCA do not take what `path.nox` and `path.loca` say";
+  try {
+    arc_length_step(*system_, walker_->state(), {.length = 1e-3}, walker_->parameters());
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw InputError(where, text + ": " + error.what());
+  } catch (...) {  // both throw texts
+    throw InputError(where, text);
+  }
+}
+
 void Simulation::prepare() {
   const auto scope = timings_.measure("factorisation");
   system_ = std::make_unique<System>(*equilibrium_, deck_.path.linear, deck_.path.update);
@@ -78,6 +134,7 @@ void Simulation::prepare() {
           "{} of {} Lagrange multipliers are redundant: their joints are tied more often than their "
           "blocks can move; the perturbation keeps them determined",
           redundant, multipliers));
+  try_passed_through();
 }
 
 std::string Simulation::apply_dead_loads() {

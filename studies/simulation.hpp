@@ -38,6 +38,13 @@ class Simulation {
   const Loading& loading() const { return equilibrium_->stages().back(); }
 
  private:
+  /// Throws InputError for stages that apply nothing.
+  void require_loads() const;
+  /// Throws InputError for more eigenvalues than there are, or than fit into memory.
+  void require_eigenvalues() const;
+  /// Tries a step with what the deck hands through to NOX and LOCA. Throws InputError when they do not take
+  /// it.
+  void try_passed_through();
   std::vector<Landing> landings() const;
   std::vector<Leg> legs() const;
   const Functional& gauge(const std::string& name, const Position& where) const;

@@ -1,8 +1,6 @@
 #include "studies/sweep_folder.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -160,15 +158,12 @@ Earlier examine(const fs::path& folder, const Sweep& sweep) {
   return out;
 }
 
-SweepLock::SweepLock(const fs::path& folder) : descriptor_(open(folder.c_str(), O_RDONLY | O_DIRECTORY)) {
-  // The runs inherit the descriptor, and with it the lock: it ends with the last of them.
-  if (descriptor_ < 0 || flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
-  close(descriptor_);
-  throw InputError(Position{folder.string()}, "another sweep is running there, or its last runs are ending");
-}
-
-SweepLock::~SweepLock() {
-  if (descriptor_ >= 0) close(descriptor_);
+std::shared_ptr<const FolderLock> lock_sweep(const fs::path& folder) {
+  auto lock = FolderLock::try_lock(folder, FolderLock::Until::last_child_ends);
+  if (!lock)
+    throw InputError(Position{folder.string()},
+                     "another sweep is running there, or its last runs are ending");
+  return lock;
 }
 
 fs::path default_sweep_folder(const fs::path& file) {

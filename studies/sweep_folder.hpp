@@ -49,18 +49,9 @@ struct Earlier {
 /// Changes nothing.
 Earlier examine(const std::filesystem::path& folder, const Sweep& sweep);
 
-/// Keeps the process's sweeps apart: at most one writes in a folder, until its last run has ended.
-class SweepLock {
- public:
-  /// Throws InputError when another sweep holds the folder, which must exist.
-  explicit SweepLock(const std::filesystem::path& folder);
-  ~SweepLock();
-  SweepLock(const SweepLock&) = delete;
-  SweepLock& operator=(const SweepLock&) = delete;
-
- private:
-  int descriptor_;
-};
+/// At most one sweep writes in a folder, until its last run has ended. Throws InputError when another sweep
+/// holds the folder, which must exist.
+std::shared_ptr<const FolderLock> lock_sweep(const std::filesystem::path& folder);
 
 /// Where a sweep goes unless told otherwise: runs/NAME as for a run, NAME being that of the folder for
 /// `sweep.yaml` too; NAME-2, ... when that is taken by something else than a sweep.

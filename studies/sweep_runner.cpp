@@ -105,9 +105,13 @@ bool SweepRunner::start_next() {
 
 std::vector<std::string> SweepRunner::arguments(std::size_t i) const {
   const std::string folder = (folder_ / case_folder(sweep_, i)).string();
-  if (states_[i].can_resume) return {"resume", folder, "--quiet"};
-  std::vector<std::string> out{"run",        sweep_.cases[i].deck.string(), "--folder", folder, "--quiet",
-                               "--overwrite"};
+  std::vector<std::string> out = options_of_processes();
+  if (states_[i].can_resume) {
+    out.insert(out.begin(), {"resume", folder, "--quiet"});
+    return out;
+  }
+  out.insert(out.begin(),
+             {"run", sweep_.cases[i].deck.string(), "--folder", folder, "--quiet", "--overwrite"});
   for (const std::string& text : sweep_.cases[i].overrides) {
     out.emplace_back("--set");
     out.push_back(text);

@@ -4,17 +4,24 @@
 
 namespace dda {
 
-/// While it lives, the first Ctrl-C or SIGTERM only sets a flag and the second ends the process at once
+/// What the first Ctrl-C or SIGTERM does: end the process at once, while there is nothing to be kept, or set
+/// a flag that is looked at between steps.
+enum class OnInterrupt { end, flag };
+
+/// While it lives, the first Ctrl-C or SIGTERM does as it is told, and the second ends the process at once
 /// (130).
 ///
 /// A write beyond the file size limit becomes an error instead of a signal. The handlers of before are put
 /// back at the end.
 class InterruptGuard {
  public:
-  InterruptGuard();
+  explicit InterruptGuard(OnInterrupt first = OnInterrupt::flag);
   ~InterruptGuard();
   InterruptGuard(const InterruptGuard&) = delete;
   InterruptGuard& operator=(const InterruptGuard&) = delete;
+
+  /// From here on the first signal sets the flag.
+  void set_flag_first();
 
  private:
   struct sigaction interrupt_ {

@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <cstring>
+#include <algorithm>
+#include <cstdint>
 #include <string_view>
 
 #include "framework/errors.hpp"
@@ -13,43 +14,32 @@ namespace dda {
 namespace {
 
 constexpr const char* format_name = "ddapath restart";
-constexpr std::int64_t format_version = 3;
+constexpr std::int64_t format_version = 4;
 
-/// 64-bit FNV-1a over names, sizes and bytes. Source: Fowler, Noll, Vo, RFC draft-eastlake-fnv.
-class Checksum {
- public:
-  void add(const void* data, std::size_t size) {
-    const auto* bytes = static_cast<const unsigned char*>(data);
-    for (std::size_t i = 0; i < size; ++i) value_ = (value_ ^ bytes[i]) * 1099511628211u;
-  }
-  void add(std::string_view text) {
-    const std::uint64_t size = text.size();
-    add(&size, sizeof size);
-    add(text.data(), text.size());
-  }
-  std::int64_t value() const { return static_cast<std::int64_t>(value_); }
-
- private:
-  std::uint64_t value_ = 14695981039346656037u;
-};
-
-template <class Value>
-void add_arrays(Checksum& sum, const std::map<std::string, std::vector<Value>>& arrays) {
-  for (const auto& [name, values] : arrays) {
-    sum.add(name);
-    sum.add({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Value)});
-  }
+/// 64-bit FNV-1a. Source: Fowler, Noll, Vo, RFC draft-eastlake-fnv.
+std::uint64_t checksum(std::string_view bytes) {
+  std::uint64_t value = 14695981039346656037u;
+  for (const char byte : bytes) value = (value ^ static_cast<unsigned char>(byte)) * 1099511628211u;
+  return value;
 }
 
-std::int64_t checksum(const RestartData& data) {
-  Checksum sum;
-  add_arrays(sum, data.numbers);
-  add_arrays(sum, data.integers);
-  for (const auto& [name, texts] : data.texts) {
-    sum.add(name);
-    for (const std::string& text : texts) sum.add(text);
-  }
-  return sum.value();
+/// Behind the end of the HDF5 file, which HDF5 does not mind: a damaged file must not even be opened.
+constexpr std::string_view trailer_name = "ddapath restart ";
+constexpr std::size_t trailer_size = trailer_name.size() + 16;
+
+std::string trailer(std::string_view bytes) {
+  return fmt::format("{}{:016x}", trailer_name, checksum(bytes));
+}
+
+/// The bytes of the HDF5 file.
+std::string without_trailer(std::string bytes) {
+  const std::string_view all = bytes;
+  const std::size_t size = std::max(all.size(), trailer_size) - trailer_size;
+  if (!all.substr(size).starts_with(trailer_name)) throw Hdf5Error("it is cut short, or of another kind");
+  if (all.substr(size) != trailer(all.substr(0, size)))
+    throw Hdf5Error("its checksum does not fit its content");
+  bytes.resize(size);
+  return bytes;
 }
 
 template <class Value>
@@ -66,8 +56,8 @@ std::string bytes_of(const RestartData& data) {
   write_group(file, "/texts", data.texts);
   file.set_attribute("/", "format", std::string(format_name));
   file.set_attribute("/", "format_version", format_version);
-  file.set_attribute("/", "checksum", checksum(data));
-  return file.bytes();
+  std::string bytes = file.bytes();
+  return bytes + trailer(bytes);
 }
 
 RestartData data_of(const Hdf5File& file) {
@@ -85,11 +75,7 @@ RestartData checked_data(const Hdf5File& file) {
   if (const auto version = file.integer_attribute("/", "format_version"); version != format_version) {
     throw Hdf5Error(fmt::format("its format version is {}, this program reads {}", version, format_version));
   }
-  RestartData data = data_of(file);
-  if (checksum(data) != file.integer_attribute("/", "checksum")) {
-    throw Hdf5Error("its checksum does not fit its content");
-  }
-  return data;
+  return data_of(file);
 }
 
 }  // namespace
@@ -101,7 +87,7 @@ void write_restart(const std::filesystem::path& path, const RestartData& data, F
 RestartData read_restart(const std::filesystem::path& path) {
   const std::string bytes = read_whole(path);
   try {
-    return checked_data(Hdf5File::from_bytes(bytes));
+    return checked_data(Hdf5File::from_bytes(without_trailer(bytes)));
   } catch (const Hdf5Error& error) {
     throw InputError(Position{path.string()}, fmt::format("is not a whole restart file: {}", error.what()));
   }

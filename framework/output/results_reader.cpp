@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <new>
+#include <stdexcept>
+
 #include "framework/errors.hpp"
 #include "framework/output/hdf5_file.hpp"
 
@@ -28,6 +32,7 @@ std::vector<std::vector<Vec2>> outlines(const Hdf5File& file) {
   const std::vector<std::int64_t> offsets = file.integers("/mesh/offsets");
   if (offsets.empty() || offsets.back() != static_cast<std::int64_t>(vertices.size()))
     throw Hdf5Error("its blocks do not fit its vertices");
+  if (offsets.front() < 0 || !std::ranges::is_sorted(offsets)) throw Hdf5Error("its blocks are in no order");
   std::vector<std::vector<Vec2>> out;
   for (std::size_t b = 0; b + 1 < offsets.size(); ++b)
     out.emplace_back(vertices.begin() + offsets[b], vertices.begin() + offsets[b + 1]);
@@ -53,6 +58,10 @@ auto ResultsReader::reading(const Read& read) const {
     return read();
   } catch (const Hdf5Error& error) {
     throw InputError(Position{path_.string()}, fmt::format("cannot be read: {}", error.what()));
+  } catch (const std::bad_alloc&) {
+    throw InputError(Position{path_.string()}, "cannot be read: it claims more values than fit into memory");
+  } catch (const std::length_error&) {
+    throw InputError(Position{path_.string()}, "cannot be read: it claims more values than there can be");
   }
 }
 

@@ -1,6 +1,8 @@
 #include "framework/output/run_folder.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <array>
@@ -89,6 +91,12 @@ void make(const fs::path& folder) {
   }
 }
 
+std::shared_ptr<const FolderLock> lock_or_refuse(const fs::path& folder) {
+  auto lock = FolderLock::try_lock(folder);
+  if (!lock) throw InputError(Position{folder.string()}, "another run is at work in this folder");
+  return lock;
+}
+
 bool is_run_file(const fs::path& file) {
   static constexpr std::array names = {"deck.yaml",   "effective_deck.yaml", "curve.csv",  "curve.units.json",
                                        "curve.svg",   "deformed.svg",        "log.jsonl",  "run.h5",
@@ -117,23 +125,50 @@ void remove_run_files(const fs::path& folder) {
 
 }  // namespace
 
+std::shared_ptr<const FolderLock> FolderLock::try_lock(const fs::path& folder, Until until) {
+  const int flags = O_RDONLY | O_DIRECTORY | (until == Until::process_ends ? O_CLOEXEC : 0);
+  const int descriptor = ::open(folder.c_str(), flags);
+  const bool is_held = descriptor >= 0 && flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  std::shared_ptr<const FolderLock> lock(new FolderLock(descriptor));
+  return is_held ? nullptr : lock;
+}
+
+FolderLock::~FolderLock() {
+  if (descriptor_ >= 0) close(descriptor_);
+}
+
 RunFolder RunFolder::create(const fs::path& wanted, IfExists policy) {
-  fs::path folder = without_trailing_separator(wanted);
-  if (policy == IfExists::number) folder = first_free(folder);
+  if (policy == IfExists::number) return create_numbered(wanted);
+  const fs::path folder = without_trailing_separator(wanted);
   if (policy == IfExists::refuse && is_taken(folder)) {
     refuse(folder, "it exists and is not empty; choose another one or allow overwriting");
   }
+  if (policy == IfExists::overwrite && is_taken(folder)) lock_or_refuse(folder);
   make(folder);
+  auto lock = lock_or_refuse(folder);
   if (policy == IfExists::overwrite) remove_run_files(folder);
-  return RunFolder(folder);
+  return {folder, std::move(lock)};
+}
+
+/// Two runs that start together see the same folder free; one of them gets it.
+RunFolder RunFolder::create_numbered(const fs::path& wanted) {
+  for (;;) {
+    const fs::path folder = first_free(without_trailing_separator(wanted));
+    make(folder);
+    auto lock = FolderLock::try_lock(folder);
+    if (lock && !is_taken(folder)) return {folder, std::move(lock)};
+  }
 }
 
 RunFolder RunFolder::open(const fs::path& existing) {
+  require_run_folder(existing);
+  return {existing, lock_or_refuse(existing)};
+}
+
+void require_run_folder(const fs::path& folder) {
   std::error_code error;
-  if (!fs::is_directory(existing, error)) {
-    throw InputError(Position{existing.string()}, "there is no such run folder");
-  }
-  return RunFolder(existing);
+  if (!fs::is_directory(folder, error))
+    throw InputError(Position{folder.string()}, "there is no such run folder");
 }
 
 fs::path default_run_folder(const fs::path& deck) {
@@ -162,10 +197,14 @@ void write_whole(const fs::path& path, std::string_view text, Flush flush) {
 
 std::string read_whole(const fs::path& path) {
   std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    throw InputError(Position{path.string()}, fs::is_directory(status)
+                                                  ? "cannot be read: it is a folder"
+                                                  : "cannot be read: it is a device or a pipe");
   std::ifstream stream(path, std::ios::binary);
-  if (!stream || fs::is_directory(path, error)) {
+  if (!stream)
     throw InputError(Position{path.string()}, fmt::format("cannot be read: {}", std::strerror(errno)));
-  }
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 

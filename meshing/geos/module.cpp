@@ -25,7 +25,7 @@ using Geometry = std::unique_ptr<GEOSGeometry, Destroy>;
 using Prepared = std::unique_ptr<const GEOSPreparedGeometry, Destroy>;
 
 Geometry own(GEOSGeometry* g) {
-  if (!g) throw std::runtime_error("GEOS could not process a polygon");
+  if (!g) throw GeosError("GEOS could not process a polygon");
   return Geometry(g);
 }
 

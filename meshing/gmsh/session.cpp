@@ -24,10 +24,6 @@ InputError translated(const std::string& message, const Position& where) {
   return {where, "gmsh: " + message};
 }
 
-void require_file(const std::string& file, const Position& where) {
-  if (!std::filesystem::is_regular_file(file)) throw InputError(where, "there is no file '" + file + "'");
-}
-
 /// A parameter that the file does not mention is a slip of the pen; files that read others may hide it there.
 void require_mentioned(const GmshParameters& parameters, const std::string& file, const Position& where) {
   std::ifstream stream(file);
@@ -86,7 +82,6 @@ void GmshSession::open(const std::string& file) {
 std::shared_ptr<const GmshModel> GmshSession::from_geo(const std::string& file,
                                                        const GmshParameters& parameters,
                                                        const Position& where) {
-  require_file(file, where);
   require_mentioned(parameters, file, where);
   std::shared_ptr<GmshSession> model(new GmshSession(arguments_for(parameters), where));
   for (const auto& [name, value] : parameters) gmsh::onelab::setNumber(name, {value});
@@ -95,7 +90,6 @@ std::shared_ptr<const GmshModel> GmshSession::from_geo(const std::string& file,
 }
 
 std::shared_ptr<const GmshModel> GmshSession::from_msh(const std::string& file, const Position& where) {
-  require_file(file, where);
   std::shared_ptr<GmshSession> model(new GmshSession(arguments_for({}), where));
   model->open(file);
   model->meshed_ = true;

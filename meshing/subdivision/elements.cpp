@@ -1,6 +1,9 @@
 #include "meshing/subdivision/elements.hpp"
 
 #include <algorithm>
+#include <cmath>
+
+#include "meshing/room.hpp"
 
 namespace dda {
 namespace {
@@ -33,6 +36,27 @@ void check_parameters(const ElementParameters& parameters, const Layout& layout)
                      "refine.curve: the scene has no curve '" + parameters.refine->curve + "'");
 }
 
+double length_of(const Layout& layout, const std::string& curve) {
+  double sum = 0;
+  for (const NamedLine& line : layout.lines)
+    for (std::size_t i = 0; line.name == curve && i + 1 < line.points.size(); ++i)
+      sum += (line.points[i + 1] - line.points[i]).norm();
+  return sum;
+}
+
+/// Area over that of an element, and beside a curve of length l up to a distance R, where h = h0 + g r,
+/// l ∫ dr / h² = l R / (h0 (h0 + g R)).
+void require_room_for(const ElementParameters& parameters, const Layout& layout, bool quads) {
+  if (!parameters.size) return;
+  const double of_unit = quads ? 1 : std::sqrt(3) / 4;
+  double blocks = area_of(layout) / (of_unit * *parameters.size * *parameters.size);
+  if (const auto& fine = parameters.refine) {
+    const double reach = scene_size(layout), far = fine->size + fine->growth * reach;
+    blocks += length_of(layout, fine->curve) * reach / (of_unit * fine->size * far);
+  }
+  require_room(blocks, parameters.where);
+}
+
 }  // namespace
 
 Schema<ElementParameters> element_schema(std::string text) {
@@ -46,6 +70,7 @@ Schema<ElementParameters> element_schema(std::string text) {
 
 Cells divide_into_elements(const Layout& layout, const ElementParameters& parameters, bool quads) {
   check_parameters(parameters, layout);
+  require_room_for(parameters, layout, quads);
   const ElementWish wish{parameters.size.value_or(0), quads, parameters.refine};
   if (layout.model) return with_deck_lines(layout.model->mesh(wish), layout);
   Cells cells = GmshModel::from_layout(layout)->mesh(wish);

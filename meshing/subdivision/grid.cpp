@@ -1,3 +1,4 @@
+#include "meshing/room.hpp"
 #include "meshing/subdivision/subdivision.hpp"
 
 namespace dda {
@@ -44,6 +45,10 @@ void Grid::add_patch(const Shape& shape, std::int64_t column, std::int64_t row,
 
 Cells Grid::divide(const Layout& layout) const {
   if (layout.model) require_sound(layout);
+  const double per_cell = parameters_.shape == GridShape::triangles ? 2 : 1;
+  require_room(per_cell * static_cast<double>(layout.shapes.size()) *
+                   static_cast<double>(parameters_.columns) * static_cast<double>(parameters_.rows),
+               parameters_.where);
   Cells result{{}, layout.lines};
   for (const Shape& shape : layout.shapes) {
     if (shape.figure.outline.size() != 4 || !shape.figure.holes.empty() || !is_convex(shape.figure.outline))

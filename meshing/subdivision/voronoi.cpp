@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "framework/threads.hpp"
+#include "meshing/room.hpp"
 #include "meshing/subdivision/subdivision.hpp"
 
 namespace dda {
@@ -13,6 +14,7 @@ struct VoronoiParameters {
   std::optional<std::int64_t> blocks;
   std::optional<double> size;
   std::int64_t seed = 1, iterations = 20;
+  Position where;
 };
 
 /// A part of a shape that no interface or slit crosses from border to border.
@@ -23,7 +25,7 @@ struct Part {
 
 class Voronoi final : public Subdivision {
  public:
-  explicit Voronoi(VoronoiParameters parameters) : parameters_(parameters) {}
+  explicit Voronoi(VoronoiParameters parameters) : parameters_(std::move(parameters)) {}
   Cells divide(const Layout& layout) const override;
 
  private:
@@ -63,6 +65,10 @@ std::vector<std::size_t> Voronoi::counts(const std::vector<Part>& parts) const {
 
 Cells Voronoi::divide(const Layout& layout) const {
   if (layout.model) require_sound(layout);
+  const double size = parameters_.size.value_or(0);
+  require_room(
+      parameters_.blocks ? static_cast<double>(*parameters_.blocks) : area_of(layout) / (size * size),
+      parameters_.where);
   const std::vector<Part> parts = parts_of(layout);
   const std::vector<std::size_t> blocks = counts(parts);
   std::vector<std::vector<Polygon>> cells(parts.size());

@@ -21,6 +21,19 @@ TEST(Errors, FindingsAreThrownTogetherInOrderOfPosition) {
             "b.yaml:9:2: first\nb.yaml:9:7: second\nb.yaml:10:1: third");
 }
 
+TEST(Errors, TextStaysReadableForAnyNumberOfFindings) {
+  Findings findings;
+  for (int i = 0; i < 1000; ++i) findings.add({"a.yaml", i, 1}, std::string(5000, 'x'));
+  try {
+    findings.throw_if_any();
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.findings().size(), 1000u);
+    EXPECT_LT(std::string(error.what()).size(), 100000u);
+    EXPECT_THAT(error.what(), ::testing::EndsWith("... and 970 more"));
+  }
+}
+
 TEST(Errors, NothingFoundThrowsNothing) {
   Findings findings;
   EXPECT_TRUE(findings.empty());

@@ -53,6 +53,9 @@ TEST(Kind, NumbersAreFinite) {
   for (const char* text : {"nan", ".nan", ".NaN", "inf", ".inf", "-.inf", "+.INF", "infinity"})
     EXPECT_THAT(refusal(number_kind(), text), testing::HasSubstr("must be a finite number")) << text;
   EXPECT_THAT(refusal(number_kind(), "1e999"), testing::HasSubstr("too large or too small"));
+  for (const char* text : {"1.1e50", "-1e300"})
+    EXPECT_THAT(refusal(number_kind(), text), testing::HasSubstr("larger than any quantity")) << text;
+  EXPECT_THAT(refusal(number_kind(), "1e-51"), testing::HasSubstr("smaller than any quantity"));
 }
 
 TEST(Kind, BoundsAreSaidInWords) {

@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <functional>
+
 #include "framework/errors.hpp"
 #include "framework/output/run_folder.hpp"
 #include "scratch.hpp"
@@ -24,6 +26,19 @@ TEST(RunFolder, UsesAnEmptyFolderAndForgivesATrailingSlash) {
   const Scratch scratch;
   fs::create_directories(scratch / "beam");
   EXPECT_EQ(RunFolder::create(scratch / "beam/", IfExists::number).path(), scratch / "beam");
+}
+
+TEST(RunFolder, BelongsToOneRunAtATime) {
+  const Scratch scratch;
+  const fs::path path = scratch / "run";
+  {
+    const RunFolder folder = RunFolder::create(path, IfExists::refuse);
+    for (const auto& again : {std::function([&] { RunFolder::create(path, IfExists::overwrite); }),
+                              std::function([&] { RunFolder::open(path); })})
+      EXPECT_THAT(test::message_of<InputError>(again), HasSubstr("another run is at work"));
+    EXPECT_EQ(RunFolder::create(scratch / "other", IfExists::number).path(), scratch / "other");
+  }
+  EXPECT_EQ(RunFolder::open(path).path(), path);
 }
 
 TEST(RunFolder, RefusesAFolderThatHoldsSomething) {

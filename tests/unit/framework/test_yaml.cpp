@@ -104,6 +104,16 @@ TEST(Yaml, KeysArePlainNames) {
 TEST(Yaml, FilesThatCannotBeRead) {
   EXPECT_EQ(messages([] { read_yaml("no/such.yaml"); }), "no/such.yaml: no such file");
   EXPECT_THAT(messages([] { read_yaml("/"); }), HasSubstr("is a folder"));
+  EXPECT_THAT(messages([] { read_yaml("/dev/zero"); }), HasSubstr("is a device"));
+}
+
+TEST(Yaml, ByteOrderMarkIsNotPartOfTheText) {
+  EXPECT_EQ(parse_yaml("\xEF\xBB\xBF"
+                       "a: 1\n",
+                       "a.yaml")
+                .find("a")
+                ->text,
+            "1");
 }
 
 TEST(Yaml, FileNamesPositions) {

@@ -94,11 +94,10 @@ TEST_F(SweepFolder, NothingIsLostUnasked) {
 TEST_F(SweepFolder, OneSweepAtATime) {
   fs::create_directories(folder_);
   {
-    const SweepLock lock(folder_);
-    EXPECT_THAT(messages([&] { const SweepLock second(folder_); }),
-                HasSubstr("another sweep is running there"));
+    const auto lock = lock_sweep(folder_);
+    EXPECT_THAT(messages([&] { lock_sweep(folder_); }), HasSubstr("another sweep is running there"));
   }
-  EXPECT_EQ(messages([&] { const SweepLock third(folder_); }), "");
+  EXPECT_EQ(messages([&] { lock_sweep(folder_); }), "");
 }
 
 TEST_F(SweepFolder, TableHasEveryNumberAndBlanks) {
