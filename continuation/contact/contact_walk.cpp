@@ -12,9 +12,6 @@ namespace {
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 
-/// Share of the trial stiffness that is left to what is open or slides, until it is corrected away.
-constexpr double residual_share = 1e-7;
-
 Eigen::Index place(std::size_t point) { return 2 * static_cast<Eigen::Index>(point); }
 
 /// A number in (1, 1.3) that belongs to an index: breaks ties, and repeats.
@@ -72,7 +69,7 @@ class Walk {
     disturb();
     read_pieces();
     tau_ = 1;
-    return follow(residual(x_, residual_share));
+    return follow(residual(x_, problem_.residual_share));
   }
 
   std::optional<Vector> covered() {
@@ -81,7 +78,7 @@ class Walk {
         pieces_[i] = contact->coefficient > 0 ? ContactPiece::stuck : ContactPiece::forward;
     x_ = Vector::Zero(problem_.constant.size());
     if (!inverse_.factor(matrix())) return {};
-    x_ -= inverse_.solve(residual(x_, residual_share));
+    x_ -= inverse_.solve(residual(x_, problem_.residual_share));
     Vector overlap = Vector::Zero(x_.size());
     for (std::size_t i = 0; i < size(); ++i)
       if (problem_.points[i].contact) overlap[place(i)] = -tie_breaker(i);
@@ -133,7 +130,8 @@ class Walk {
     Matrix out = problem_.fixed;
     for (std::size_t i = 0; i < size(); ++i) {
       const ContactProblem::Point& point = problem_.points[i];
-      const Mat2 change = point.weight * (respond(i, Vec2::Zero(), residual_share).tangent - point.base);
+      const Mat2 change =
+          point.weight * (respond(i, Vec2::Zero(), problem_.residual_share).tangent - point.base);
       if (change.isZero(0)) continue;
       out.middleCols<2>(place(i)).noalias() += problem_.couplings.middleCols<2>(place(i)) * change;
     }
@@ -224,8 +222,8 @@ class Walk {
   bool cross(std::size_t i, ContactPiece to, const Vector& right) {
     const ContactProblem::Point& point = problem_.points[i];
     const PieceChange change = change_between(*point.contact, pieces_[i], to);
-    const Vector u =
-        problem_.couplings.middleCols<2>(place(i)) * ((1 - residual_share) * point.weight * change.u);
+    const Vector u = problem_.couplings.middleCols<2>(place(i)) *
+                     ((1 - problem_.residual_share) * point.weight * change.u);
     last_ = static_cast<int>(i);
     left_ = pieces_[i];
     pieces_[i] = to;

@@ -25,21 +25,23 @@ struct ContactProblem {
     Mat2 tangent = Mat2::Zero();   ///< without contact
   };
   std::vector<Point> points;
-  Eigen::MatrixXd fixed;      ///< A
-  Eigen::VectorXd constant;   ///< c
-  Eigen::MatrixXd couplings;  ///< C, (2 · points + 1) × 2 · points
-  double accuracy = 0;        ///< of F that counts as none [L]
+  Eigen::MatrixXd fixed;         ///< A
+  Eigen::VectorXd constant;      ///< c
+  Eigen::MatrixXd couplings;     ///< C, (2 · points + 1) × 2 · points
+  double accuracy = 0;           ///< of F that counts as none [L]
+  double residual_share = 1e-7;  ///< ε
 };
 
 /// Solves it by walking from piece to piece: with x₀ and F(x₀) = r the solutions of F(x) = τ r are followed
 /// from τ = 1 to 0, one point crossing one corner at a time (Katzenelson's algorithm; Lemke's pivoting in the
 /// variables of the program). The way turns round in τ where the determinant changes sign.
 ///
-/// What is open or slides keeps a residual stiffness ε P, ε = 1e-7, without which a body all of whose points
-/// slide leaves the equations singular; it is taken off again by proximal corrections (an iteration with the
-/// regularised matrix on the equations as they are). Ends after finitely many corners, for any coefficient of
-/// friction, when it starts from closed and stuck joints pressed together (`covered`): then no ray leads to
-/// infinity. Nothing where the equations have no solution, as beyond the load of a mechanism.
+/// What is open or slides keeps a residual stiffness ε P, without which a body all of whose points slide
+/// leaves the equations singular; it is taken off again by proximal corrections (an iteration with the
+/// regularised matrix on the equations as they are). Where these hardly move, another walk from there with a
+/// smaller ε finds the point that sticks. Ends after finitely many corners, for any coefficient of friction,
+/// when it starts from closed and stuck joints pressed together (`covered`): then no ray leads to infinity.
+/// Nothing where the equations have no solution, as beyond the load of a mechanism.
 std::optional<Eigen::VectorXd> walk_from(const ContactProblem& problem, const Eigen::VectorXd& start);
 std::optional<Eigen::VectorXd> walk_covered(const ContactProblem& problem);
 

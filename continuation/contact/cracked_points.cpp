@@ -75,10 +75,12 @@ std::optional<int> CrackedPoints::walk(int max_iterations) {
   for (int iteration = 0; iteration <= max_iterations; ++iteration) {
     if (is_solved()) return iteration;
     const double error = gap().lpNorm<Eigen::Infinity>();
-    constexpr int most_rises = 4;
+    constexpr int most_rises = 5;
+    constexpr double smaller = 0.03;
     if (iteration > 1 && error > 0.5 * before && ++rises > most_rises) return {};
     before = error;
-    const ContactProblem problem = linearised();
+    ContactProblem problem = linearised();
+    problem.residual_share *= std::pow(smaller, rises);
     Vector start(size() + 1);
     start << q_, load_factor_;
     auto found = walk_from(problem, start);

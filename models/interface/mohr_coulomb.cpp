@@ -128,9 +128,11 @@ class MohrCoulomb final : public InterfaceLaw {
   }
 
  private:
+  /// The last of what was carried over the residual friction is lost where the point stands; then it slides.
   Spending spent_in_sliding(const Vec2& q, const History& h, double k) const {
     const LineSlide slid = slide_along(h.opening, q, h.slip, residual_);
-    return {k * slid.energy, k * slid.gradient};
+    const double left = respond(h.opening, h, k).traction.y(), before = h.traction.y();
+    return {k * slid.energy + 0.5 * (before + left) * (before - left) / k, k * slid.gradient};
   }
   Spending spent_in_release(const Vec2& q, const History& h, double k) const {
     const Response now = respond(q, h, k);
