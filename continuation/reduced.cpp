@@ -27,7 +27,7 @@ std::vector<std::size_t> newly_cracked(System& system, const LinearSystem& linea
 
 /// Solves contacts under a control that is a sum, taking points in until none is left out.
 std::optional<Reduced> solve_sum(System& system, const ControlSum& sum, const State& guess,
-                                 int max_iterations) {
+                                 const ContactSettings& settings) {
   LinearSystem& linear = system.contact_linear();
   Reduced out{.state = guess};
   constexpr int most_rounds = 60;
@@ -38,10 +38,11 @@ std::optional<Reduced> solve_sum(System& system, const ControlSum& sum, const St
     {
       const auto scope = system.timings().measure("contact");
       points.start_at(guess);
-      iterations = points.newton(max_iterations, CrackedPoints::Cycles::end_it);
+      if (settings.tries_newton)
+        iterations = points.newton(settings.max_iterations, CrackedPoints::Cycles::end_it);
       if (!iterations) {
         points.start_at(guess);
-        iterations = points.walk(max_iterations);
+        iterations = points.walk(settings.max_iterations);
       }
     }
     if (!iterations) return {};
@@ -57,7 +58,7 @@ std::optional<Reduced> solve_sum(System& system, const ControlSum& sum, const St
 
 /// Under a control that looks at every point: its tangent is a gauge, taken anew at each state found.
 std::optional<Reduced> solve_tangents(System& system, const Control& control, double s, const State& guess,
-                                      int max_iterations) {
+                                      const ContactSettings& settings) {
   Reduced out{.state = guess};
   constexpr int most = 20;
   for (int i = 0; i < most; ++i) {
@@ -68,7 +69,7 @@ std::optional<Reduced> solve_tangents(System& system, const Control& control, do
     const auto tangent = control.tangent_gauge(at, s);
     if (!tangent) return {};
     const ControlSum sum{.gauge = &tangent->gauge, .spends = false, .target = tangent->value, .scale = 1};
-    const auto found = solve_sum(system, sum, out.state, max_iterations);
+    const auto found = solve_sum(system, sum, out.state, settings);
     if (!found) return {};
     out.state = found->state;
     out.iterations += found->iterations;
@@ -136,10 +137,10 @@ void prepare_contacts(System& system, const State& guess) {
 }
 
 std::optional<Reduced> solve_contacts(System& system, const Control& control, double s, const State& guess,
-                                      int max_iterations) {
+                                      const ContactSettings& settings) {
   if (has_offsets(system) || !system.has_contacts()) return {};
-  if (const auto sum = control.as_sum(s)) return solve_sum(system, *sum, guess, max_iterations);
-  return solve_tangents(system, control, s, guess, max_iterations);
+  if (const auto sum = control.as_sum(s)) return solve_sum(system, *sum, guess, settings);
+  return solve_tangents(system, control, s, guess, settings);
 }
 
 }  // namespace dda

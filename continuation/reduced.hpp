@@ -25,12 +25,19 @@ std::optional<Reduced> solve_reduced(System& system, const Control& control, dou
 /// separate bodies is closed and held in it.
 void prepare_contacts(System& system, const State& guess);
 
+/// How contacts are solved: by Newton's method where it does it, or by walking at once, as where Newton's
+/// method has ended far away on a singular matrix.
+struct ContactSettings {
+  int max_iterations = 15;
+  bool tries_newton = true;
+};
+
 /// Contact and friction solved exactly on the points that are not held as in the intact structure, with
 /// Newton's method for what cracks around it, also under frozen damage, iterated multipliers and controls
 /// that look at every point; after `prepare_contacts`. Nothing with initial stress, where no joint is in
 /// contact, where more than `most_contact_points` points would take part, and where there is no equilibrium.
 std::optional<Reduced> solve_contacts(System& system, const Control& control, double s, const State& guess,
-                                      int max_iterations);
+                                      const ContactSettings& settings);
 inline constexpr std::size_t most_contact_points = 1500;
 /// Points that are not held at a state as in the intact structure.
 std::size_t num_changed(System& system, const State& at);

@@ -34,6 +34,15 @@ Attempt loca_step(System& system, const State& start, Control& control, double s
   return trilinos().controlled_step(system, start, control, step, guess, parameters);
 }
 
+/// Why a state does not end a step; "" when it does.
+std::string missed(System& system, const Control& control, double step, const State& at, double tolerance) {
+  const auto laws = system.laws_at(at.d, at.load_factor);
+  const double miss = control.residual({at.d, at.load_factor, *laws}, step);
+  const double residual = system.excess_residual(at);
+  if (std::abs(miss) <= control_tolerance && residual <= tolerance) return {};
+  return fmt::format("contact and friction were met to {:.1e} only", residual);
+}
+
 /// Contact and friction solved exactly; iterated multipliers carried over until no gap is left.
 Attempt contact_step(System& system, const Control& control, double step, const State& guess,
                      const StepperParameters& parameters) {
@@ -41,19 +50,22 @@ Attempt contact_step(System& system, const Control& control, double step, const 
   if (!system.has_contacts()) return out;
   if (parameters.multipliers.predicted) system.set_multipliers(guess.multipliers);
   prepare_contacts(system, guess);
+  ContactSettings settings{.max_iterations = parameters.newton.max_iterations};
   for (; out.multiplier_iterations <= parameters.multipliers.max_iterations; ++out.multiplier_iterations) {
-    const auto found = solve_contacts(system, control, step, out.state, parameters.newton.max_iterations);
-    if (!found) return out;
+    auto found = solve_contacts(system, control, step, out.state, settings);
+    if (found) out.reason = missed(system, control, step, found->state, parameters.newton.tolerance);
+    if (settings.tries_newton && (!found || !out.reason.empty())) {
+      settings.tries_newton = false;
+      found = solve_contacts(system, control, step, out.state, settings);
+      if (found) out.reason = missed(system, control, step, found->state, parameters.newton.tolerance);
+      settings.tries_newton = true;
+    }
+    if (!found || !out.reason.empty()) return out;
     out.state = found->state;
     out.reduced_iterations += found->iterations;
-    const auto laws = system.laws_at(out.state.d, out.state.load_factor);
-    const double miss = control.residual({out.state.d, out.state.load_factor, *laws}, step);
     out.residual = system.excess_residual(out.state);
-    if (!(std::abs(miss) <= control_tolerance) || !(out.residual <= parameters.newton.tolerance)) {
-      out.reason = fmt::format("contact and friction were met to {:.1e} only", out.residual);
-      return out;
-    }
     out.state.multipliers = system.multipliers();
+    const auto laws = system.laws_at(out.state.d, out.state.load_factor);
     if (system.iterates_multipliers()) out.gap = system.relative_gap(*laws);
     out.converged = out.gap <= parameters.multipliers.tolerance;
     if (out.converged) return out;
