@@ -55,6 +55,7 @@ Ending follow(Simulation& simulation, RunRecorder& recorder, bool quiet) {
   path.interrupt_when(interrupted);
   for (const Point& point : path) {
     recorder.record(point);
+    if (const std::string warning = recorder.take_warning(); !warning.empty()) progress.note(warning);
     progress.show(recorder.progress());
   }
   progress.finish();
