@@ -60,8 +60,6 @@ std::string Path::goal_of_path() const {
       load_of(walker_.state()) <= target)
     return fmt::format("load below {:g} % of its peak", 100 * stop.load_below);
   if (has_ruptured()) return "complete rupture";
-  if (stop.after_steps > 0 && walker_.effort().accepted >= stop.after_steps)
-    return fmt::format("{} steps", walker_.effort().accepted);
   return {};
 }
 
@@ -84,12 +82,15 @@ void Path::settle() {
     const auto& until = leg().until;
     const auto goal =
         std::ranges::find_if(until, [&](const Landing& landing) { return !reached(landing).empty(); });
-    if (goal == until.end()) return;
+    if (goal == until.end()) break;
     if (is_last_leg())
       end(Ending::Kind::goal_reached, reached(*goal));
     else
       begin_next_leg();
   }
+  const int wanted = parameters_.stop.after_steps;
+  if (ending_.kind == Ending::Kind::running && wanted > 0 && walker_.effort().accepted >= wanted)
+    end(Ending::Kind::goal_reached, fmt::format("{} steps", walker_.effort().accepted));
 }
 
 /// Ends the path where nothing changes any more.

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <functional>
 
 #include "studies/simulation.hpp"
 #include "verification/chain.hpp"
