@@ -15,9 +15,9 @@ namespace {
 using testing::StartsWith;
 
 /// A deck on its path, and the same after a restart.
-class Run {
+class Followed {
  public:
-  explicit Run(const std::string& deck) : file_(deck_from_text(deck, "ends.yaml", {})) {
+  explicit Followed(const std::string& deck) : file_(deck_from_text(deck, "ends.yaml", {})) {
     simulation_.prepare();
     if (const std::string why = simulation_.apply_dead_loads(); !why.empty()) throw std::runtime_error(why);
     simulation_.walker().effort().accepted = 0;
@@ -63,14 +63,14 @@ std::string brittle(const std::string& path) {
 /// One way in which a path ends: what its reason begins with, and what is true of its last row.
 struct Way {
   std::string name, deck, reason;
-  std::function<bool(Run&)> is_true;
+  std::function<bool(Followed&)> is_true;
 };
 void PrintTo(const Way& way, std::ostream* out) { *out << way.name; }
 
 class PathEnds : public testing::TestWithParam<Way> {};
 
 TEST_P(PathEnds, WhereTheReasonIsTrue) {
-  Run run(GetParam().deck);
+  Followed run(GetParam().deck);
   EXPECT_GT(run.follow(), 0);
   EXPECT_EQ(run.ending().kind, Ending::Kind::goal_reached) << run.ending().reason;
   EXPECT_THAT(run.ending().reason, StartsWith(GetParam().reason));
@@ -79,7 +79,7 @@ TEST_P(PathEnds, WhereTheReasonIsTrue) {
 
 /// A kill between the last restart file and the summary: the goal must be seen before the first step.
 TEST_P(PathEnds, ForGoodAlsoAfterARestart) {
-  Run run(GetParam().deck);
+  Followed run(GetParam().deck);
   run.follow();
   const std::string reason = run.ending().reason;
   const int accepted = run.simulation().walker().effort().accepted;
@@ -92,13 +92,13 @@ TEST_P(PathEnds, ForGoodAlsoAfterARestart) {
 
 std::vector<Way> ways() {
   const auto stands_at = [](const std::string& gauge, double value) {
-    return [=](Run& run) { return std::abs(run.gauge(gauge) / value - 1) <= 1.001e-7; };
+    return [=](Followed& run) { return std::abs(run.gauge(gauge) / value - 1) <= 1.001e-7; };
   };
   const auto has_come_to = [](const std::string& gauge, double value) {
-    return [=](Run& run) { return run.gauge(gauge) >= value * (1 - 1.001e-7); };
+    return [=](Followed& run) { return run.gauge(gauge) >= value * (1 - 1.001e-7); };
   };
   const auto load_at_most = [](double value) {
-    return [=](Run& run) { return run.simulation().walker().here().state.load_factor <= value; };
+    return [=](Followed& run) { return run.simulation().walker().here().state.load_factor <= value; };
   };
   return {
       {"landing", softening("{stop: {load_below: 0, gauges: {elongation: 0.04}}}"), "elongation reached 0.04",
@@ -123,7 +123,7 @@ std::vector<Way> ways() {
       {"displacement", softening("{control: {type: displacement, gauge: tip}, stop: {gauges: {tip: 0.03}}}"),
        "tip reached 0.03", stands_at("tip", 0.03)},
       {"steps", softening("{stop: {after_steps: 4}}"), "4 steps",
-       [](Run& run) { return run.simulation().walker().effort().accepted == 4; }},
+       [](Followed& run) { return run.simulation().walker().effort().accepted == 4; }},
   };
 }
 
@@ -131,9 +131,9 @@ INSTANTIATE_TEST_SUITE_P(Ways, PathEnds, testing::ValuesIn(ways()));
 
 /// Rounding may leave the last step a hair above its target.
 TEST(PathEnd, AHairAboveTheTargetIsReached) {
-  Run run(softening("{stop: {load_below: 0.4}}"));
+  Followed run(softening("{stop: {load_below: 0.4}}"));
   run.follow();
-  Run other(softening("{stop: {load_below: 0.39999999999}}"));
+  Followed other(softening("{stop: {load_below: 0.39999999999}}"));
   other.simulation().walker().restore(run.simulation().walker().here(), run.simulation().system().history(),
                                       run.simulation().walker().effort(),
                                       run.simulation().walker().leaving());
@@ -144,13 +144,13 @@ TEST(PathEnd, AHairAboveTheTargetIsReached) {
 
 /// A goal beyond which a path stands although it came from the other side is not reached.
 TEST(PathEnd, GoalsHaveADirection) {
-  Run run(softening("{stop: {load_below: 0, gauges: {elongation: 0.04, tip: -1}}}"));
+  Followed run(softening("{stop: {load_below: 0, gauges: {elongation: 0.04, tip: -1}}}"));
   run.follow();
   EXPECT_THAT(run.ending().reason, StartsWith("elongation reached"));
 }
 
 TEST(PathEnd, ALimitOfStepsIsNoGoal) {
-  Run run(softening("{stop: {steps: 4}}"));
+  Followed run(softening("{stop: {steps: 4}}"));
   EXPECT_EQ(run.follow(), 4);
   EXPECT_EQ(run.ending().kind, Ending::Kind::stopped_early);
   EXPECT_THAT(run.ending().reason, testing::HasSubstr("path.stop.steps"));
