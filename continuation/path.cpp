@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "continuation/acceptance.hpp"
 #include "continuation/energy.hpp"
 
 namespace dda {
@@ -30,9 +31,15 @@ Path::Path(Walker& walker, const PathParameters& parameters, const GaugeBook& ga
       load_(find_load(parameters.load_gauge, gauges, walker.system().loading().load, parameters.where)),
       displacement_(displacement_of_load(walker.system().loading())),
       landings_(std::move(landings)),
-      legs_(std::move(legs)) {
+      legs_(std::move(legs)),
+      travelling_(gauges.gauges),
+      size_(size_of(walker.system().equilibrium())),
+      standstill_(walker.system().equilibrium().block_size(), size_) {
+  if (std::ranges::find(travelling_, "load", &NamedGauge::name) == travelling_.end())
+    travelling_.push_back({"load", walker.system().loading().load, dimension::force});
   for (const auto& law : walker.system().equilibrium().interfaces().laws)
     releases_at_once_ = releases_at_once_ || law->releases_at_once();
+  set_out();
 }
 
 PathMemory Path::memory() const {
@@ -42,7 +49,9 @@ PathMemory Path::memory() const {
 }
 
 void Path::restore(const PathMemory& memory) {
+  auto here = std::move(memory_.travels);
   memory_ = memory;
+  memory_.travels.merge(here);  // gauges that the deck did not have before
   driver_->restore(memory.driver);
 }
 
@@ -57,30 +66,28 @@ double Path::displacement_of(const State& state) const {
 double Path::displacement_rate(const Tangent& tangent) const { return tangent.rate(displacement_); }
 
 std::optional<Point> Path::end(Ending::Kind kind, std::string reason) {
+  if (kind == Ending::Kind::stopped_early && !unsound_.empty()) return end_of_sound(std::move(reason));
   ending_ = {kind, std::move(reason)};
   return {};
 }
 
 std::optional<Point> Path::next() {
+  settle();
   if (ending_.kind != Ending::Kind::running) return {};
   if (interrupted_ && interrupted_()) return end(Ending::Kind::interrupted, "interrupted");
-  if (at_end()) return {};
-  return take_step();
-}
-
-bool Path::at_end() {
-  if (walker_.effort().accepted >= parameters_.stop.steps) {
-    end(Ending::Kind::goal_reached, fmt::format("{} steps", parameters_.stop.steps));
-    return true;
-  }
-  constexpr double nothing = 1e-6;
-  const bool at_leg_start = memory_.leg > 0 && walker_.effort().accepted == memory_.leg_start;
-  if (!leg().unloads && !at_leg_start && memory_.peak_load > 0 &&
-      std::abs(load_of(walker_.state())) <= nothing * memory_.peak_load && walker_.here().dissipated > 0) {
-    end(Ending::Kind::goal_reached, "complete rupture");
-    return true;
-  }
-  return false;
+  if (walker_.effort().accepted >= parameters_.stop.steps)
+    return end(Ending::Kind::stopped_early,
+               fmt::format("the limit of {} steps is reached; `path.stop.steps` raises it, "
+                           "`path.stop.after_steps` makes a number of steps the goal",
+                           parameters_.stop.steps));
+  unsound_.clear();
+  auto point = take_step();
+  unsound_.clear();
+  if (!point) return {};
+  note_travel();
+  settle();
+  look_for_standstill(*point);
+  return point;
 }
 
 Point Path::keep(Candidate candidate, const std::string& control) {
@@ -97,6 +104,8 @@ Point Path::keep(Candidate candidate, const std::string& control) {
     out.is_highest = true;
   }
   memory_.unaccounted += unaccounted(candidate);
+  memory_.imbalance += missing_work(candidate);
+  memory_.largest_force = std::max(memory_.largest_force, holding_of(walker_.system(), candidate.state).load);
   memory_.largest_displacement =
       std::max(memory_.largest_displacement, std::abs(displacement_of(candidate.state)));
   if (const double quantum = candidate.dissipated - walker_.here().dissipated; quantum > 0)

@@ -2,12 +2,14 @@
 
 #include <functional>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "continuation/path_parameters.hpp"
 #include "continuation/release.hpp"
+#include "continuation/standstill.hpp"
 #include "continuation/walker.hpp"
 
 namespace dda {
@@ -21,11 +23,20 @@ struct Landing {
   bool only_falling = false;  ///< counts only when passed downwards
 };
 
+/// Share of a value, or of the way to it, by which a gauge may be off and is taken to stand on it.
+inline constexpr double same_value = 1e-7;
+
 /// A part of the path under the loads of its last stage: followed by the control, or unloaded.
 struct Leg {
   std::string name;
   bool unloads = false;        ///< leaves the damage surfaces and goes straight to `until`
   std::vector<Landing> until;  ///< the next leg begins at the first of them
+};
+
+/// How far a gauge has come since the leg began.
+struct Travel {
+  double from = 0;      ///< its value then
+  double farthest = 0;  ///< the value farthest from it so far
 };
 
 /// An accepted point of the path.
@@ -62,14 +73,18 @@ struct PathMemory {
   std::string step_control;  ///< the control that size belongs to
   double largest_displacement = 0;
   double jump_energy = 0;
-  double last_quantum = 0;  ///< energy dissipated by the last good step
-  double unaccounted = 0;   ///< Σ |work − storage − dissipation| of the single steps [FL]
-  double driver = 0;        ///< what the driver remembers
-  int leg = 0;              ///< which leg is being followed
-  int leg_start = 0;        ///< accepted steps before it
-  int surplus = 0;          ///< negative eigenvalues with which a branch may be left (Candidate::surplus)
-  bool has_slid = false;      ///< a contact has changed since the start
-  bool is_mechanism = false;  ///< the load has stayed while the structure moved
+  double last_quantum = 0;   ///< energy dissipated by the last good step
+  double unaccounted = 0;    ///< Σ |work − storage − dissipation| of the single steps [FL]
+  double driver = 0;         ///< what the driver remembers
+  int leg = 0;               ///< which leg is being followed
+  int leg_start = 0;         ///< accepted steps before it
+  int surplus = 0;           ///< negative eigenvalues with which a branch may be left (Candidate::surplus)
+  double leg_peak = 0;       ///< largest load since the leg began
+  double largest_force = 0;  ///< Σ |force| of loads and driven springs, largest so far [F]
+  double imbalance = 0;      ///< work − storage − dissipation, jumps left out [FL]
+  std::map<std::string, Travel> travels;  ///< of all gauges, and of the load as `load`
+  bool has_slid = false;                  ///< a contact has changed since the start
+  bool is_mechanism = false;              ///< the load has stayed while the structure moved
 };
 
 /// The equilibrium path of the last stage as a range: `for (const Point& p : path)`.
@@ -99,6 +114,8 @@ class Path {
   }
   /// The load gauge of the path.
   const Functional& load_gauge() const { return load_; }
+  /// How much of its way the gauge has gone that is nearest to a value which ends the path; 0 without any.
+  double share_of_goals() const;
   /// Stability of the equilibrium at which the walker stands.
   void judge(Point& point) const;
 
@@ -154,19 +171,24 @@ class Path {
   Attempt attempt(const Move& move, double amount);
   std::string objection(const Candidate& candidate) const;
   double unaccounted(const Candidate& candidate) const;
+  double missing_work(const Candidate& candidate) const;
+  std::string unsoundness(const Candidate& candidate) const;
+  std::string energy_objection(const Candidate& candidate) const;
+  std::optional<Point> end_of_sound(std::string reason);
   bool is_coarse(const Candidate& candidate) const;
 
   // Refinements of a converged step.
   std::optional<double> before_peak(const Candidate& candidate) const;
+  std::optional<double> before_hidden_turn(const Candidate& candidate, double amount) const;
   struct Crossing {
     Landing landing;
     double share;
   };
+  std::optional<Point> release_up_to(const Crossing& crossing, const Functional* held, double most);
   std::optional<Crossing> first_crossing(const Candidate& candidate) const;
   std::optional<Point> land(const Candidate& beyond, const Crossing& crossing, const std::string& control);
   std::optional<Point> land_on_strength(const Candidate& beyond, const std::string& control);
   double share_to_strength(const Candidate& candidate) const;
-  void end_at(const Landing& landing);
   std::optional<Point> rupture();
   std::string turning_point();
   bool is_mechanism(const State& state) const;
@@ -182,7 +204,14 @@ class Path {
   void resize(const Candidate& candidate, double amount, const Move& move);
   Point keep(Candidate candidate, const std::string& control);
   std::vector<Landing> present_landings() const;
-  bool at_end();
+  void settle();
+  std::string goal_of_path() const;
+  std::string reached(const Landing& goal) const;
+  bool has_ruptured() const;
+  void set_out();
+  void note_travel();
+  void look_for_standstill(const Point& point);
+  void report_passed(const State& from, const State& to) const;
   const Leg& leg() const { return legs_[static_cast<std::size_t>(memory_.leg)]; }
   bool is_last_leg() const { return static_cast<std::size_t>(memory_.leg) + 1 == legs_.size(); }
   void begin_next_leg();
@@ -201,7 +230,11 @@ class Path {
   Functional displacement_;  ///< on which the load works
   std::vector<Landing> landings_;
   std::vector<Leg> legs_;
-  bool releases_at_once_ = false;  ///< some law does
+  std::vector<NamedGauge> travelling_;  ///< whose travel is remembered
+  bool releases_at_once_ = false;       ///< some law does
+  double size_ = 0;                     ///< of the structure [L]
+  Standstill standstill_;
+  mutable std::string unsound_;  ///< what the last candidate of this step was refused for, beside equilibrium
   PathMemory memory_;
   Ending ending_;
   std::function<bool()> interrupted_;

@@ -79,7 +79,11 @@ std::optional<Point> Path::jump_to(Candidate beyond, const std::string& control)
     report("rejected", control + ": the jump would create energy");
     return {};
   }
-  const auto crossing = first_crossing(beyond);
+  if (const std::string why = unsoundness(beyond); !why.empty()) {
+    report("rejected", fmt::format("{}: {}", control, why));
+    return {};
+  }
+  report_passed(walker_.state(), beyond.state);
   const double released = walker_.jump(std::move(beyond));
   memory_.jump_energy += released;
   memory_.step = 0;
@@ -87,7 +91,6 @@ std::optional<Point> Path::jump_to(Candidate beyond, const std::string& control)
   --walker_.effort().accepted;
   Point point = keep(std::move(here), control);
   point.jump_energy = released;
-  if (crossing) end_at(crossing->landing);
   return point;
 }
 
@@ -124,9 +127,25 @@ std::optional<Point> Path::release_holding(const Functional* held) {
                  work = std::abs(beyond.work - here.work);
     const bool is_straight = unaccounted(beyond) <= of_spent * spent + of_work * work;
     if (!is_straight && most * cut > nearest) continue;
+    if (const auto crossing = first_crossing(beyond))
+      if (auto point = release_up_to(*crossing, held, most)) return point;
     if (auto point = jump_to(std::move(beyond), "release")) return point;
   }
   return {};
+}
+
+/// A release only as far as a straight one takes a gauge to a wanted value.
+std::optional<Point> Path::release_up_to(const Crossing& crossing, const Functional* held, double most) {
+  const Landing& landing = crossing.landing;
+  const double share = crossing.share * most;
+  const auto found = release_piece(walker_.system(), walker_.state(), parameters_, held, share);
+  if (!found) return {};
+  const State& at = found->end.state;
+  const double off = std::abs(landing.gauge.value(at.d, at.load_factor) - landing.value);
+  if (off > same_value * std::abs(landing.value - walker_.value(landing.gauge))) return {};
+  auto point = jump_to(walker_.settled(found->end), "release");
+  if (point) point->landed.push_back(fmt::format("{}={:g}", landing.name, landing.value));
+  return point;
 }
 
 /// What a test finds that prescribes the displacement on which the load works: the pending points lose their

@@ -12,6 +12,7 @@ void Path::begin_next_leg() {
   memory_.leg_start = walker_.effort().accepted;
   memory_.step = 0;
   walker_.unload();
+  set_out();
   report("leg", leg().name);
 }
 
@@ -37,10 +38,7 @@ std::optional<Point> Path::unload_step() {
     const auto candidate = try_step(move, amount, why);
     if (!candidate) continue;
     Point point = keep(*candidate, move.control);
-    if (arrives) {
-      point.landed.push_back(fmt::format("{}={:g}", goal.name, goal.value));
-      end_at(goal);
-    }
+    if (arrives) point.landed.push_back(fmt::format("{}={:g}", goal.name, goal.value));
     return point;
   }
   return end(Ending::Kind::stopped_early, "unloading found no next equilibrium: " + why);

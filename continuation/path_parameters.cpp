@@ -29,8 +29,21 @@ Schema<StopRules> stop_schema() {
                "End where the load has fallen to this share of its peak; 0 = follow to complete rupture."})
       .map("gauges", &P::gauges, number_kind({}, {}),
            {.fallback = {{}}, .text = "End where a gauge reaches a value, by name."})
+      .integer(
+          "after_steps", &P::after_steps,
+          {.fallback = 0,
+           .bounds = at_least(0),
+           .text = "End, the goal being reached, after this number of accepted steps; 0 = no such goal."})
       .integer("steps", &P::steps,
-               {.fallback = 1000, .bounds = at_least(1), .text = "End after this number of accepted steps."});
+               {.fallback = 1000,
+                .bounds = at_least(1),
+                .text = "Limit: a run that has accepted so many steps and not reached its goal is stopped "
+                        "early."})
+      .number("energy_error", &P::energy_error,
+              {.fallback = 0.05,
+               .bounds = above(0),
+               .text = "Limit: no step is accepted that leaves a larger share of the work done so far "
+                       "unaccounted for by stored and dissipated energy and the jumps."});
 }
 
 Schema<NewtonParameters> newton_schema() {

@@ -19,7 +19,9 @@ struct StepSizes {
 struct StopRules {
   double load_below = 0;
   std::map<std::string, double> gauges;
-  int steps = 1000;
+  int after_steps = 0;  ///< a goal; 0: none
+  int steps = 1000;     ///< a limit
+  double energy_error = 0.05;
 };
 
 /// What the path does where it may branch.

@@ -52,8 +52,7 @@ std::optional<Path::Crossing> Path::first_crossing(const Candidate& candidate) c
   for (const Landing& landing : present_landings()) {
     const double from = walker_.value(landing.gauge);
     const double to = landing.gauge.value(candidate.state.d, candidate.state.load_factor);
-    constexpr double on_it = 1e-7;
-    if (std::abs(from - landing.value) <= on_it * std::max(std::abs(landing.value), std::abs(to - from)))
+    if (std::abs(from - landing.value) <= same_value * std::max(std::abs(landing.value), std::abs(to - from)))
       continue;
     if ((from - landing.value) * (to - landing.value) > 0) continue;
     if (landing.only_falling && std::abs(to) > std::abs(from)) continue;
@@ -79,17 +78,7 @@ std::optional<Point> Path::land(const Candidate& beyond, const Crossing& crossin
   }
   Point point = keep(std::move(candidate), control);
   point.landed.push_back(fmt::format("{}={:g}", landing.name, landing.value));
-  end_at(landing);
   return point;
-}
-
-/// Ends the leg, and with the last one the path, when that is what the landing is for.
-void Path::end_at(const Landing& landing) {
-  if (!landing.ends_leg) return;
-  if (!is_last_leg()) return begin_next_leg();
-  end(Ending::Kind::goal_reached,
-      landing.only_falling ? fmt::format("load below {:g} % of its peak", 100 * parameters_.stop.load_below)
-                           : fmt::format("{} reached {:g}", landing.name, landing.value));
 }
 
 /// Share of a step at which a point that loses its strength at once reaches it; 1 when none does.
@@ -137,7 +126,6 @@ std::optional<Point> Path::rupture() {
     if (auto point = land(candidate, *crossing, "load")) return point;
   Point point = keep(std::move(candidate), "load");
   point.landed.push_back("complete rupture");
-  end(Ending::Kind::goal_reached, "complete rupture");
   return point;
 }
 

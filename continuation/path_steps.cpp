@@ -18,6 +18,8 @@ constexpr double cut = 0.25;
 constexpr double smallest_share = 1e-4;
 /// How many times one step is shortened for the peak or a landing.
 constexpr int most_refinements = 20;
+/// And for what it may hide between its ends.
+constexpr int most_looks = 7;
 
 }  // namespace
 
@@ -80,6 +82,8 @@ std::optional<Point> Path::approach(double amount) {
   for (double share = 0.5; share > smallest_share; share *= 0.5) {
     const auto candidate = try_step(move, share * amount, why);
     if (!candidate || is_mechanism(candidate->state) || (share > resolved && is_coarse(*candidate))) continue;
+    if (const auto crossing = first_crossing(*candidate))
+      if (auto point = land(*candidate, *crossing, move.control)) return point;
     return keep(*candidate, move.control);
   }
   return {};
@@ -130,7 +134,8 @@ std::optional<Point> Path::controlled_step(const Move& move) {
   const double smallest = smallest_share * amount, natural = std::max(amount, bounded(first_amount()));
   constexpr double few_cuts = 0.1;  // new cracks are many: only where cutting the step has not helped
   std::string why;
-  for (int refinements = 0; amount > smallest;) {
+  double looked_at = 0;
+  for (int refinements = 0, looks = 0; amount > smallest;) {
     const auto candidate = try_step(move, amount, why);
     if (!candidate) {
       if (load_of(walker_.ahead(amount / cut)) <= 0)
@@ -142,6 +147,13 @@ std::optional<Point> Path::controlled_step(const Move& move) {
     if (const auto share = before_peak(*candidate); share && refinements++ < most_refinements) {
       report("refined", "the step crosses the limit point");
       ++walker_.effort().rejected;
+      amount *= *share;
+      continue;
+    }
+    if (const auto share = before_hidden_turn(*candidate, amount); share && looks++ < most_looks) {
+      report("refined", "the step may hide a peak between its ends");
+      ++walker_.effort().rejected;
+      looked_at = std::max(looked_at, amount);
       amount *= *share;
       continue;
     }
@@ -168,6 +180,7 @@ std::optional<Point> Path::controlled_step(const Move& move) {
       continue;
     }
     resize(*candidate, amount, move);
+    memory_.step = std::max(memory_.step, looked_at);  // what was hidden is behind
     return keep(*candidate, move.control);
   }
   if (auto point = rupture()) return point;
@@ -243,11 +256,7 @@ Attempt Path::attempt(const Move& move, double amount) {
 }
 
 /// Work of the step that neither storage nor dissipation explains: quadrature error, or a jump [FL].
-double Path::unaccounted(const Candidate& candidate) const {
-  const Candidate& here = walker_.here();
-  return std::abs((candidate.work - here.work) - (candidate.stored - here.stored) -
-                  (candidate.dissipated - here.dissipated));
-}
+double Path::unaccounted(const Candidate& candidate) const { return std::abs(missing_work(candidate)); }
 
 /// Whether the quadrature of the work misses a kink within the step: the energy balance of a run is the sum
 /// of these.
@@ -262,6 +271,8 @@ bool Path::is_coarse(const Candidate& candidate) const {
 
 /// Why a converged state is not the next point of this path; "" when it is.
 std::string Path::objection(const Candidate& candidate) const {
+  if (std::string why = unsoundness(candidate); !why.empty()) return why;
+  if (std::string why = energy_objection(candidate); !why.empty()) return why;
   const Candidate& here = walker_.here();
   const double dissipated = candidate.dissipated - here.dissipated, work = candidate.work - here.work;
   const double missing = unaccounted(candidate);

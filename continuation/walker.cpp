@@ -51,7 +51,9 @@ void Walker::fill_energies(Candidate& candidate) {
   const auto scope = system_.timings().measure("energies");
   const State& at = candidate.state;
   candidate.dissipated = system_.dissipated(candidate.history);
-  candidate.stored = system_.stored(at, *system_.laws_at(at.d, at.load_factor));
+  const auto laws = system_.laws_at(at.d, at.load_factor);
+  candidate.stored = system_.stored(at, *laws);
+  candidate.excess = strength_excess(system_, candidate.history, *laws);
   candidate.load = system_.loading().load.value(at.d, at.load_factor);
 }
 

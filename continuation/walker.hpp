@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "continuation/acceptance.hpp"
 #include "continuation/energy.hpp"
 #include "continuation/stepper.hpp"
 #include "continuation/tangent.hpp"
@@ -36,6 +37,7 @@ struct Candidate {
   double residual = 0;  ///< relative to the force level
   int multiplier_iterations = 0;
   double gap = 0;                        ///< relative, of iterated multipliers
+  Excess excess = {};                    ///< over the strength of points that lose it at once
   std::optional<int> num_negative = {};  ///< eigenvalues of K below zero, every point on its surface loading
 
   /// Those that are left where the load factor yields so that the path can go on: 0 on a path without

@@ -123,10 +123,28 @@ std::vector<FirstCrack> take_cracks(const RestartData& data) {
 }
 
 void put(RestartData& data, const PathMemory& m) {
-  data.numbers["path"] = {m.peak_load,   m.step,  m.largest_displacement, m.jump_energy, m.last_quantum,
-                          m.unaccounted, m.driver};
+  data.numbers["path"] = {
+      m.peak_load, m.step,     m.largest_displacement, m.jump_energy, m.last_quantum, m.unaccounted,
+      m.driver,    m.leg_peak, m.largest_force,        m.imbalance};
   data.integers["path.counts"] = {m.direction, m.leg, m.leg_start, m.surplus, m.has_slid, m.is_mechanism};
   data.texts["path.step_control"] = {m.step_control};
+  auto& names = data.texts["path.travels"] = {};
+  Numbers& travels = data.numbers["path.travels"] = {};
+  for (const auto& [name, travel] : m.travels) {
+    names.push_back(name);
+    travels.insert(travels.end(), {travel.from, travel.farthest});
+  }
+}
+
+std::map<std::string, Travel> take_travels(const RestartData& data) {
+  std::map<std::string, Travel> out;
+  const Numbers& n = data.numbers.at("path.travels");
+  std::size_t at = 0;
+  for (const std::string& name : data.texts.at("path.travels")) {
+    out[name] = {n.at(at), n.at(at + 1)};
+    at += 2;
+  }
+  return out;
 }
 
 PathMemory take_path(const RestartData& data) {
@@ -143,6 +161,10 @@ PathMemory take_path(const RestartData& data) {
           .leg = static_cast<int>(data.integers.at("path.counts").at(1)),
           .leg_start = static_cast<int>(data.integers.at("path.counts").at(2)),
           .surplus = static_cast<int>(data.integers.at("path.counts").at(3)),
+          .leg_peak = n.at(7),
+          .largest_force = n.at(8),
+          .imbalance = n.at(9),
+          .travels = take_travels(data),
           .has_slid = data.integers.at("path.counts").at(4) != 0,
           .is_mechanism = data.integers.at("path.counts").at(5) != 0};
 }

@@ -66,6 +66,7 @@ Ending follow(Simulation& simulation, RunRecorder& recorder, bool quiet) {
   for (const Point& point : path) {
     if (!is_finite(simulation.walker().here())) return {Ending::Kind::stopped_early, out_of_range};
     recorder.record(point);
+    if (const std::string warning = recorder.take_warning(); !warning.empty()) progress.note(warning);
     progress.show(recorder.progress());
   }
   progress.finish();

@@ -1,5 +1,7 @@
 #include "studies/run_recorder.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -149,6 +151,7 @@ void RunRecorder::record(const Point& point) {
   append_row(now, point);
   keep_peak(point, now);
   log_step(point, now);
+  look_for_crawling();
   trace_.push_back(trace_point(simulation_.walker(), measures_));
   if (!is_due(point)) return;
   store_here();
@@ -157,6 +160,23 @@ void RunRecorder::record(const Point& point) {
 
 Flush RunRecorder::durability() const {
   return timings_.total() < bearable_loss ? Flush::to_system : Flush::to_disk;
+}
+
+/// Warns of a run that comes hardly nearer to its goal.
+void RunRecorder::look_for_crawling() {
+  constexpr int often = 100;
+  constexpr double hardly = 0.01;
+  if (last_.step % often != 0) return;
+  const double goal = progress().goal;
+  if (last_.step > often && goal - goal_before_ < hardly) {
+    warning_ = fmt::format(
+        "crawling: the last {} steps up to step {} brought the goal {:.1f} % nearer, {:.0f} % of the way are "
+        "done; `path.stop.steps` ({}) ends it, a larger `path.step.accuracy` takes larger steps",
+        often, last_.step, 100 * std::max(0.0, goal - goal_before_), 100 * goal,
+        simulation_.deck().path.stop.steps);
+    log_.warning("crawling", {{"step", last_.step}, {"text", warning_}});
+  }
+  goal_before_ = goal;
 }
 
 /// The state of the highest load is held back until the load falls, so that only the peak itself is stored.
@@ -251,10 +271,11 @@ ProgressPoint RunRecorder::progress() const {
                     .step_size = simulation_.path().memory().step};
   for (std::size_t i = 0; i < measures_.num_gauges(); ++i)
     out.gauges.emplace_back(measures_.names()[i].name, last_.values[i]);
+  double goal = stop.after_steps > 0 ? static_cast<double>(last_.step) / stop.after_steps : 0;
   const double peak = std::abs(memory_.peak.load), now = std::abs(last_.load);
-  double goal = static_cast<double>(last_.step) / stop.steps;
   if (peak > 0 && walker.here().dissipated > 0)
     goal = std::max(goal, (peak - now) / (peak * (1 - stop.load_below)));
+  goal = std::max(goal, simulation_.path().share_of_goals());
   out.goal = std::clamp(goal, 0.0, 1.0);
   return out;
 }

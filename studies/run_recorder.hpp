@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "framework/output/log.hpp"
 #include "framework/output/progress.hpp"
@@ -35,6 +36,8 @@ class RunRecorder {
   const std::vector<TracePoint>& trace() const { return trace_; }
   /// What the progress line shows of the last step.
   ProgressPoint progress() const;
+  /// What the user is to be told besides, once; "" if nothing.
+  std::string take_warning() { return std::exchange(warning_, {}); }
 
  private:
   void start();
@@ -45,6 +48,7 @@ class RunRecorder {
   void write_stiffness() const;
   Flush durability() const;
   void log_step(const Point& point, const Measurement& now);
+  void look_for_crawling();
   std::vector<Column> columns() const;
   void append_row(const Measurement& now, const Point& point);
   bool is_due(const Point& point) const;
@@ -69,6 +73,8 @@ class RunRecorder {
   double restart_written_ = -1e9;  ///< when [s]
   Measurement last_;
   std::vector<TracePoint> trace_;
+  double goal_before_ = 0;  ///< share of the way when it was last looked at
+  std::string warning_;
 };
 
 }  // namespace dda

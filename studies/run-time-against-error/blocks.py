@@ -39,7 +39,7 @@ def voronoi(program, outline, size, seed=1):
         "materials": {"concrete": {"type": "linear_elastic", "young_modulus": 1, "poisson_ratio": 0}},
         "supports": {"pin": {"at": [x0, y0], "fix": "xy"}, "roller": {"at": [x1, y0], "fix": "y"}},
         "stages": [{"loads": [{"type": "point_load", "at": [x1, y1], "force": [1, 0]}]}],
-        "path": {"control": "load", "stop": {"steps": 1}},
+        "path": {"control": "load", "stop": {"after_steps": 1}},
     }
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "cells.json"

@@ -86,7 +86,7 @@ def deck(scene, treatment):
         "interfaces": {"bulk": {"between": ["concrete", "concrete"], "treatment": treatment}},
         "supports": {"axis": {"at": [0, 0], "fix": "xy"}},
         "stages": [{"loads": loads(scene["ends"])}],
-        "path": {"control": "load", "stop": {"steps": 1}},
+        "path": {"control": "load", "stop": {"after_steps": 1}},
     }
 
 

@@ -70,7 +70,7 @@ def iterations(program, runs):
         found = {"low_rank": [], "refactorise": []}
         for _ in range(runs):
             for update, seconds in found.items():
-                _, summary = program.run(deck, f"path.update={update}", "path.stop.steps=25")
+                _, summary = program.run(deck, f"path.update={update}", "path.stop.after_steps=25")
                 seconds.append(seconds_per_iteration(summary))
         cheap, dear = (statistics.median(seconds) for seconds in found.values())
         yield (f"an iteration, {summary['blocks']} blocks: {1000 * cheap:.2f} ms against {1000 * dear:.1f} ms with a new "

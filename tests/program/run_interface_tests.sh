@@ -38,8 +38,8 @@ energies() {
   holds "the crack starts at the notch" \
     'abs(s["interfaces"]["any"]["first_crack"]["at"][0] - 150) < 12 and abs(s["interfaces"]["any"]["first_crack"]["at"][1] - 30) < 12' plain
   holds "and is widest there" 's["interfaces"]["any"]["widest"]["at"][1] < 60 and s["interfaces"]["any"]["widest"]["opening"] > 0.03' plain
-  run first --set path.stop.steps=9
-  "$program" resume first --quiet --set path.stop.steps=1000 >said.log 2>&1 || complain "resume: $(tail -n 3 said.log)"
+  run first --set path.stop.after_steps=9
+  "$program" resume first --quiet --set path.stop.after_steps=0 >said.log 2>&1 || complain "resume: $(tail -n 3 said.log)"
   holds "a resumed run remembers its first crack" 'a["interfaces"] == b["interfaces"]' plain first
 }
 

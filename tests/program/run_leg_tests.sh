@@ -31,8 +31,8 @@ whole_run() {
 
 resume_anywhere() {
   for steps in $(places); do
-    follow "part of $steps steps" "$program" run "$deck" --folder "part$steps" --quiet --set "path.stop.steps=$steps"
-    follow "rest after $steps steps" "$program" resume "part$steps" --quiet --set path.stop.steps=1000
+    follow "part of $steps steps" "$program" run "$deck" --folder "part$steps" --quiet --set "path.stop.after_steps=$steps"
+    follow "rest after $steps steps" "$program" resume "part$steps" --quiet --set path.stop.after_steps=0
     same whole/curve.csv "part$steps/curve.csv"
   done
 }
@@ -41,9 +41,9 @@ resume_anywhere() {
 resume_often() {
   local last
   last=$(tail -n 1 whole/curve.csv | cut -d, -f1)
-  follow "first part" "$program" run "$deck" --folder often --quiet --set path.stop.steps=5
+  follow "first part" "$program" run "$deck" --folder often --quiet --set path.stop.after_steps=5
   for steps in $(seq 10 5 $((last + 5))); do
-    follow "up to $steps steps" "$program" resume often --quiet --set "path.stop.steps=$steps"
+    follow "up to $steps steps" "$program" resume often --quiet --set "path.stop.after_steps=$steps"
   done
   same whole/curve.csv often/curve.csv
 }

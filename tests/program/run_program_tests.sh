@@ -47,12 +47,34 @@ folders() {
 resume_after_steps() {
   expect 0 "whole beam" "$program" run "$beam" --folder beam --quiet
   for steps in 3 17 31; do
-    expect 0 "first part" "$program" run "$beam" --folder part$steps --quiet --set path.stop.steps=$steps
-    expect 0 "second part" "$program" resume part$steps --quiet --set path.stop.steps=1000
+    expect 0 "first part" "$program" run "$beam" --folder part$steps --quiet --set path.stop.after_steps=$steps
+    expect 0 "second part" "$program" resume part$steps --quiet --set path.stop.after_steps=0
     same beam/curve.csv part$steps/curve.csv
   done
   expect 0 "resume of a finished run" "$program" resume beam --quiet
   said "goal_reached"
+}
+
+# Killed between the last restart file and summary.json: the goal must be seen before a step is taken.
+resume_without_summary() {
+  for goal in path.stop.load_below=0.1 path.stop.load_below=0.9 path.stop.load_below=0 path.stop.gauges.elongation=0.05; do
+    expect 0 "to $goal" "$program" run "$bar" --folder ended --overwrite --quiet --set "$goal"
+    local reason
+    reason=$(grep '"reason"' ended/summary.json)
+    cp ended/curve.csv ended.csv
+    rm ended/summary.json
+    expect 0 "resume at $goal" "$program" resume ended --quiet
+    same ended.csv ended/curve.csv
+    [ "$(grep '"reason"' ended/summary.json)" = "$reason" ] || complain "another reason: $(grep '"reason"' ended/summary.json)"
+  done
+}
+
+limits() {
+  expect 3 "limit of steps" "$program" run "$bar" --folder limited --quiet --set path.stop.steps=4
+  status_is limited stopped_early
+  said "path.stop.steps"
+  expect 0 "steps as a goal" "$program" run "$bar" --folder counted --quiet --set path.stop.after_steps=4
+  status_is counted goal_reached
 }
 
 resume_under_another_control() {
@@ -172,6 +194,6 @@ comparing() {
   exists overlay.svg
 }
 
-for part in ${PARTS:-whole_run condition eigenvalues folders resume_after_steps resume_under_another_control interrupted no_place_to_write command_line comparing}
+for part in ${PARTS:-whole_run condition eigenvalues folders resume_after_steps resume_without_summary limits resume_under_another_control interrupted no_place_to_write command_line comparing}
 do $part; done
 exit $failed

@@ -59,11 +59,11 @@ EOF
 # The deck itself with a section `sweep`, started by `run`; its case alone; values from the command line.
 run_recognises_it() {
   { cat "$beam"; printf 'sweep:\n  seed: 3..4\n'; } >beams.yaml
-  expect 0 "run of a sweep" "$program" run beams.yaml --quiet --folder beams --jobs 2 --set path.stop.steps=6
+  expect 0 "run of a sweep" "$program" run beams.yaml --quiet --folder beams --jobs 2 --set path.stop.after_steps=6
   has beams seed "3 4"
   [ "$(cells beams work.load)" == "no such column no such column" ] || complain "a column that nobody has"
   cmp -s beams/cases/001/curve.csv beams/cases/002/curve.csv && complain "two seeds made the same mesh"
-  expect 0 "its deck alone" "$program" run beams.yaml --quiet --folder one --set sweep= --set path.stop.steps=6 \
+  expect 0 "its deck alone" "$program" run beams.yaml --quiet --folder one --set sweep= --set path.stop.after_steps=6 \
     --set 'scene.subdivision={type: voronoi, blocks: 120, seed: 4}'
   same one/curve.csv beams/cases/002/curve.csv
   expect 0 "a sweep of any deck" "$program" sweep "$bar" --quiet --folder wide --set 'sweep.thickness=[50, 100]'
@@ -78,10 +78,10 @@ several_decks() {
   mkdir decks
   cp "$bar" decks/bar.yaml
   cp "$beam" decks/beam.yaml
-  printf 'sweep:\n  deck: [bar.yaml, beam.yaml]\n  path.stop.steps: [4]\n' >decks/sweep.yaml
+  printf 'sweep:\n  deck: [bar.yaml, beam.yaml]\n  path.stop.after_steps: [4]\n' >decks/sweep.yaml
   expect 0 "two decks" "$program" sweep decks/sweep.yaml --quiet
   has runs/decks deck "bar.yaml beam.yaml"
-  printf 'sweep: {deck: beam.yaml, seed: [7, 8], path.stop.steps: [4]}\n' >decks/seeds.yaml
+  printf 'sweep: {deck: beam.yaml, seed: [7, 8], path.stop.after_steps: [4]}\n' >decks/seeds.yaml
   expect 0 "seeds of a deck" "$program" sweep decks/seeds.yaml --quiet
   grep -q 'seed: 8' runs/seeds/cases/002/effective_deck.yaml || complain "the seed was not set"
   printf 'sweep:\n  deck: [bar.yaml]\n  seed: [7, 8]\n' >decks/none.yaml
@@ -215,9 +215,9 @@ EOF
   done
   expect 0 "what parallel did counts" "$program" sweep "it's here/odd.yaml" --dry-run --folder "other way"
   [ "$(grep -c 'goal_reached before' said.log)" -eq 4 ] || complain "not kept: $(cat said.log)"
-  expect 0 "seeds" "$program" sweep "$beam" --quiet --folder seeds --set 'sweep.seed=[5]' --set path.stop.steps=3
+  expect 0 "seeds" "$program" sweep "$beam" --quiet --folder seeds --set 'sweep.seed=[5]' --set path.stop.after_steps=3
   for folder in "seeds too" "seeds {} {1}"; do
-    "$program" sweep "$beam" --dry-run --folder "$folder" --set 'sweep.seed=[5]' --set path.stop.steps=3 | tail -n 1 >line.sh
+    "$program" sweep "$beam" --dry-run --folder "$folder" --set 'sweep.seed=[5]' --set path.stop.after_steps=3 | tail -n 1 >line.sh
     bash line.sh >said.log 2>&1 || complain "the line of parallel failed: $(cat said.log)"
     same seeds/cases/001/curve.csv "$folder/cases/001/curve.csv"
   done

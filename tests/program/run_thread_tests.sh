@@ -30,14 +30,14 @@ bit_for_bit() {
 
 # Half of a run with one thread, the rest with three.
 resumed_with_more() {
-  expect 0 "half of a run" "$program" run "${decks[0]}" --folder half --quiet --threads 1 --set path.stop.steps=12
-  expect 0 "the rest" "$program" resume half --quiet --threads 3 --set path.stop.steps=100000
+  expect 0 "half of a run" "$program" run "${decks[0]}" --folder half --quiet --threads 1 --set path.stop.after_steps=12
+  expect 0 "the rest" "$program" resume half --quiet --threads 3 --set path.stop.after_steps=0
   expect 0 "a whole run" "$program" run "${decks[0]}" --folder whole --quiet --threads 1
   same whole/curve.csv half/curve.csv
 }
 
 chosen() {
-  OMP_NUM_THREADS=3,1 expect 0 "as OMP_NUM_THREADS says" "$program" run "${decks[0]}" --folder three --quiet --set path.stop.steps=2
+  OMP_NUM_THREADS=3,1 expect 0 "as OMP_NUM_THREADS says" "$program" run "${decks[0]}" --folder three --quiet --set path.stop.after_steps=2
   has_threads three 3
   expect 2 "no threads" "$program" run "${decks[0]}" --folder none --threads 0
   said "--threads"

@@ -206,7 +206,7 @@ class Reports(unittest.TestCase):
 
     def test_an_unfinished_run_says_so(self):
         unfinished = self.work / "unfinished"
-        dda("run", BEAM, "--folder", unfinished, "--quiet", "--set", "path.stop.steps=6")
+        dda("run", BEAM, "--folder", unfinished, "--quiet", "--set", "path.stop.after_steps=6")
         for name in ("summary.json", "run.h5", "curve.svg", "deformed.svg"):
             (unfinished / name).unlink()
         page = self.open(unfinished)

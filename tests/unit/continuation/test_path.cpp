@@ -122,7 +122,12 @@ TEST(Path, EndsOnItsRules) {
   int steps = 0;
   for (const Point& point : counted.path()) EXPECT_EQ(point.step, ++steps);
   EXPECT_EQ(steps, 3);
-  EXPECT_EQ(counted.path().ending().reason, "3 steps");
+  EXPECT_EQ(counted.path().ending().kind, Ending::Kind::stopped_early) << "a limit is no goal";
+  EXPECT_THAT(counted.path().ending().reason, testing::HasSubstr("limit of 3 steps"));
+  Bar wanted(100, "stop: {after_steps: 3}");
+  for (const Point& point : wanted.path()) EXPECT_LE(point.step, 3);
+  EXPECT_EQ(wanted.path().ending().kind, Ending::Kind::goal_reached);
+  EXPECT_EQ(wanted.path().ending().reason, "3 steps");
 }
 
 TEST(Path, ControlsThatCannotFollowSaySo) {
@@ -316,7 +321,7 @@ TEST(Rescue, ClosesTheGapsOfIteratedMultipliers) {
 /// Squares that may not open anywhere lock: what a first crack spends is so little that the rounding of its
 /// opening is 1e-7 of it.
 TEST(Path, DoesNotStopWhereRoundingHidesTheEnergySpent) {
-  OnPath beam(cantilever("    treatment: lagrange"), "stop: {steps: 20}");
+  OnPath beam(cantilever("    treatment: lagrange"), "stop: {after_steps: 20}");
   for ([[maybe_unused]] const Point& point : beam.path()) {
   }
   EXPECT_EQ(beam.path().ending().kind, Ending::Kind::goal_reached) << beam.path().ending().reason;
