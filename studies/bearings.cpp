@@ -10,7 +10,7 @@ namespace dda {
 namespace {
 
 /// Width of the proposed patch in sizes of the blocks at the point.
-constexpr double patch_width = 4;
+constexpr double patch_width = 6;
 
 std::string place_text(const Vec2& x) { return fmt::format("({:.6g}, {:.6g})", x.x(), x.y()); }
 

@@ -25,7 +25,7 @@ std::vector<std::string> tearing_warnings(const Simulation& simulation);
 /// √area of the blocks, in the mean [L].
 double size_of(const Assembly& assembly, const Bearing& bearing);
 
-/// "spread it over several blocks: `over: [[0, 0], [40, 0]]` instead of `at`": about the point, some four
+/// "spread it over several blocks: `over: [[0, 0], [40, 0]]` instead of `at`": about the point, some six
 /// blocks wide, on the longest straight boundary there.
 std::string patch_proposal(const Assembly& assembly, const Bearing& bearing);
 

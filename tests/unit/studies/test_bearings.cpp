@@ -61,7 +61,7 @@ TEST(Tearing, PointsOnBlocksWhoseEverySideCanCrackAreWarnedOf) {
   const auto warnings = tearing_warnings(*plate_on_points);
   ASSERT_THAT(warnings, SizeIs(3));
   EXPECT_THAT(warnings[0], HasSubstr("support 'left' at (0, 0) acts on one block of size 10 "));
-  EXPECT_THAT(warnings[1], HasSubstr("`over: [[80, 0], [120, 0]]`"));
+  EXPECT_THAT(warnings[1], HasSubstr("`over: [[60, 0], [120, 0]]`"));
   EXPECT_THAT(warnings[2],
               testing::AllOf(HasSubstr("point_load at (55, 40)"), HasSubstr("40]"), HasSubstr("over:")));
 }
