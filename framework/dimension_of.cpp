@@ -27,7 +27,7 @@ const SchemaBase* schema_of(const KindInfo& kind, const Node* node) {
 
 std::optional<KindInfo> step(const KindInfo& kind, const Node* node, const std::string& name) {
   if (kind.item) return *kind.item;
-  if (kind.form == KindInfo::Form::point)
+  if (kind.form == KindInfo::Form::point || kind.form == KindInfo::Form::spot)
     return KindInfo{.form = KindInfo::Form::number, .dimension = kind.dimension};
   const SchemaBase* schema = schema_of(kind, node);
   return schema ? kind_in(*schema, name) : std::nullopt;

@@ -75,6 +75,8 @@ class Writer {
         return {{"enum", kind.names}};
       case point:
         return point_of(kind);
+      case spot:
+        return {{"anyOf", {point_of(kind), {{"type", "string"}}}}};
       case section:
         return object(*kind.section);
       case family:

@@ -65,6 +65,11 @@ bool is_whole(const std::from_chars_result& result, const Node& node) {
   return result.ec == std::errc() && result.ptr == node.text.data() + node.text.size();
 }
 
+bool is_plain_number(const Node& node) {
+  double value = 0;
+  return is_whole(parse(node, value), node);
+}
+
 bool is_not_finite(const Node& node) {
   std::string text = node.text;
   for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -139,6 +144,8 @@ std::string KindInfo::words() const {
       return "file";
     case Form::point:
       return "point [x, y]";
+    case Form::spot:
+      return "point [x, y], or the name of one";
     case Form::section:
       return "section";
     case Form::family:
@@ -259,6 +266,30 @@ Kind<Vec2> point_kind(Dimension dimension) {
   };
   auto echo = [](const Vec2& p) { return Node::sequence({Node::number(p.x()), Node::number(p.y())}); };
   return {{.form = KindInfo::Form::point, .dimension = dimension}, read, echo};
+}
+
+Kind<Spot> spot_kind() {
+  const auto point = point_kind(dimension::length);
+  auto read = [point](const Node& node, const Reading& reading) -> std::optional<Spot> {
+    Spot out;
+    out.where = node.where;
+    if (node.is_scalar() && !node.text.empty() && !is_plain_number(node)) {
+      out.name = node.text;
+      return out;
+    }
+    if (!node.is_sequence() || node.items.size() != 2) {
+      expected("a point [x, y] or the name of one of the scene's points", node, reading);
+      return {};
+    }
+    const auto x = point.read(node, reading);
+    if (!x) return {};
+    out.x = *x;
+    return out;
+  };
+  auto echo = [point](const Spot& spot) {
+    return spot.name.empty() ? point.echo(spot.x) : echo_text(spot.name);
+  };
+  return {{.form = KindInfo::Form::spot, .dimension = dimension::length}, read, echo};
 }
 
 Kind<Node> anything_kind() {

@@ -10,6 +10,7 @@
 
 #include "framework/bounds.hpp"
 #include "framework/node.hpp"
+#include "framework/spot.hpp"
 #include "framework/units.hpp"
 #include "framework/vec2.hpp"
 
@@ -32,7 +33,21 @@ struct Reading {
 /// All that can be said of a kind of value without its C++ type; explain and the JSON schema are written from
 /// it.
 struct KindInfo {
-  enum class Form { number, integer, boolean, text, name, file, point, section, family, list, map, anything };
+  enum class Form {
+    number,
+    integer,
+    boolean,
+    text,
+    name,
+    file,
+    point,
+    spot,
+    section,
+    family,
+    list,
+    map,
+    anything
+  };
 
   Form form = Form::anything;
   Dimension dimension{};
@@ -74,6 +89,7 @@ Kind<bool> boolean_kind();
 Kind<std::string> text_kind();
 Kind<std::filesystem::path> file_kind(bool must_exist = true);
 Kind<Vec2> point_kind(Dimension dimension = dimension::length);  ///< [x, y]
+Kind<Spot> spot_kind();                                          ///< [x, y] or the name of a point
 Kind<Node> anything_kind();
 
 /// The position in `names` of a name that may be chosen.

@@ -200,6 +200,16 @@ class Schema : public SchemaBase {
   Schema& point(std::string name, M C::*member, PointOptions o) {
     return add(std::move(name), member, point_kind(o.dimension), o);
   }
+  /// [x, y] or the name of a point of the scene.
+  template <class C, class M>
+  Schema& spot(std::string name, M C::*member, ValueOptions<Spot> o) {
+    return add(std::move(name), member, spot_kind(), o);
+  }
+  /// std::vector<Spot>.
+  template <class C, class M>
+  Schema& spots(std::string name, M C::*member, ManyOptions<std::vector<Spot>> o) {
+    return many(std::move(name), member, list_of(spot_kind(), o.at_least), o);
+  }
   template <class C, class M>
   Schema& points(std::string name, M C::*member, ManyOptions<std::vector<Vec2>> o) {
     return many(std::move(name), member, list_of(point_kind(dimension::length), o.at_least), o);

@@ -46,7 +46,7 @@ struct Assembly {
   std::vector<Region> regions;
   std::vector<std::string> curves;      ///< names of interfaces
   std::vector<std::string> boundaries;  ///< names of outer boundaries
-  std::map<std::string, Vec2> points;   ///< named points (gauges)
+  std::map<std::string, Vec2> points;   ///< that the deck may name
   std::vector<Block> blocks;
   std::vector<Side> sides;
   std::vector<BoundarySide> boundary;

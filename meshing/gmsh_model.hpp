@@ -36,7 +36,7 @@ using GmshParameters = std::map<std::string, double>;
 /// Roles come from the names of physical groups:
 ///     surfaces   material:NAME or material:NAME/REGION
 ///     curves     interface:NAME, boundary:NAME, slit:NAME
-///     points     gauge:NAME
+///     points     point:NAME (or gauge:NAME): a place that the deck names, `at: NAME`
 /// All surfaces of one group are one region. Groups are told apart by (dimension, tag), names by role.
 /// Throws InputError for a missing file, a syntax error (with the line in that file), an untagged surface,
 /// an unknown role, an entity in two groups of one role, commands that a geometry may not give

@@ -10,7 +10,7 @@ namespace dda {
 namespace {
 
 const std::map<int, std::set<std::string>> roles{
-    {0, {"gauge"}}, {1, {"interface", "boundary", "slit"}}, {2, {"material"}}};
+    {0, {"point", "gauge"}}, {1, {"interface", "boundary", "slit"}}, {2, {"material"}}};
 
 const char* noun(int dimension) { return dimension == 2 ? "surface" : dimension == 1 ? "curve" : "point"; }
 

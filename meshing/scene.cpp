@@ -77,7 +77,10 @@ Schema<Scene> scene_schema() {
            {.text = "Polylines on the outline, for loads and supports."})
       .map("slits", &Scene::slits, polyline(),
            {.text = "Polylines across which nothing is joined: notches of no width."})
-      .map("points", &Scene::points, point_kind(), {.text = "Named places, for gauges."})
+      .map("points", &Scene::points, point_kind(),
+           {.text = "Named places: `at: name` means one wherever the deck points at a place. A gmsh file "
+                    "names its own by "
+                    "physical points point:NAME."})
       .number("meshing_seconds", &Scene::meshing_seconds,
               {.fallback = 600,
                .bounds = above(0),
@@ -94,9 +97,11 @@ Layout layout_of(const Scene& scene) {
   add_lines(scene.curves, LineRole::interface, scene.where, layout);
   add_lines(scene.boundaries, LineRole::boundary, scene.where, layout);
   add_lines(scene.slits, LineRole::slit, scene.where, layout);
-  layout.points.insert(scene.points.begin(), scene.points.end());
-  // Outlines of a file are gmsh's own to check; its cells are checked once they are there.
   Findings findings;
+  for (const auto& [name, x] : scene.points)
+    if (!layout.points.try_emplace(name, x).second)
+      findings.add(scene.where, "the file and `scene.points` both name a point '" + name + "'");
+  // Outlines of a file are gmsh's own to check; its cells are checked once they are there.
   if (scene.type == SceneType::polygons) check(layout, findings);
   findings.throw_if_any();
   return layout;

@@ -92,6 +92,7 @@ class PointMaker {
                    .where = p.where,
                    .index = static_cast<int>(interfaces_.size())};
     made.points = p.points.value_or(usual_points(*made.treatment));
+    check_release(p, made);
     if (p.field) add_field(*p.field, made);
     if (p.between.empty())
       by_curve_[name] = made.index;
@@ -100,6 +101,17 @@ class PointMaker {
     for (const std::string& material : p.between)
       if (!model_.material_names.contains(material)) findings_.add(p.where, unknown_material(material));
     interfaces_.push_back(std::move(made));
+  }
+
+  /// A release holds the trial opening of a point and lets its traction go. A multiplier's traction is not
+  /// that of its trial opening while the side's other point holds the side: it would pass the envelope
+  /// unseen.
+  void check_release(const InterfaceParameters& p, const Interface& made) {
+    if (made.law->releases_at_once() && made.treatment->multiplier() != Multiplier::none)
+      findings_.add(p.where, fmt::format("interface '{}': the law '{}' releases at once, which joints with "
+                                         "multipliers ('{}') cannot follow without passing its strength; use "
+                                         "the treatment 'consistent' or 'penalty', or a law that softens",
+                                         made.name, p.law.name(), p.treatment.name()));
   }
 
   /// A field that does not vary leaves the law as it is.

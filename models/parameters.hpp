@@ -33,9 +33,8 @@ struct InterfaceParameters {
 /// What a support holds.
 enum class Fix { x, y, xy, normal, rotation };
 
-/// An entry of `supports`: stiff springs at a point or along a named boundary.
-struct SupportParameters {
-  std::optional<Vec2> at, inside;
+/// An entry of `supports`: stiff springs at a point, at the mean of a patch, or along a named boundary.
+struct SupportParameters : Place {
   std::optional<std::string> on;
   std::optional<Fix> fix;
   std::optional<Vec2> direction;

@@ -39,18 +39,32 @@ class SupportMaker {
     const double stiffness = p.stiffness.value_or(stiffness_);
     if (p.at)
       add_at(name, p, stiffness);
+    else if (p.over)
+      add_over(name, p, stiffness);
     else
       add_along(name, p, stiffness);
   }
 
  private:
   void add_at(const std::string& name, const SupportParameters& p, double stiffness) {
-    const Place place{*p.at, p.inside};
+    const Vec2 at = locate(body_.assembly, *p.at);
     if (p.fix == Fix::rotation)
-      for (const BlockId id : blocks_of(body_.assembly, place, p.where)) add_rotation(name, id, stiffness);
+      for (const BlockId id : blocks_of(body_.assembly, p, p.where)) add_rotation(name, id, stiffness);
     for (const auto& [suffix, direction] : directions(p, Vec2::Zero()))
-      for (const BlockId id : blocks_of(body_.assembly, place, p.where))
-        add_spring(name + suffix, {id, *p.at, direction}, stiffness);
+      for (const BlockId id : blocks_of(body_.assembly, p, p.where))
+        add_spring(name + suffix, {id, at, direction}, stiffness);
+  }
+
+  /// One spring on the mean of the patch: its force is an even traction. That on the rotation is as stiff as
+  /// springs p̄/L along the patch, ∫ p̄/L s² ds = p̄ L²/12.
+  void add_over(const std::string& name, const SupportParameters& p, double stiffness) {
+    const auto points = patch_points(body_.assembly, p, p.where);
+    const double length =
+        (locate(body_.assembly, p.over->back()) - locate(body_.assembly, p.over->front())).norm();
+    if (p.fix == Fix::rotation)
+      out_.push_back({name, rotation_over(body_.assembly, p, p.where), stiffness * length * length / 12});
+    for (const auto& [suffix, direction] : directions(p, points.front().normal))
+      out_.push_back({name + suffix, displacement_at(body_.assembly, p, direction, p.where), stiffness});
   }
 
   /// Springs along a boundary are as stiff as the length they stand for, so that a uniform traction moves it

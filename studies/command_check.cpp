@@ -4,6 +4,8 @@
 #include <map>
 
 #include "models/loading.hpp"
+#include "studies/bearings.hpp"
+#include "studies/coarse_zones.hpp"
 #include "studies/commands.hpp"
 #include "studies/memory_prediction.hpp"
 #include "studies/sweep.hpp"
@@ -92,6 +94,15 @@ void print_loading(const Simulation& simulation) {
   line("control", simulation.deck().path.control.name());
 }
 
+/// What makes results that are none.
+void print_warnings(const Simulation& simulation) {
+  constexpr std::size_t most = 6;
+  const auto tearing = tearing_warnings(simulation);
+  for (std::size_t i = 0; i < std::min(most, tearing.size()); ++i) line("warning", tearing[i]);
+  if (tearing.size() > most) line("warning", fmt::format("the same of {} more", tearing.size() - most));
+  for (const CoarseZone& zone : coarse_zones(simulation)) line("warning", text(simulation, zone));
+}
+
 /// The decks of a sweep are read, not meshed: there may be hundreds.
 int check_sweep(const CommandLine& command) {
   const Sweep sweep = read_sweep(command.deck, command.overrides);
@@ -119,6 +130,7 @@ int command_check(const CommandLine& command) {
   print_interfaces(simulation);
   print_size(simulation);
   print_loading(simulation);
+  print_warnings(simulation);
   return 0;
 }
 

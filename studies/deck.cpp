@@ -52,8 +52,8 @@ Schema<ReferencePeak> reference_schema() {
 
 Schema<Detail> detail_schema() {
   return Schema<Detail>("A rectangle of which detail.svg shows the deformed blocks at the end.")
-      .point("from", &Detail::from, {.text = "One corner."})
-      .point("to", &Detail::to, {.text = "The corner opposite."});
+      .spot("from", &Detail::from, {.text = "One corner, or the name of a point of the scene."})
+      .spot("to", &Detail::to, {.text = "The corner opposite."});
 }
 
 Schema<RecordParameters> record_schema() {

@@ -31,7 +31,7 @@ struct ReferencePeak {
 
 /// A rectangle of the structure, by two opposite corners [L].
 struct Detail {
-  Vec2 from = Vec2::Zero(), to = Vec2::Zero();
+  Spot from, to;
 };
 
 /// The deck's `record` section: what is kept beside the curve.

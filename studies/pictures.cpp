@@ -106,10 +106,18 @@ class DeformedState {
     return *this;
   }
 
+  /// Marks the blocks that have been torn out.
+  DeformedState& marking(const std::vector<TornPiece>& torn) {
+    for (const TornPiece& piece : torn)
+      marked_.insert(marked_.end(), piece.blocks.begin(), piece.blocks.end());
+    return *this;
+  }
+
   void add_to(svg::Drawing& drawing) const {
     for (std::size_t b = 0; b < fields_.equilibrium().num_blocks(); ++b) {
       if (!shows(fields_.body().block(BlockId(b)).moments.centroid)) continue;
       svg::Fill fill;
+      fill.is_marked = std::ranges::find(marked_, BlockId(b)) != marked_.end();
       for (const Vec2& x : fields_.body().assembly.blocks[b].outline.vertices)
         fill.outline.push_back(moved(x, fields_.displacement(BlockId(b), x, at_.state.d)));
       drawing.polygons.push_back(std::move(fill));
@@ -142,6 +150,7 @@ class DeformedState {
   Vec2 shift_;
   double scale_;
   std::optional<Box> box_;
+  std::vector<BlockId> marked_;
 };
 
 /// Mean displacement of the blocks in a rectangle, and the largest deviation from it.
@@ -162,8 +171,8 @@ Motion motion_within(const Fields& fields, const State& state, const Box& box) {
   return out;
 }
 
-svg::Drawing deformed(const Fields& fields, const RunMemory& memory, const StoredState& end,
-                      const std::string& unit) {
+svg::Drawing deformed(const Fields& fields, const PictureContent& content) {
+  const auto& [memory, end, record, torn] = content;
   const Box box = bounds(fields);
   const double height = (box.high - box.low).y();
   const double of_end = magnification(fields, end.state, box.size());
@@ -172,23 +181,23 @@ svg::Drawing deformed(const Fields& fields, const RunMemory& memory, const Store
                    .polygons = {},
                    .polygon_label = "",
                    .strokes = {},
-                   .stroke_label = fmt::format("opening [{}]", unit)};
-  DeformedState(fields, end, Vec2::Zero(), of_end).add_to(out);
+                   .stroke_label = fmt::format("opening [{}]", fields.mesh().length_unit)};
+  DeformedState(fields, end, Vec2::Zero(), of_end).marking(torn).add_to(out);
   if (!memory.peak_state || memory.peak_state->step == end.step) return out;
   const double of_peak = magnification(fields, memory.peak_state->state, box.size());
   const Vec2 above(0, 1.2 * height + 0.1 * box.size());
-  DeformedState(fields, *memory.peak_state, above, of_peak).add_to(out);
+  DeformedState(fields, *memory.peak_state, above, of_peak).marking(torn).add_to(out);
   out.caption =
       fmt::format("above: at the peak (step {}), displacements × {:g}; below: at the end (step {}), × {:g}",
                   memory.peak_state->step, of_peak, end.step, of_end);
+  if (!torn.empty()) out.caption += "; red: torn out";
   return out;
 }
 
 void write_detail(const RunFolder& folder, const Fields& fields, const Detail& detail,
                   const StoredState& end) {
   Box box;
-  box.include(detail.from);
-  box.include(detail.to);
+  for (const Spot& corner : {detail.from, detail.to}) box.include(locate(fields.body().assembly, corner));
   const Motion motion = motion_within(fields, end.state, box);
   const double scale = motion.spread > 0 ? round_down(0.1 * box.size() / motion.spread) : 1;
   svg::Drawing out{.title = "Detail at the end",
@@ -205,13 +214,12 @@ void write_detail(const RunFolder& folder, const Fields& fields, const Detail& d
 
 void write_pictures(const RunFolder& folder, const Fields& fields, const Measures& measures,
                     const PictureContent& content) {
-  const auto& [memory, end, record] = content;
+  const auto& [memory, end, record, torn] = content;
   write_whole(folder.file("curve.svg"), svg::to_svg(curves(folder, measures, memory, record.reference_peak)),
               Flush::to_system);
   constexpr std::size_t most_blocks = 20000;
   if (fields.equilibrium().num_blocks() > most_blocks) return;
-  write_whole(folder.file("deformed.svg"),
-              svg::to_svg(deformed(fields, memory, end, fields.mesh().length_unit)), Flush::to_system);
+  write_whole(folder.file("deformed.svg"), svg::to_svg(deformed(fields, content)), Flush::to_system);
   if (record.detail) write_detail(folder, fields, *record.detail, end);
 }
 

@@ -4,6 +4,7 @@
 #include "framework/output/svg/plot.hpp"
 #include "studies/deck.hpp"
 #include "studies/run_memory.hpp"
+#include "studies/torn_pieces.hpp"
 
 namespace dda {
 
@@ -12,10 +13,12 @@ struct PictureContent {
   const RunMemory& memory;
   const StoredState& end;
   const RecordParameters& record;
+  const std::vector<TornPiece>& torn;
 };
 
 /// curve.svg and, up to 20 000 blocks, deformed.svg of a run; the curve is read back from curve.csv. Where
 /// the deck asks for it detail.svg: the blocks of a rectangle at the end, without what they move together.
+/// Blocks that have been torn out have a red outline.
 void write_pictures(const RunFolder& folder, const Fields& fields, const Measures& measures,
                     const PictureContent& content);
 

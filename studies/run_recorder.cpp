@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "framework/output/provenance.hpp"
+#include "studies/coarse_zones.hpp"
 #include "studies/model_tables.hpp"
 #include "studies/pictures.hpp"
 #include "studies/profile.hpp"
@@ -225,15 +226,31 @@ void RunRecorder::log_step(const Point& point, const Measurement& now) {
   log_.info("step", fields);
 }
 
+void RunRecorder::look_back() {
+  notices_ = simulation_.notices();
+  const std::size_t known = notices_.size();
+  const bool has_fallen = std::abs(last_.load) < 0.9 * std::abs(memory_.peak.load);
+  torn_ = torn_pieces(simulation_, simulation_.system().history(), has_fallen);
+  if (memory_.peak_state)
+    for (TornPiece& piece : torn_pieces(simulation_, memory_.peak_state->history, false))
+      if (std::ranges::find(torn_, piece.blocks, &TornPiece::blocks) == torn_.end())
+        torn_.push_back(std::move(piece));
+  for (const TornPiece& piece : torn_) notices_.push_back(text(simulation_, piece));
+  for (const CoarseZone& zone : cracked_coarse_zones(simulation_))
+    notices_.push_back(text(simulation_, zone));
+  for (std::size_t i = known; i < notices_.size(); ++i) log_.warning("notice", {{"text", notices_[i]}});
+}
+
 nlohmann::ordered_json RunRecorder::finish(const Ending& ending) {
   nlohmann::ordered_json out;
+  look_back();
   {
     const auto scope = timings_.measure("output");
     store_here();
     if (memory_.peak_state && memory_.peak_state->step == last_stored_) memory_.is_peak_stored = true;
     write_restart_file();
     const auto inner = timings_.measure("figures");
-    write_pictures(folder_, fields_, measures_, {memory_, here(), simulation_.deck().record});
+    write_pictures(folder_, fields_, measures_, {memory_, here(), simulation_.deck().record, torn_});
     if (deck_.deck.record.eigenvalues.count > 0)
       write_stability_pictures(folder_, results_, fields_, measures_);
     if (deck_.deck.record.stiffness) write_stiffness();
@@ -241,7 +258,8 @@ nlohmann::ordered_json RunRecorder::finish(const Ending& ending) {
   log_.info("ended", {{"status", status_of(ending)}, {"reason", ending.reason}});
   out = summarise(simulation_, memory_, measures_, ending);
   out["interfaces"] = interfaces_.summary(fields_, here());
-  out["notices"] = simulation_.notices();
+  out["notices"] = notices_;
+  if (!torn_.empty()) out["torn_out"] = to_json(simulation_, torn_);
   if (deck_.deck.record.condition) {
     const auto scope = timings_.measure("stiffness quality");
     out["stiffness"] = stiffness_quality(simulation_);

@@ -10,6 +10,7 @@
 #include "studies/interface_record.hpp"
 #include "studies/run_memory.hpp"
 #include "studies/simulation.hpp"
+#include "studies/torn_pieces.hpp"
 #include "studies/trace.hpp"
 
 namespace dda {
@@ -46,6 +47,9 @@ class RunRecorder {
   void store_here();
   void write_restart_file();
   void write_stiffness() const;
+  /// What the end shows of results that are none: pieces torn out, cohesive zones that the sides are too long
+  /// for.
+  void look_back();
   Flush durability() const;
   void log_step(const Point& point, const Measurement& now);
   void look_for_crawling();
@@ -72,6 +76,8 @@ class RunRecorder {
   int last_stored_ = -1;
   double restart_written_ = -1e9;  ///< when [s]
   Measurement last_;
+  std::vector<TornPiece> torn_;
+  std::vector<std::string> notices_;  ///< of the simulation, and of the end
   std::vector<TracePoint> trace_;
   double goal_before_ = 0;  ///< share of the way when it was last looked at
   std::string warning_;

@@ -71,6 +71,8 @@ Simulation::Simulation(const Deck& deck, Timings& timings) : deck_(deck), timing
     throw InputError(deck.path.control.where(), "path.control: " + why);
   landings();
   legs();
+  if (deck.record.detail)
+    for (const Spot& corner : {deck.record.detail->from, deck.record.detail->to}) locate(*assembly_, corner);
   if (deck.record.reference_peak)
     for (const auto& [name, value] : deck.record.reference_peak->at) gauge(name, deck.where);
 }

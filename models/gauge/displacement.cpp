@@ -9,7 +9,7 @@ struct DisplacementParameters : Place {
   Position where;
 };
 
-/// Displacement of a point along a direction, l · u.
+/// Displacement of a point, or mean displacement of a patch of the boundary, along a direction, l · u.
 class Displacement final : public Gauge {
  public:
   explicit Displacement(DisplacementParameters p) : p_(std::move(p)) {}
@@ -25,7 +25,7 @@ class Displacement final : public Gauge {
 
 Schema<DisplacementParameters> schema() {
   using P = DisplacementParameters;
-  Schema<P> s("Displacement of a point along a direction.");
+  Schema<P> s("Displacement of a point, or the mean over a patch of the boundary, along a direction.");
   add_place(s);
   return s.point("direction", &P::direction,
                  {.dimension = dimension::none, .text = "Direction (lx, ly), any length."});

@@ -5,8 +5,9 @@ namespace dda {
 namespace {
 
 struct RelativeDisplacementParameters {
-  Vec2 from = Vec2::Zero(), to = Vec2::Zero();
-  std::optional<Vec2> from_inside, to_inside, direction;
+  Spot from, to;
+  std::optional<Spot> from_inside, to_inside;
+  std::optional<Vec2> direction;
   Position where;
 };
 
@@ -15,13 +16,14 @@ class RelativeDisplacement final : public Gauge {
  public:
   explicit RelativeDisplacement(RelativeDisplacementParameters p) : p_(std::move(p)) {}
   Functional functional(const GaugeSources& sources) const override {
-    const Vec2 direction = p_.direction.value_or(p_.to - p_.from);
+    const Assembly& assembly = sources.assembly;
+    const Vec2 direction = p_.direction ? *p_.direction : locate(assembly, p_.to) - locate(assembly, p_.from);
     if (direction.norm() == 0)
       throw InputError(p_.where,
                        "`direction` is needed when `from` and `to` are the same point, and must not be zero");
     const Vec2 l = direction.normalized();
-    Functional out = displacement_at(sources.assembly, {p_.to, p_.to_inside}, l, p_.where);
-    out.add(-1, displacement_at(sources.assembly, {p_.from, p_.from_inside}, l, p_.where));
+    Functional out = displacement_at(assembly, {p_.to, p_.to_inside, {}}, l, p_.where);
+    out.add(-1, displacement_at(assembly, {p_.from, p_.from_inside, {}}, l, p_.where));
     return out;
   }
   Dimension dimension() const override { return dimension::length; }
@@ -33,10 +35,10 @@ class RelativeDisplacement final : public Gauge {
 Schema<RelativeDisplacementParameters> schema() {
   using P = RelativeDisplacementParameters;
   return Schema<P>("Displacement of one point relative to another: CMOD, CMSD, an opening.")
-      .point("from", &P::from, {.text = "First point."})
-      .point("from_inside", &P::from_inside, {.text = "A point inside the block that is meant at `from`."})
-      .point("to", &P::to, {.text = "Second point."})
-      .point("to_inside", &P::to_inside, {.text = "A point inside the block that is meant at `to`."})
+      .spot("from", &P::from, {.text = "First point, or the name of one in `scene.points`."})
+      .spot("from_inside", &P::from_inside, {.text = "A point inside the block that is meant at `from`."})
+      .spot("to", &P::to, {.text = "Second point, or the name of one."})
+      .spot("to_inside", &P::to_inside, {.text = "A point inside the block that is meant at `to`."})
       .point("direction", &P::direction,
              {.dimension = dimension::none,
               .text = "Direction (lx, ly), any length; from `from` to `to` if absent."});

@@ -191,7 +191,9 @@ class MohrCoulomb final : public InterfaceLaw {
 
 Schema<MohrCoulombParameters> schema() {
   using P = MohrCoulombParameters;
-  return Schema<P>("Mohr-Coulomb with tension cut-off; what fails is released at once and leaves friction.")
+  return Schema<P>(
+             "Mohr-Coulomb with tension cut-off; what fails is released at once and leaves friction. Not for "
+             "joints with multipliers (lagrange, augmented_lagrangian).")
       .number("tensile_strength", &P::tensile_strength,
               {.dimension = dimension::stress, .bounds = above(0), .text = "Tension cut-off ft."})
       .number("cohesion", &P::cohesion,

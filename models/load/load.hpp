@@ -6,6 +6,7 @@
 #include "framework/family.hpp"
 #include "models/body.hpp"
 #include "models/functional.hpp"
+#include "models/place.hpp"
 
 namespace dda {
 
@@ -24,12 +25,20 @@ struct StageLoads {
   double resultant = 0;  ///< Σ |force| of the single loads [F]
 };
 
+/// What acts at one place: where, and along which direction.
+struct Action {
+  Place place;
+  Vec2 along;
+};
+
 /// Something that acts on the structure in a stage.
 class Load {
  public:
   virtual ~Load() = default;
   /// Adds the load at full value. Throws InputError when its place is not on the body.
   virtual void add_to(StageLoads& stage, const Body& body) const = 0;
+  /// Where it acts, if that is one place.
+  virtual std::optional<Action> action() const { return {}; }
 };
 
 /// Adds the force vector F at point x of a block: f += Tᵀ F.

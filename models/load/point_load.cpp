@@ -9,16 +9,19 @@ struct PointLoadParameters : Place {
   Position where;
 };
 
-/// A force at a point, f += Tᵀ F; blocks that meet at the point share it equally.
+/// A force at a point, f += Tᵀ F, which blocks that meet at the point share equally; or the same force as an
+/// even traction over a patch of the boundary.
 class PointLoad final : public Load {
  public:
   explicit PointLoad(PointLoadParameters p) : p_(std::move(p)) {}
   void add_to(StageLoads& stage, const Body& body) const override {
-    const auto blocks = blocks_of(body.assembly, p_, p_.where);
-    for (const BlockId id : blocks)
-      add_point_force(stage, body, id, p_.at, p_.force / static_cast<double>(blocks.size()));
+    const Functional x = displacement_at(body.assembly, p_, Vec2::UnitX(), p_.where);
+    const Functional y = displacement_at(body.assembly, p_, Vec2::UnitY(), p_.where);
+    x.add_gradient(p_.force.x(), stage.force);
+    y.add_gradient(p_.force.y(), stage.force);
     stage.resultant += p_.force.norm();
   }
+  std::optional<Action> action() const override { return Action{p_, p_.force}; }
 
  private:
   PointLoadParameters p_;
@@ -26,7 +29,7 @@ class PointLoad final : public Load {
 
 Schema<PointLoadParameters> schema() {
   using P = PointLoadParameters;
-  Schema<P> s("A force at a point.");
+  Schema<P> s("A force at a point, or spread evenly over a patch of the boundary.");
   add_place(s);
   return s.point("force", &P::force, {.dimension = dimension::force, .text = "Force (Fx, Fy)."});
 }

@@ -11,8 +11,8 @@ struct PrescribedDisplacementParameters : Place {
   Position where;
 };
 
-/// A point driven through a stiff spring: the stage's factor multiplies the displacement δ of the spring's
-/// far end.
+/// A point, or the mean of a patch of the boundary, driven through a stiff spring: the stage's factor
+/// multiplies the displacement δ of the spring's far end.
 ///
 ///     K += p̄ Tᵀ l lᵀ T,   f += p̄ δ Tᵀ l,   reaction r = p̄ (δ − lᵀ u)
 ///
@@ -26,6 +26,7 @@ class PrescribedDisplacement final : public Load {
     stage.driven.push_back(
         {p_.name, displacement_at(body.assembly, p_, p_.direction.normalized(), p_.where), p_.displacement});
   }
+  std::optional<Action> action() const override { return Action{p_, p_.displacement * p_.direction}; }
 
  private:
   PrescribedDisplacementParameters p_;
@@ -33,7 +34,9 @@ class PrescribedDisplacement final : public Load {
 
 Schema<PrescribedDisplacementParameters> schema() {
   using P = PrescribedDisplacementParameters;
-  Schema<P> s("A point driven through a stiff spring; the load factor multiplies the displacement.");
+  Schema<P> s(
+      "A point, or the mean over a patch, driven through a stiff spring; the load factor multiplies the "
+      "displacement.");
   add_place(s);
   return s
       .text("name", &P::name, {.fallback = "driven", .text = "Name under which its reaction is recorded."})

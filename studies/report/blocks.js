@@ -19,7 +19,8 @@ const BLOCK_FIELDS = {
 };
 
 class Blocks {
-  constructor(data) {
+  /** tornOut: pieces of the summary, each with its blocks by number. */
+  constructor(data, tornOut) {
     this.lengthUnit = data.length_unit;
     this.stressUnit = data.stress_unit ?? "";
     this.offsets = offsetsOf(decoded(data.counts, Uint16Array));
@@ -28,6 +29,7 @@ class Blocks {
     this.numBlocks = this.offsets.length - 1;
     this.numStored = data.stored;
     this.steps = data.steps;
+    this.tornOut = (tornOut ?? []).flatMap((piece) => piece.blocks);
     this.states = new Map();
     this.centres = this.findCentres();
     this.box = this.findBox();

@@ -97,7 +97,7 @@ class DeformedFigure {
         " The half percent of the blocks with the highest and the lowest stress has the colour of the scale's end.");
     return element(
         "figcaption", {}, `${plural(numBlocks, "block")}. Wheel or two fingers: closer; drag: move.${thinned}`,
-        this.note);
+        this.blocks.tornOut.length > 0 ? " Red: torn out." : "", this.note);
   }
 
   /** Each play starts anew at the first step when it has come to the end. */

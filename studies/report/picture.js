@@ -33,6 +33,7 @@ class PicturePainter {
     surface.clipped({x: 0, y: 0, width, height}, () => {
       this.paintBlocks(surface, moved, width, height);
       this.paintCracks(surface);
+      this.paintTornOut(surface, moved);
     });
     this.scales.list.forEach(
         (scale, i) =>
@@ -54,6 +55,13 @@ class PicturePainter {
     // Without an edge of its own a block shows a hairline of white around it.
     for (const [fill, outlines] of bins)
       surface.tracks(outlines, {fill, closed: true, width: 0.5, stroke: edge ?? fill});
+  }
+
+  /** What has been torn out under a load or a support has a red outline. */
+  paintTornOut(surface, moved) {
+    const {offsets, tornOut} = this.blocks;
+    const outlines = tornOut.map((b) => moved.subarray(2 * offsets[b], 2 * offsets[b + 1]));
+    if (outlines.length > 0) surface.tracks(outlines, {stroke: "#e00000", width: 2.4, closed: true});
   }
 
   /** Outlines of the blocks that are in view. */

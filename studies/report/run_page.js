@@ -8,7 +8,7 @@ class RunPage {
     this.table = data.curve ? new Table(data.curve) : null;
     const hasRows = this.table && this.table.numRows > 0 && this.table.numericColumns().length > 1;
     this.curve = hasRows ? new Curve(this.table, data.summary, this.log) : null;
-    this.blocks = data.blocks?.steps.length > 0 ? new Blocks(data.blocks) : null;
+    this.blocks = data.blocks?.steps.length > 0 ? new Blocks(data.blocks, this.summary.torn_out) : null;
     this.figures = {};
   }
 

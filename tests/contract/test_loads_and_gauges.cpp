@@ -15,7 +15,8 @@ constexpr UnitChange other_units{1e-3, 0.025};
 Node moved_away(Node parameters, const SchemaBase& schema) {
   for (const Parameter& p : schema.parameters())
     if (Node* value = parameters.find(p.name);
-        value && p.kind.form == KindInfo::Form::point && p.kind.dimension == dimension::length)
+        value && (p.kind.form == KindInfo::Form::point || p.kind.form == KindInfo::Form::spot) &&
+        p.kind.dimension == dimension::length)
       *value = Node::sequence({Node::number(7), Node::number(7)});
   return parameters;
 }

@@ -45,6 +45,7 @@ inline Node sample_value(const Parameter& parameter, Random& random, const NameH
     case Form::name:
       return Node::scalar(kind.names.front());
     case Form::point:
+    case Form::spot:
       return sample_point(kind.dimension, random);
     case Form::section:
       return sample(*kind.section, random, names);
@@ -54,15 +55,16 @@ inline Node sample_value(const Parameter& parameter, Random& random, const NameH
   throw std::logic_error("no sample of the required parameter '" + parameter.name + "': extend " + __FILE__);
 }
 
-/// Admissible parameters: everything that is required, and random values for every number and point with a
-/// default. What may be absent is left out.
+/// Admissible parameters: everything that is required, random values for every number and point with a
+/// default, and a place `at`. What else may be absent is left out.
 inline Node sample(const SchemaBase& schema, Random& random, const NameHints& names) {
   using Form = KindInfo::Form;
   Node out = Node::map();
   for (const Parameter& parameter : schema.parameters()) {
     const Form form = parameter.kind.form;
     const bool vary = (form == Form::number || form == Form::point) && !parameter.may_be_absent;
-    if (parameter.is_required() || vary || names.contains(parameter.name))
+    const bool is_place = form == Form::spot && parameter.name == "at";
+    if (parameter.is_required() || vary || is_place || names.contains(parameter.name))
       out.set(parameter.name, sample_value(parameter, random, names));
   }
   return out;
@@ -92,6 +94,7 @@ inline Node rescaled(Node node, const KindInfo& kind, const UnitChange& units) {
     case Form::number:
       return Node::number(units.factor(kind.dimension) * std::stod(node.text));
     case Form::point:
+    case Form::spot:
       for (Node& item : node.items) item = Node::number(units.factor(kind.dimension) * std::stod(item.text));
       return node;
     case Form::section:

@@ -125,7 +125,7 @@ CantileverResult solve_cantilever(const Cantilever& beam, const std::string& sub
   add_tractions(beam, structure, "tip", loads);
   add_pulled_springs(beam, structure, "clamp", loads);
   const auto d = solve(structure.equilibrium.intact(), loads.force);
-  const Functional tip = dda::displacement_at(structure.assembly, {{beam.length, 0}, {}}, {0, 1}, {});
+  const Functional tip = dda::displacement_at(structure.assembly, {Spot(beam.length, 0), {}, {}}, {0, 1}, {});
   return {structure.assembly.num_blocks(), relative_error(beam, structure.assembly, d), tip.value(d, 0)};
 }
 

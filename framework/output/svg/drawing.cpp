@@ -95,6 +95,15 @@ void paint_polygons(Canvas& canvas, const View& view, const Drawing& drawing, co
   canvas.path(all, "#eeeeee", {"#a0a0a0", 0.4});
 }
 
+void paint_marks(Canvas& canvas, const View& view, const Drawing& drawing) {
+  for (const Fill& fill : drawing.polygons) {
+    if (!fill.is_marked || !std::all_of(fill.outline.begin(), fill.outline.end(), finite)) continue;
+    std::string data;
+    for (const Vec2& vertex : fill.outline) data += (data.empty() ? "M" : "L") + view.place(vertex);
+    canvas.path(data + 'Z', "none", {"#e00000", 2});
+  }
+}
+
 void paint_strokes(Canvas& canvas, const View& view, const Drawing& drawing, const Scale& scale) {
   for (const Stroke& stroke : drawing.strokes) {
     if (!finite(stroke.start) || !finite(stroke.end)) continue;
@@ -176,6 +185,7 @@ std::string to_svg(const Drawing& drawing) {
               {large, Anchor::start, true});
   paint_polygons(canvas, view, drawing, fill);
   paint_strokes(canvas, view, drawing, line);
+  paint_marks(canvas, view, drawing);
   for (const Note& note : drawing.notes)
     canvas.text(view.across(note.at), view.down(note.at), note.text, {small, Anchor::middle});
   if (drawing.polygons.empty() && drawing.strokes.empty()) {

@@ -11,6 +11,7 @@ namespace dda::svg {
 struct Fill {
   std::vector<Vec2> outline;
   double value = 0;
+  bool is_marked = false;  ///< gets a red outline, above everything
 };
 
 /// A segment coloured by its value; width in points.

@@ -88,6 +88,12 @@ TEST(Kind, FilesStartAtTheDecksFolder) {
 TEST(Kind, Points) {
   EXPECT_EQ(value(point_kind(), "[1, -2]"), Vec2(1, -2));
   EXPECT_THAT(refusal(point_kind(), "[1]"), testing::HasSubstr("expected a point [x, y], found a list"));
+  EXPECT_EQ(value(spot_kind(), "[1, -2]"), Spot(1, -2));
+  EXPECT_EQ(value(spot_kind(), "mid").name, "mid");
+  EXPECT_EQ(value(spot_kind(), "\"7\"").name, "7");
+  EXPECT_EQ(spot_kind().echo(value(spot_kind(), "\"7\"")).quoted, true);
+  EXPECT_THAT(refusal(spot_kind(), "7"),
+              testing::HasSubstr("expected a point [x, y] or the name of one of the scene's points, found '7'"));
   EXPECT_EQ(refusal(point_kind(), "[a, .nan]"),
             "a.yaml:1:5: x: expected a number, found 'a'\na.yaml:1:8: x: must be a finite number, got .nan");
 }

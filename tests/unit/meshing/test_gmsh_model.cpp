@@ -201,7 +201,7 @@ TEST(GmshModel, ReadsAMeshOfVersion41) {
 $EndMeshFormat
 $PhysicalNames
 3
-0 7 "gauge:corner"
+0 7 "point:corner"
 1 2 "boundary:foot"
 2 1 "material:stone"
 $EndPhysicalNames

@@ -1,4 +1,4 @@
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include "support/structure.hpp"
 
@@ -119,6 +119,114 @@ TEST_F(OnSquare, PrescribedDisplacementDrivesASpring) {
   EXPECT_EQ(found.driven[0].prescribed, 0.3);
   const std::vector<double> d = random_.vector(24, 1);
   EXPECT_NEAR(found.driven[0].displacement.value(d, 0), -displacement(1, {1, 0.2}, d).y(), 1e-14);
+}
+
+// The right side of the square: block 1 up to y = 0.55, block 2 above.
+
+TEST_F(OnSquare, LoadOverAPatchHasTheResultantAndMomentOfItsMiddle) {
+  const StageLoads found = load("{type: point_load, over: [[1, 0.9], [1, 0.2]], force: [2, -3]}");
+  const Vec2 u = Vec2(1, 2) + gradient() * Vec2(1, 0.55);
+  EXPECT_NEAR(power(found, {1, 2}, gradient()), Vec2(2, -3).dot(u), 1e-14);
+  EXPECT_NEAR(found.resultant, std::sqrt(13.0), 1e-15);
+  EXPECT_NEAR(found.force[6 * 1], 2 * 0.35 / 0.7, 1e-14);
+  EXPECT_NEAR(found.force[6 * 2], 2 * 0.35 / 0.7, 1e-14);
+}
+
+TEST_F(OnSquare, LoadOverAPatchIsAnEvenTraction) {
+  const StageLoads patch = load("{type: point_load, over: [[1, 0], [1, 1]], force: [1.4, -2.1]}");
+  const StageLoads traction = load("{type: edge_traction, on: right, traction: [2, -3]}");
+  for (std::size_t i = 0; i < patch.force.size(); ++i) EXPECT_NEAR(patch.force[i], traction.force[i], 1e-14);
+}
+
+TEST_F(OnSquare, DisplacementOverAPatchIsTheMean) {
+  const std::vector<double> d = random_.vector(24, 1);
+  double mean = 0;
+  constexpr int pieces = 7000;  // midpoints are exact where u is linear
+  for (int i = 0; i < pieces; ++i) {
+    const Vec2 x(1, 0.2 + 0.7 * (i + 0.5) / pieces);
+    mean += displacement(x.y() < 0.55 ? 1 : 2, x, d).y() / pieces;
+  }
+  EXPECT_NEAR(gauge("{type: displacement, over: [[1, 0.2], [1, 0.9]], direction: [0, 3]}").value(d, 0), mean,
+              1e-12);
+  const StageLoads driven =
+      load("{type: prescribed_displacement, over: [[1, 0.2], [1, 0.9]], direction: [0, 1]}");
+  EXPECT_NEAR(driven.driven.at(0).displacement.value(d, 0), mean, 1e-12);
+}
+
+TEST_F(OnSquare, RotationOfAPatchIsThatOfARigidMotion) {
+  Mat2 turn;
+  turn << 0, -0.3, 0.3, 0;
+  const Functional rotation =
+      rotation_over(square_.assembly(), {{}, {}, std::vector<Spot>{Spot(1, 0.2), Spot(1, 0.9)}}, {});
+  EXPECT_NEAR(rotation.value(square_.field({1, 2}, turn), 0), 0.3, 1e-14);
+}
+
+TEST_F(OnSquare, WhatIsNoPatchIsRefused) {
+  const auto refusal = [&](const std::string& place) {
+    try {
+      load("{type: point_load, force: [0, 1], " + place + "}");
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  using testing::HasSubstr;
+  EXPECT_THAT(refusal("over: [[1, 0.5], [1, 1.5]]"),
+              HasSubstr("only 50 % of the patch from (1, 0.5) to (1, 1.5)"));
+  EXPECT_THAT(refusal("over: [[0.2, 0.2], [0.4, 0.2]]"), HasSubstr("only 0 % of the patch"));
+  EXPECT_THAT(refusal("over: [[1, 0.5]]"), HasSubstr("takes the two ends"));
+  EXPECT_THAT(refusal("over: [[1, 0.5], [1, 0.5]]"), HasSubstr("are the same"));
+  EXPECT_THAT(refusal("at: [1, 0.5], over: [[1, 0.2], [1, 0.9]]"), HasSubstr("give either `at`"));
+  EXPECT_THAT(refusal("inside: [0.9, 0.5]"), HasSubstr("give either `at`"));
+}
+
+/// The square with named points.
+std::string square_with_points() {
+  std::string deck = square_deck();
+  return deck.replace(deck.find("  boundaries:"), 0,
+                      "  points: {low: [1, 0.2], high: [1, 0.9], middle: [0.6, 0.45], in_c: [0.8, 0.8]}\n");
+}
+
+TEST(NamedPoints, ServeWhereverAPlaceIsMeant) {
+  const Structure square(square_with_points());
+  Random random(7);
+  const std::vector<double> d = random.vector(24, 1);
+  const auto value = [&](const std::string& yaml) {
+    return gauges().choose(parse_yaml(yaml, "d")).make()->functional({square.assembly(), {}}).value(d, 0);
+  };
+  EXPECT_EQ(value("{type: displacement, at: middle, inside: in_c, direction: [0, 1]}"),
+            value("{type: displacement, at: [0.6, 0.45], inside: [0.8, 0.8], direction: [0, 1]}"));
+  EXPECT_EQ(value("{type: displacement, over: [low, [1, 0.9]], direction: [0, 1]}"),
+            value("{type: displacement, over: [[1, 0.2], high], direction: [0, 1]}"));
+  EXPECT_EQ(value("{type: relative_displacement, from: middle, from_inside: in_c, to: low}"),
+            value("{type: relative_displacement, from: [0.6, 0.45], from_inside: [0.8, 0.8], to: [1, 0.2]}"));
+  for (const std::string more : {"point_load, force: [2, 3]", "prescribed_displacement, direction: [0, 1]"}) {
+    StageLoads named = square.no_loads(), given = square.no_loads();
+    loads().choose(parse_yaml("{type: " + more + ", at: low}", "d")).make()->add_to(named, square.body());
+    loads()
+        .choose(parse_yaml("{type: " + more + ", at: [1, 0.2]}", "d"))
+        .make()
+        ->add_to(given, square.body());
+    EXPECT_EQ(named.force, given.force);
+    EXPECT_EQ(named.driven.size(), given.driven.size());
+  }
+}
+
+TEST(NamedPoints, AMisspeltNameIsToldWithItsPlaceAndTheNearest) {
+  const Structure square(square_with_points());
+  const auto refusal = [&](const Structure& of, const std::string& name) {
+    try {
+      gauges()
+          .choose(parse_yaml("type: displacement\nat: " + name + "\ndirection: [0, 1]", "d.yaml"))
+          .make()
+          ->functional({of.assembly(), {}});
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refusal(square, "midle"), "d.yaml:2:5: unknown point 'midle'; did you mean 'middle'?");
+  EXPECT_THAT(refusal(Structure(square_deck()), "midle"), testing::HasSubstr("the scene names no points"));
 }
 
 }  // namespace

@@ -38,11 +38,36 @@ TEST(Support, PlacesOffTheStructureAreRefused) {
   EXPECT_THAT(refusal(held_by("wall: {on: lft, fix: xy}")), HasSubstr("unknown boundary 'lft'"));
 }
 
+TEST(Support, OverAPatchHoldsItsMeanAndReportsOneReaction) {
+  const Structure square(
+      held_by("wall: {over: [[0, 0.2], [0, 0.9]], fix: xy}\n  turn: {over: [[0, 0], [0, 1]], fix: "
+              "rotation}\n  push: {over: [[0, 0], [0, 1]], fix: normal}"));
+  const Equilibrium equilibrium = square.equilibrium();
+  const double stiffness = 1e5 * 3 * 0.7;
+  Mat2 turn;
+  turn << 0, -0.3, 0.3, 0;
+  // About (0, 0.55): the middle of the patch moves by (1, 2), that of the side by (1 + 0.3 · 0.05, 2).
+  const std::vector<double> d = square.field(Vec2(1, 2) - turn * Vec2(0, 0.55), turn);
+  const auto& reactions = equilibrium.stages().back().reactions;
+  EXPECT_NEAR(reactions.at("wall.x").value(d, 0) / stiffness, -1, 1e-13);
+  EXPECT_NEAR(reactions.at("wall.y").value(d, 0) / stiffness, -2, 1e-13);
+  EXPECT_NEAR(reactions.at("turn").value(d, 0) / stiffness, -0.3 / 12, 1e-13);
+  EXPECT_NEAR(reactions.at("push").value(d, 0) / stiffness, 1.015, 1e-13);
+}
+
+TEST(Support, OverAPatchAloneMayTurn) {
+  EXPECT_THAT(refusal(held_by("wall: {over: [[0, 0.2], [0, 0.8]], fix: xy}")),
+              HasSubstr("against: rotation about (0, 0.5)"));
+  EXPECT_THAT(refusal(held_by("wall: {over: [[0, 0.2], [0, 0.8]], at: [0, 0], fix: xy}")),
+              HasSubstr("a support needs one of `at`, `over` and `on`"));
+}
+
 TEST(Place, BlocksThatMeetShareOrOneIsMeant) {
   const Structure square(square_deck());
-  EXPECT_EQ(blocks_of(square.assembly(), {{0.6, 0.45}, {}}, {}).size(), 4u);
-  EXPECT_EQ(blocks_of(square.assembly(), {{0.6, 0.45}, Vec2(0.9, 0.1)}, {}), (std::vector{BlockId{1}}));
-  EXPECT_THROW(blocks_of(square.assembly(), {{0.1, 0.1}, Vec2(0.9, 0.1)}, {}), InputError);
+  EXPECT_EQ(blocks_of(square.assembly(), {Spot(0.6, 0.45), {}, {}}, {}).size(), 4u);
+  EXPECT_EQ(blocks_of(square.assembly(), {Spot(0.6, 0.45), Spot(0.9, 0.1), {}}, {}),
+            (std::vector{BlockId{1}}));
+  EXPECT_THROW(blocks_of(square.assembly(), {Spot(0.1, 0.1), Spot(0.9, 0.1), {}}, {}), InputError);
 }
 
 TEST(Place, BoundaryPointsCarryTheLengthAndTheNormal) {
