@@ -51,8 +51,11 @@ struct Point {
   std::vector<std::string> landed;  ///< "cmod=0.1", "peak?" …: why fields should be kept here
   bool is_highest = false;          ///< the largest load so far
   /// Negative eigenvalues of the stiffness, every point on its damage surface loading: 0 where the
-  /// equilibrium is stable under dead load. Nothing where friction makes the stiffness unsymmetric.
+  /// equilibrium is stable under dead load. Nothing where an unsymmetric stiffness does not tell
+  /// (unsymmetric_inertia.hpp).
   std::optional<int> num_negative;
+  /// Motions whose second-order work is negative, dᵀ K d < 0; of a symmetric stiffness the same number.
+  std::optional<int> num_negative_work;
   /// Those that are left under the control: 0 where it is stable if what the control prescribes is held.
   std::optional<int> num_negative_under_control;
   bool switched = false;  ///< the path leaves it by another branch than it would by itself

@@ -13,6 +13,7 @@ namespace dda {
 void Path::judge(Point& point) const {
   const Candidate& here = walker_.here();
   point.num_negative = here.num_negative;
+  point.num_negative_work = here.num_negative_work;
   if (!here.num_negative) return;
   const bool turned = driver_->prescribed_rate(here.arriving) * here.arriving.load_factor < 0;
   point.num_negative_under_control = std::abs(*here.num_negative - (turned ? 1 : 0));

@@ -39,6 +39,7 @@ struct Candidate {
   double gap = 0;                        ///< relative, of iterated multipliers
   Excess excess = {};                    ///< over the strength of points that lose it at once
   std::optional<int> num_negative = {};  ///< eigenvalues of K below zero, every point on its surface loading
+  std::optional<int> num_negative_work = {};  ///< and of its symmetric part
 
   /// Those that are left where the load factor yields so that the path can go on: 0 on a path without
   /// branches. A limit point changes the number of negative eigenvalues and the sign of the load factor's

@@ -36,6 +36,7 @@ std::vector<Column> FailureIndicator::columns() const {
   if (simulation_.deck().path.stability) {
     out.push_back({"negative_eigenvalues", ""});
     out.push_back({"negative_under_control", ""});
+    out.push_back({"negative_second_order_work", ""});
   }
   if (parameters_.count == 0) return out;
   constexpr Dimension per_mass{1, -4}, raw = dimension::stiffness;
@@ -69,6 +70,7 @@ std::vector<TableCell> FailureIndicator::cells(const IndicatorNow& now) {
   if (simulation_.deck().path.stability) {
     out.push_back(count_cell(now.num_negative));
     out.push_back(count_cell(now.num_negative_under_control));
+    out.push_back(count_cell(now.num_negative_work));
   }
   shapes_.clear();
   if (parameters_.count > 0 && is_due(now)) append_eigenvalues(out);

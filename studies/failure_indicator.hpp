@@ -20,7 +20,7 @@ struct IndicatorMemory {
 struct IndicatorNow {
   int step = 0;
   std::set<EventKind> events;
-  std::optional<int> num_negative, num_negative_under_control;
+  std::optional<int> num_negative, num_negative_under_control, num_negative_work;
 };
 
 /// Lowest eigenvalues of the physical stiffness at accepted states, and what tells stable from unstable.
@@ -28,8 +28,8 @@ struct IndicatorNow {
 ///     K* φ = μ M φ            K* with the stiffness p̄ of joints whose k is a device of the iteration, points
 ///                             on their damage surface loading, nothing left of released points
 ///     n₋                      negative eigenvalues of the path's stiffness: 0 where the state is stable
-///     under
-///                             dead load; and those that are left while the control holds what it prescribes
+///                             under dead load; those that are left while the control holds what it
+///                             prescribes; and those of its symmetric part
 ///     S = (ṗ/u̇)/(ṗ/u̇)₀        current stiffness of the path (Bergan), p the load and u the displacement on
 ///                             which it works: 1 at the start, 0 at a limit point, negative while the load
 ///                             falls and u grows, infinite where u turns back, positive while both fall
@@ -42,7 +42,7 @@ class FailureIndicator {
  public:
   FailureIndicator(Simulation& simulation, IndicatorMemory memory);
 
-  /// `current_stiffness`, the two counts, and where eigenvalues are asked for `mu_1` … `mu_m`,
+  /// `current_stiffness`, the three counts, and where eigenvalues are asked for `mu_1` … `mu_m`,
   /// `mu_ratio_1` … `mu_ratio_m`, `rigid_modes`.
   std::vector<Column> columns() const;
   /// Those of the state at which the walker stands; the first call gives what ratios are relative to.

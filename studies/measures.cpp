@@ -36,9 +36,9 @@ void Measures::add(const std::string& name, Dimension dimension, const Functiona
 }
 
 bool Measures::is_taken(const std::string& name) const {
-  const bool is_indicator = name == "current_stiffness" || name == "negative_eigenvalues" ||
-                            name == "negative_under_control" || name == "rigid_modes" ||
-                            name.starts_with("mu_") || name.starts_with("dissipated_energy_");
+  const bool is_indicator = name == "current_stiffness" || name == "rigid_modes" ||
+                            name.starts_with("negative_") || name.starts_with("mu_") ||
+                            name.starts_with("dissipated_energy_");
   return is_indicator || std::ranges::find(fixed_names, name) != fixed_names.end() ||
          std::ranges::find(names_, name, &Column::name) != names_.end();
 }

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "framework/node.hpp"
 #include "framework/output/run_folder.hpp"
 #include "framework/units.hpp"
+#include "studies/stability_pictures.hpp"
 
 namespace dda {
 namespace {
@@ -43,6 +45,39 @@ void mark_references(const std::vector<RunCurve>& runs, const std::string& gauge
     const auto is_same = [&](const svg::Marker& m) { return m.x == marker.x && m.y == marker.y; };
     if (std::ranges::none_of(panel.markers, is_same)) panel.markers.push_back(marker);
   }
+}
+
+/// What dashes and dots mean, of those that the curves have.
+std::vector<svg::Series> legend_of_lines(const std::vector<svg::Series>& curves) {
+  constexpr int black = 6;
+  std::vector<svg::Series> out;
+  if (std::ranges::any_of(curves, &svg::Series::dashed))
+    out.push_back({.name = "not stable under dead load", .x = {}, .y = {}, .dashed = true, .colour = black});
+  if (std::ranges::any_of(curves, &svg::Series::dotted))
+    out.push_back({.name = "stability not known", .x = {}, .y = {}, .colour = black, .dotted = true});
+  return out;
+}
+
+/// By stability as long as there is a colour for each: beyond that dashes tell the runs apart.
+std::vector<svg::Series> curves_of(const std::vector<RunCurve>& runs, const std::string& gauge) {
+  constexpr std::size_t most_colours = 6;  // and black for the legend of the lines
+  std::vector<svg::Series> out;
+  std::vector<std::string> names;  // in the order of their colours
+  for (const RunCurve& run : runs)
+    if (run.name.empty() || std::ranges::find(names, run.name) == names.end()) names.push_back(run.name);
+  std::size_t next = 0;
+  for (const RunCurve& run : runs) {
+    if (names.size() > most_colours) {
+      out.push_back({run.name, run.curve.numbers(gauge), run.curve.numbers("load")});
+      continue;
+    }
+    const auto known = std::ranges::find(names, run.name) - names.begin();
+    const int colour = static_cast<int>(run.name.empty() ? static_cast<std::ptrdiff_t>(next) : known);
+    std::ranges::move(by_stability(run.curve, gauge, "load", run.name, colour), std::back_inserter(out));
+    ++next;
+  }
+  std::ranges::move(legend_of_lines(out), std::back_inserter(out));
+  return out;
 }
 
 }  // namespace
@@ -82,8 +117,7 @@ svg::Panel overlay(const std::vector<RunCurve>& runs, const std::string& gauge) 
                  .y_label = first.load_unit.empty() ? "load" : fmt::format("load [{}]", first.load_unit),
                  .series = {},
                  .markers = {}};
-  for (const RunCurve& run : runs)
-    out.series.push_back({run.name, run.curve.numbers(gauge), run.curve.numbers("load")});
+  out.series = curves_of(runs, gauge);
   mark_references(runs, gauge, out);
   return out;
 }

@@ -27,7 +27,8 @@ bool have_same_units(const RunCurve& a, const RunCurve& b);
 /// The displacement gauges that all of them have, in the order of the first.
 std::vector<std::string> common_displacements(const std::vector<RunCurve>& runs);
 
-/// Load against a gauge that all of them have, in the units of the first.
+/// Load against a gauge that all of them have, in the units of the first; of up to six runs solid where
+/// stable under dead load, dashed where not, dotted where that is not known.
 svg::Panel overlay(const std::vector<RunCurve>& runs, const std::string& gauge);
 
 }  // namespace dda

@@ -75,6 +75,7 @@ PathEvents::Station PathEvents::station(const Walker& walker, int step) const {
               .dissipates_in = !in.d.empty() && in.dissipates,
               .dissipates_out = !out.d.empty() && out.dissipates,
               .num_negative = here.num_negative,
+              .num_negative_work = here.num_negative_work,
               .surplus = here.surplus()};
   const auto rate = [](const Tangent& tangent, const Functional& gauge) {
     return tangent.d.empty() ? std::numeric_limits<double>::quiet_NaN() : tangent.rate(gauge);
@@ -161,6 +162,9 @@ bool PathEvents::find_extremum(std::size_t quantity, const Station& now, bool is
 
 bool PathEvents::find_bifurcation(const Station& now, const Point& point) {
   if (!now.surplus || !before_.surplus || *now.surplus == *before_.surplus) return false;
+  const bool may_be_even =
+      now.num_negative == now.num_negative_work && before_.num_negative == before_.num_negative_work;
+  if (!may_be_even && (*now.surplus - *before_.surplus) % 2 == 0) return false;
   const bool is_bracketed = std::ranges::find(point.landed, "bifurcation") != point.landed.end();
   const bool is_exact =
       point.control == "event" || point.control == "initiation" || point.control == "corner";

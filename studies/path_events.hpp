@@ -25,7 +25,8 @@ enum class EventKind {
 /// smooth step it is that of the cubic through both ends and their tangents, in the dissipated energy; where
 /// the tangents meet lies a bound, and the distance of the two is the uncertainty. A step across the highest
 /// load was shortened by the path to bracket it. Points on their damage surface count as loading, so that a
-/// bifurcation at a kink is the kink.
+/// bifurcation at a kink is the kink. Of an unsymmetric stiffness only an odd change of the number of
+/// negative eigenvalues is one, where its determinant passes zero: two real eigenvalues may become complex.
 class PathEvents {
  public:
   /// `known` are the events of the run that is continued.
@@ -45,7 +46,7 @@ class PathEvents {
     double load_factor = 0, load_factor_in = 0, load_factor_out = 0;
     double dissipated = 0;
     bool dissipates_in = false, dissipates_out = false;
-    std::optional<int> num_negative, surplus;
+    std::optional<int> num_negative, num_negative_work, surplus;
   };
   Station station(const Walker& walker, int step) const;
   void remember_sizes(const Station& at);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "framework/output/svg/drawing.hpp"
@@ -94,11 +95,25 @@ double magnification(const Fields& fields, const State& state, double size) {
   return largest > 0 ? round_down(std::max(0.05 * size / largest, 1e-12)) : 1;
 }
 
+/// What the colour of a crack tells.
+struct CrackQuantity {
+  const char *name, *suffix;  ///< in the label and the name of the file
+  double (*value)(const Vec2& w);
+};
+constexpr std::array<CrackQuantity, 2> crack_quantities{
+    {{"opening", "", [](const Vec2& w) { return std::max(w.x(), 0.0); }},
+     {"sliding", "-sliding", [](const Vec2& w) { return std::abs(w.y()); }}}};
+
 /// Draws one deformed state, shifted.
 class DeformedState {
  public:
   DeformedState(const Fields& fields, const StoredState& at, Vec2 shift, double scale)
       : fields_(fields), at_(at), shift_(std::move(shift)), scale_(scale) {}
+
+  DeformedState& coloured_by(const CrackQuantity& quantity) {
+    quantity_ = &quantity;
+    return *this;
+  }
 
   /// Leaves out the blocks whose centroids, and the cracks whose points, lie outside a rectangle.
   DeformedState& within(const Box& box) {
@@ -141,7 +156,7 @@ class DeformedState {
                             2);
       };
       const auto& [start, end] = fields_.segment(p);
-      drawing.strokes.push_back({between(start), between(end), interface.opening[p].norm()});
+      drawing.strokes.push_back({between(start), between(end), quantity_->value(interface.opening[p])});
     }
   }
 
@@ -149,6 +164,7 @@ class DeformedState {
   const StoredState& at_;
   Vec2 shift_;
   double scale_;
+  const CrackQuantity* quantity_ = crack_quantities.data();
   std::optional<Box> box_;
   std::vector<BlockId> marked_;
 };
@@ -171,7 +187,7 @@ Motion motion_within(const Fields& fields, const State& state, const Box& box) {
   return out;
 }
 
-svg::Drawing deformed(const Fields& fields, const PictureContent& content) {
+svg::Drawing deformed(const Fields& fields, const PictureContent& content, const CrackQuantity& quantity) {
   const auto& [memory, end, record, torn] = content;
   const Box box = bounds(fields);
   const double height = (box.high - box.low).y();
@@ -181,12 +197,12 @@ svg::Drawing deformed(const Fields& fields, const PictureContent& content) {
                    .polygons = {},
                    .polygon_label = "",
                    .strokes = {},
-                   .stroke_label = fmt::format("opening [{}]", fields.mesh().length_unit)};
-  DeformedState(fields, end, Vec2::Zero(), of_end).marking(torn).add_to(out);
+                   .stroke_label = with_unit(quantity.name, fields.mesh().length_unit)};
+  DeformedState(fields, end, Vec2::Zero(), of_end).coloured_by(quantity).marking(torn).add_to(out);
   if (!memory.peak_state || memory.peak_state->step == end.step) return out;
   const double of_peak = magnification(fields, memory.peak_state->state, box.size());
   const Vec2 above(0, 1.2 * height + 0.1 * box.size());
-  DeformedState(fields, *memory.peak_state, above, of_peak).marking(torn).add_to(out);
+  DeformedState(fields, *memory.peak_state, above, of_peak).coloured_by(quantity).marking(torn).add_to(out);
   out.caption =
       fmt::format("above: at the peak (step {}), displacements × {:g}; below: at the end (step {}), × {:g}",
                   memory.peak_state->step, of_peak, end.step, of_end);
@@ -194,8 +210,8 @@ svg::Drawing deformed(const Fields& fields, const PictureContent& content) {
   return out;
 }
 
-void write_detail(const RunFolder& folder, const Fields& fields, const Detail& detail,
-                  const StoredState& end) {
+svg::Drawing detail_of(const Fields& fields, const Detail& detail, const StoredState& end,
+                       const CrackQuantity& quantity) {
   Box box;
   for (const Spot& corner : {detail.from, detail.to}) box.include(locate(fields.body().assembly, corner));
   const Motion motion = motion_within(fields, end.state, box);
@@ -205,9 +221,9 @@ void write_detail(const RunFolder& folder, const Fields& fields, const Detail& d
                    .polygons = {},
                    .polygon_label = "",
                    .strokes = {},
-                   .stroke_label = fmt::format("opening [{}]", fields.mesh().length_unit)};
-  DeformedState(fields, end, -scale * motion.mean, scale).within(box).add_to(out);
-  write_whole(folder.file("detail.svg"), svg::to_svg(out), Flush::to_system);
+                   .stroke_label = with_unit(quantity.name, fields.mesh().length_unit)};
+  DeformedState(fields, end, -scale * motion.mean, scale).within(box).coloured_by(quantity).add_to(out);
+  return out;
 }
 
 }  // namespace
@@ -215,12 +231,18 @@ void write_detail(const RunFolder& folder, const Fields& fields, const Detail& d
 void write_pictures(const RunFolder& folder, const Fields& fields, const Measures& measures,
                     const PictureContent& content) {
   const auto& [memory, end, record, torn] = content;
-  write_whole(folder.file("curve.svg"), svg::to_svg(curves(folder, measures, memory, record.reference_peak)),
-              Flush::to_system);
+  const auto write = [&](const std::string& name, const std::string& text) {
+    write_whole(folder.file(name + ".svg"), text, Flush::to_system);
+  };
+  write("curve", svg::to_svg(curves(folder, measures, memory, record.reference_peak)));
   constexpr std::size_t most_blocks = 20000;
   if (fields.equilibrium().num_blocks() > most_blocks) return;
-  write_whole(folder.file("deformed.svg"), svg::to_svg(deformed(fields, content)), Flush::to_system);
-  if (record.detail) write_detail(folder, fields, *record.detail, end);
+  for (const CrackQuantity& quantity : crack_quantities) {
+    write(std::string("deformed") + quantity.suffix, svg::to_svg(deformed(fields, content, quantity)));
+    if (record.detail)
+      write(std::string("detail") + quantity.suffix,
+            svg::to_svg(detail_of(fields, *record.detail, end, quantity)));
+  }
 }
 
 }  // namespace dda

@@ -80,20 +80,22 @@ std::vector<std::uint32_t> damaged(const std::vector<double>& damage) {
   return out;
 }
 
-/// The interface points with damage: where their ends move, opening and damage.
+/// The interface points with damage: where their ends move, opening max(w_n, 0), sliding |w_s| and damage.
 Json cracks(const ResultsReader& results, int step) {
   const std::vector<double> damage = results.values(step, "segments/damage");
   const std::vector<double> opening = results.values(step, "segments/opening");
   const std::vector<double> moved = results.values(step, "segments/displacement");
-  std::vector<double> widths, damages, ends;
+  std::vector<double> widths, slips, damages, ends;
   const std::vector<std::uint32_t> points = damaged(damage);
   for (const std::uint32_t p : points) {
-    widths.push_back(std::hypot(opening[3 * p], opening[3 * p + 1]));
+    widths.push_back(std::max(opening[3 * p], 0.0));
+    slips.push_back(std::abs(opening[3 * p + 1]));
     damages.push_back(damage[p]);
     for (const std::size_t i : {6 * p, 6 * p + 1, 6 * p + 3, 6 * p + 4}) ends.push_back(moved[i]);
   }
   return {{"points", integers(points)},
           {"opening", singles(widths)},
+          {"sliding", singles(slips)},
           {"damage", singles(damages)},
           {"ends", quantised(ends)}};
 }
@@ -117,7 +119,7 @@ constexpr std::size_t coded(std::size_t bytes) { return (bytes + 2) / 3 * 4; }
 
 /// Characters that a step takes on the page.
 std::size_t size_of_step(const ResultsReader& results, int step, std::size_t num_blocks) {
-  constexpr std::size_t of_block = 2 * (2 + 4 + 3), of_crack = 3 * 4 + 4 * 2, frame = 600;
+  constexpr std::size_t of_block = 2 * (2 + 4 + 3), of_crack = 4 * 4 + 4 * 2, frame = 600;
   std::size_t out = coded(of_block * num_blocks) + frame;
   if (results.has(step, "segments/damage"))
     out += coded(of_crack * damaged(results.values(step, "segments/damage")).size());

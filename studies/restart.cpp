@@ -203,6 +203,7 @@ void put(RestartData& data, const Walker& walker) {
                             walker.system().highest_force_level(),
                             here.arriving.load_factor};
   if (here.num_negative) data.integers["num_negative"] = {*here.num_negative};
+  if (here.num_negative_work) data.integers["num_negative_work"] = {*here.num_negative_work};
   put(data, walker.leaving());
   const Effort& effort = walker.effort();
   data.integers["effort"] = {effort.accepted,
@@ -260,9 +261,12 @@ void restore_walker(const RestartData& data, Walker& walker) {
                .work = n.at(2),
                .load = n.at(3),
                .residual = n.at(4),
-               .num_negative = {}};
+               .num_negative = {},
+               .num_negative_work = {}};
   if (const auto found = data.integers.find("num_negative"); found != data.integers.end())
     at.num_negative = static_cast<int>(found->second.at(0));
+  if (const auto found = data.integers.find("num_negative_work"); found != data.integers.end())
+    at.num_negative_work = static_cast<int>(found->second.at(0));
   walker.system().restore_force_level(n.at(5));
   walker.restore(at, here.history, take_effort(data), take_leaving(data));
 }

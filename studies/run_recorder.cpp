@@ -12,6 +12,7 @@
 #include "studies/profile.hpp"
 #include "studies/restart.hpp"
 #include "studies/stability_pictures.hpp"
+#include "studies/stability_record.hpp"
 #include "studies/summary.hpp"
 
 namespace dda {
@@ -119,8 +120,8 @@ std::vector<Column> RunRecorder::columns() const {
 void RunRecorder::append_row(const Measurement& now, const Point& point) {
   std::vector<TableCell> cells = Measures::cells(now);
   std::ranges::copy(interfaces_.cells(now.step, simulation_.system().history()), std::back_inserter(cells));
-  const auto of_indicator =
-      indicator_.cells({now.step, events_here_, point.num_negative, point.num_negative_under_control});
+  const auto of_indicator = indicator_.cells({now.step, events_here_, point.num_negative,
+                                              point.num_negative_under_control, point.num_negative_work});
   std::ranges::copy(of_indicator, std::back_inserter(cells));
   memory_.indicator = indicator_.memory();
   curve_.append(cells);
@@ -257,6 +258,7 @@ nlohmann::ordered_json RunRecorder::finish(const Ending& ending) {
   }
   log_.info("ended", {{"status", status_of(ending)}, {"reason", ending.reason}});
   out = summarise(simulation_, memory_, measures_, ending);
+  out["stability"] = stability_counts(read_csv(folder_.file("curve.csv")));
   out["interfaces"] = interfaces_.summary(fields_, here());
   out["notices"] = notices_;
   if (!torn_.empty()) out["torn_out"] = to_json(simulation_, torn_);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "framework/output/svg/drawing.hpp"
+#include "studies/stability_record.hpp"
 
 namespace dda {
 namespace {
@@ -14,13 +15,24 @@ namespace {
 constexpr double gap = std::numeric_limits<double>::quiet_NaN();  // interrupts a line
 constexpr std::size_t most_stages = 6, most_modes = 6, most_blocks = 5000;
 
-/// 0 stable, 1 stable under the control, 2 unstable; of a segment the better of its two ends, because at a
-/// kink the point already counts as what follows.
-std::vector<std::size_t> kinds_of_segments(const CsvTable& curve) {
-  const auto dead = curve.numbers("negative_eigenvalues"), held = curve.numbers("negative_under_control");
-  const auto kind = [&](std::size_t i) -> std::size_t { return !(dead[i] > 0) ? 0 : !(held[i] > 0) ? 1 : 2; };
-  std::vector<std::size_t> out;
-  for (std::size_t i = 0; i + 1 < dead.size(); ++i) out.push_back(std::min(kind(i), kind(i + 1)));
+/// The pieces of a curve, one for each kind of stability, with gaps where it is of another.
+std::array<svg::Series, 4> pieces_of(const CsvTable& curve, const std::string& x, const std::string& y) {
+  const auto xs = curve.numbers(x), ys = curve.numbers(y);
+  const std::vector<Stability> kinds = stability_between(curve);
+  std::array<svg::Series, 4> out;
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    svg::Series& piece = out[static_cast<std::size_t>(kinds[i])];
+    const bool begins = i == 0 || kinds[i - 1] != kinds[i];
+    if (begins && !piece.x.empty()) {
+      piece.x.push_back(gap);
+      piece.y.push_back(gap);
+    }
+    for (const std::size_t end : {i, i + 1}) {
+      if (end == i && !begins) continue;
+      piece.x.push_back(xs[end]);
+      piece.y.push_back(ys[end]);
+    }
+  }
   return out;
 }
 
@@ -197,30 +209,34 @@ svg::Figure over_the_path(const CsvTable& curve, const Measures& measures) {
 }  // namespace
 
 std::vector<svg::Series> by_stability(const CsvTable& curve, const std::string& x, const std::string& y) {
-  const auto xs = curve.numbers(x), ys = curve.numbers(y);
-  if (!curve.has("negative_eigenvalues")) return {{"", xs, ys}};
-  const auto kinds = kinds_of_segments(curve);
-  std::array<svg::Series, 3> pieces{
-      {{.name = "stable under dead load", .x = {}, .y = {}, .colour = 0},
-       {.name = "stable under the control only", .x = {}, .y = {}, .dashed = true, .colour = 0},
-       {.name = "unstable", .x = {}, .y = {}, .dashed = true, .colour = 1}}};
-  for (std::size_t i = 0; i < kinds.size(); ++i) {
-    svg::Series& piece = pieces[kinds[i]];
-    if (i > 0 && kinds[i - 1] != kinds[i] && !piece.x.empty()) {
-      piece.x.push_back(gap);
-      piece.y.push_back(gap);
-    }
-    if (i == 0 || kinds[i - 1] != kinds[i]) {
-      piece.x.push_back(xs[i]);
-      piece.y.push_back(ys[i]);
-    }
-    piece.x.push_back(xs[i + 1]);
-    piece.y.push_back(ys[i + 1]);
-  }
+  auto pieces = pieces_of(curve, x, y);
+  constexpr int blue = 0, orange = 1, black = 6;
+  const std::array<const char*, 4> names{"stable under dead load", "stable under the control only",
+                                         "unstable", "stability not known"};
+  const std::array<int, 4> colours{blue, blue, orange, black};
   std::vector<svg::Series> out;
-  for (svg::Series& piece : pieces)
-    if (!piece.x.empty()) out.push_back(std::move(piece));
-  if (out.size() <= 1) return {{"", xs, ys}};
+  for (std::size_t kind = 0; kind < pieces.size(); ++kind) {
+    if (pieces[kind].x.empty()) continue;
+    svg::Series& piece = pieces[kind];
+    piece.name = names[kind];
+    piece.colour = colours[kind];
+    piece.dashed = kind == 1 || kind == 2;
+    piece.dotted = kind == 3;
+    out.push_back(std::move(piece));
+  }
+  if (out.empty()) return {{"", curve.numbers(x), curve.numbers(y)}};
+  if (out.size() == 1 && out.front().name == names.front()) out.front().name.clear();
+  return out;
+}
+
+std::vector<svg::Series> by_stability(const CsvTable& curve, const std::string& x, const std::string& y,
+                                      const std::string& name, int colour) {
+  std::vector<svg::Series> out{{.name = name, .x = {}, .y = {}, .colour = colour}};  // for the legend
+  for (svg::Series& piece : by_stability(curve, x, y)) {
+    piece.name.clear();
+    piece.colour = colour;
+    out.push_back(std::move(piece));
+  }
   return out;
 }
 

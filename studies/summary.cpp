@@ -5,6 +5,7 @@
 #include "continuation/linear/matrix_quality.hpp"
 #include "framework/output/provenance.hpp"
 #include "framework/threads.hpp"
+#include "studies/small_extrema.hpp"
 
 namespace dda {
 namespace {
@@ -111,7 +112,9 @@ Json summarise(const Simulation& simulation, const RunMemory& memory, const Meas
   out["external_work"] = end.work;
   out["stored_energy"] = end.stored;
   out["dissipated_energy"] = end.dissipated;
-  out["events"] = memory.events;
+  const ListedEvents events = listed_events(memory.events, memory.start, end, measures.names());
+  out["events"] = events.listed;
+  if (!events.small.is_null()) out["small_extrema"] = events.small;
   out["energy_balance_error"] = energy_balance_error(memory.start, end, jump_energy);
   out["energy_balance_scatter"] =
       end.work == 0 ? 0.0 : simulation.path().memory().unaccounted / std::abs(end.work);

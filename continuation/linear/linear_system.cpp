@@ -1,12 +1,10 @@
 #include "continuation/linear/linear_system.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <utility>
 
-#include "continuation/linear/dense_inertia.hpp"
 #include "framework/threads.hpp"
 
 namespace dda {
@@ -241,48 +239,22 @@ void LinearSystem::add_columns(std::span<const std::size_t> points) {
 }
 
 bool LinearSystem::factor_small() {
-  const auto r = static_cast<Eigen::Index>(2 * active_.size());
-  if (r == 0) return true;
-  Eigen::MatrixXd m = Eigen::MatrixXd::Identity(r, r);
+  if (active_.empty()) return true;
   std::vector<Mat2> e;
-  for (const std::size_t p : active_) e.push_back(equilibrium_.point(p).weight * (tangent_[p] - base_[p]));
+  for (const std::size_t p : active_) e.push_back(update_of(p));
+  return small_.compute(one_plus_couplings(e));
+}
+
+Eigen::MatrixXd LinearSystem::one_plus_couplings(const std::vector<Mat2>& e) const {
+  const auto r = static_cast<Eigen::Index>(2 * active_.size());
+  Eigen::MatrixXd m = Eigen::MatrixXd::Identity(r, r);
   constexpr std::size_t columns_at_once = 64;
   parallel_for(active_.size(), columns_at_once, [&](std::size_t b) {
     for (std::size_t a = 0; a < active_.size(); ++a)
       m.block<2, 2>(2 * static_cast<Eigen::Index>(a), 2 * static_cast<Eigen::Index>(b)) +=
-          e[a] * g_.block<2, 2>(2 * slot_[active_[a]], 2 * slot_[active_[b]]);
+          e[a] * coupling(active_[a], active_[b]);
   });
-  return small_.compute(std::move(m));
-}
-
-std::optional<int> LinearSystem::num_negative_eigenvalues() const {
-  if (general_) return {};
-  int out = solver_->num_negative_pivots();
-  if (out < 0) return {};
-  std::vector<double> e;                         // eigenvalues of E that are not zero
-  std::vector<std::pair<Eigen::Index, Vec2>> v;  // place in G and direction of each
-  for (const std::size_t p : active_) {
-    const Mat2 change = equilibrium_.point(p).weight * (tangent_[p] - base_[p]);
-    constexpr double round_off = 1e-12;
-    const double size = change.cwiseAbs().maxCoeff();
-    if (std::abs(change(0, 1) - change(1, 0)) > round_off * size) return {};
-    const Eigen::SelfAdjointEigenSolver<Mat2> own(change);
-    for (Eigen::Index k = 0; k < 2; ++k) {
-      if (std::abs(own.eigenvalues()[k]) <= round_off * size) continue;
-      e.push_back(own.eigenvalues()[k]);
-      v.emplace_back(2 * slot_[p], own.eigenvectors().col(k));
-      if (e.back() > 0) --out;
-    }
-  }
-  const auto r = static_cast<Eigen::Index>(e.size());
-  Eigen::MatrixXd small(r, r);
-  for (std::size_t a = 0; a < e.size(); ++a)
-    for (std::size_t b = 0; b < e.size(); ++b)
-      small(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b)) =
-          v[a].second.dot(g_.block<2, 2>(v[a].first, v[b].first) * v[b].second) + (a == b ? 1 / e[a] : 0);
-  const auto positive = num_positive_eigenvalues(std::move(small));
-  if (!positive) return {};
-  return out + *positive;
+  return m;
 }
 
 void LinearSystem::keep_solutions_of(std::vector<double> reference, std::vector<double> dead) {
@@ -363,7 +335,7 @@ Eigen::MatrixXd LinearSystem::shares_of(std::span<const std::span<double>> solut
   const auto columns = static_cast<Eigen::Index>(solutions.size());
   Eigen::MatrixXd right(r, columns);
   for (std::size_t a = 0; a < active_.size(); ++a) {
-    const Mat2 e = equilibrium_.point(active_[a]).weight * (tangent_[active_[a]] - base_[active_[a]]);
+    const Mat2 e = update_of(active_[a]);
     for (std::size_t c = 0; c < solutions.size(); ++c)
       right.block<2, 1>(2 * static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(c)) =
           e * rows_times(active_[a], solutions[c]);

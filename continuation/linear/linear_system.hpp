@@ -9,11 +9,18 @@
 #include "continuation/linear/dense_lu.hpp"
 #include "continuation/linear/direct_solver.hpp"
 #include "continuation/linear/mumps_matrix.hpp"
+#include "continuation/linear/unsymmetric_inertia.hpp"
 #include "continuation/linear/update_columns.hpp"
 #include "framework/output/timings.hpp"
 #include "models/equilibrium.hpp"
 
 namespace dda {
+
+/// How many eigenvalues of a stiffness are negative, and of its symmetric part, which is the same for a
+/// symmetric one: motions that diverge under dead load, and motions of negative second-order work.
+struct NegativeEigenvalues {
+  std::optional<int> of_stiffness, of_symmetric_part;
+};
 
 /// The tangent of an equilibrium, factorised once and updated where points crack.
 ///
@@ -61,14 +68,12 @@ class LinearSystem {
   BlockMatrix matrix_with(std::span<const Mat2> tangents) const;
   /// y = K x.
   void multiply(std::span<const double> x, std::span<double> y) const;
-  /// Number of negative eigenvalues of K, from those of the base and of the small matrix; E = V e Vᵀ with
-  /// e ≠ 0:
-  ///
-  ///     n₋(K) = n₋(K_base) + n₊(e⁻¹ + Vᵀ G V) − n₊(e)
-  ///
-  /// (Haynsworth's additivity of inertia for [K_base, (VᵀU)ᵀ; VᵀU, −e⁻¹], whose two Schur complements are K
-  /// and −e⁻¹ − Vᵀ G V.) Nothing when friction makes K unsymmetric or the solver does not tell.
-  std::optional<int> num_negative_eigenvalues() const;
+  /// Whether K is symmetric.
+  bool has_symmetric_tangent() const;
+  /// Negative eigenvalues of K's symmetric part and, where it tells, of K (unsymmetric_inertia.hpp); nothing
+  /// where the solver does not count its pivots. An unsymmetric base is factorised a second time, by its
+  /// symmetric part. Of an unsymmetric saddle point the symmetric part alone is known.
+  NegativeEigenvalues negative_eigenvalues();
 
   /// K_base⁻¹ of these (and of their negatives) is computed once per base.
   void keep_solutions_of(std::vector<double> reference, std::vector<double> dead);
@@ -129,6 +134,22 @@ class LinearSystem {
   /// y = K x for the K with these D.
   void multiply(std::span<const Mat2> tangents, std::span<const double> x, std::span<double> y) const;
   bool factor_small();
+  /// E of a point.
+  Mat2 update_of(std::size_t point) const {
+    return equilibrium_.point(point).weight * (tangent_[point] - base_[point]);
+  }
+  Mat2 coupling(std::size_t a, std::size_t b) const { return g_.block<2, 2>(2 * slot_[a], 2 * slot_[b]); }
+  /// 1 + E G of the active points for these E.
+  Eigen::MatrixXd one_plus_couplings(const std::vector<Mat2>& e) const;
+  /// Of the symmetric part, with E = V e Vᵀ and e ≠ 0 the update of it:
+  ///
+  ///     n₋(K) = n₋(K_base) + n₊(e⁻¹ + Vᵀ G V) − n₊(e)
+  ///
+  /// (Haynsworth's additivity of inertia for [K_base, (VᵀU)ᵀ; VᵀU, −e⁻¹], whose two Schur complements are K
+  /// and −e⁻¹ − Vᵀ G V.) An unsymmetric base is factorised by its symmetric part.
+  std::optional<int> num_negative_of_symmetric_part();
+  UnsymmetricStiffness whole_stiffness();
+  UnsymmetricStiffness stiffness_of_points();
   /// s of K⁻¹ b = y − Z s for these y, two rows per active point.
   Eigen::MatrixXd shares_of(std::span<const std::span<double>> solutions) const;
   std::vector<std::size_t> places_of(std::span<const std::size_t> points) const;

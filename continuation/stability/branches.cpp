@@ -87,7 +87,8 @@ std::optional<Branch> settle(System& system, const Candidate& here, const Surfac
     for (std::size_t i = 0; i < rates.size(); ++i)
       if (!next[i] && rates[i] > unit) next[i] = !(agrees = false);
     if (agrees)
-      return Branch{std::move(found), system.history(), system.path_linear().num_negative_eigenvalues()};
+      return Branch{std::move(found), system.history(),
+                    system.path_linear().negative_eigenvalues().of_stiffness};
     loads = std::move(next);
   }
   return {};

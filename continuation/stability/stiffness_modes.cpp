@@ -46,8 +46,8 @@ std::optional<StiffnessModes> stiffness_modes(System& system, const State& state
     if (!shifted->is_regular() || shifted->num_negative() != 0) return {};
     return [&](auto b, auto x) { shifted->solve(b, x); };
   };
-  if (!is_whole && system.use_path_tangent(*laws))
-    problem.num_negative = system.path_linear().num_negative_eigenvalues();
+  if (!is_whole && system.use_path_tangent(*laws) && system.path_linear().has_symmetric_tangent())
+    problem.num_negative = system.path_linear().negative_eigenvalues().of_stiffness;
   if (problem.num_negative) {
     problem.solve = [&](auto b, auto x) { system.path_linear().solve(b, x); };
   } else {

@@ -89,7 +89,8 @@ bool on_segments(FieldPlace place) {
 
 ResultsFile::FieldEntry entry_of(const StoredField& field, int step) {
   const std::string group = group_of(step) + (on_segments(field.place) ? "/segments/" : "/");
-  return {field.name, group + field.name, field.place, field.components == 2 ? 3 : field.components};
+  return {field.name, group + field.name, field.place, field.components == 2 ? 3 : field.components,
+          field.labels};
 }
 
 std::vector<double> padded(const StoredField& field) {
@@ -125,7 +126,8 @@ ResultsFile::FieldEntry read_entry(const Hdf5File& file, const std::string& data
   const auto place = static_cast<FieldPlace>(file.integer_attribute(dataset, "place"));
   const std::size_t rows = std::max<std::size_t>(file.num_rows(dataset), 1);
   const auto components = static_cast<int>(file.numbers(dataset).size() / rows);
-  return {dataset.substr(dataset.rfind('/') + 1), dataset, place, std::max(components, 1)};
+  return {dataset.substr(dataset.rfind('/') + 1), dataset, place, std::max(components, 1),
+          file.text_attribute(dataset, "components")};
 }
 
 ResultsFile::StepEntry read_step(const Hdf5File& file, const std::string& group) {

@@ -93,6 +93,7 @@ class ResultsFile {
     std::string dataset;
     FieldPlace place;
     int components;
+    std::string labels = {};  ///< of the components, "n s"; those beyond them are zero
   };
   struct StepEntry {
     int step;

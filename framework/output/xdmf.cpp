@@ -83,7 +83,8 @@ class Writer {
   std::string fields(const ResultsFile::StepEntry& entry, FieldPlace cell, FieldPlace node) const {
     std::string text;
     for (const ResultsFile::FieldEntry& field : entry.fields) {
-      if (field.place == cell || field.place == node) text += attribute(field, field.place == node);
+      if (field.place != cell && field.place != node) continue;
+      text += field.labels == "n s" ? normal_and_sliding(field) : attribute(field, field.place == node);
     }
     return text;
   }
@@ -95,6 +96,21 @@ class Writer {
     return fmt::format("          <Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"{}\">{}</Attribute>\n",
                        escaped(field.name), kind(field.components), on_nodes ? "Node" : "Cell",
                        item(field.dataset, extent, "Float"));
+  }
+
+  /// Two numbers, not one vector: its magnitude would call a slip an opening.
+  std::string normal_and_sliding(const ResultsFile::FieldEntry& field) const {
+    const std::size_t rows = num_places(sizes_, field.place);
+    const std::string whole = item(field.dataset, fmt::format("{} {}", rows, field.components), "Float");
+    std::string text;
+    for (int component = 0; component < 2; ++component)
+      text += fmt::format(
+          "          <Attribute Name=\"{}_{}\" AttributeType=\"Scalar\" Center=\"Cell\"><DataItem "
+          "ItemType=\"HyperSlab\" Dimensions=\"{} 1\"><DataItem Dimensions=\"3 2\" Format=\"XML\">0 {} 1 1 "
+          "{} 1"
+          "</DataItem>{}</DataItem></Attribute>\n",
+          escaped(field.name), component == 0 ? "n" : "s", rows, component, rows, whole);
+    return text;
   }
 
   static const char* kind(int components) {

@@ -91,7 +91,7 @@ class Blocks {
     return values;
   }
 
-  /** What the cracked points of a step have: "opening" or "damage". */
+  /** What the cracked points of a step have: "opening", "sliding" or "damage". */
   ofCracks(index, name) {
     const {cracks} = this.steps[index];
     return cracks ? decoded(cracks[name], Float32Array) : new Float32Array(0);

@@ -30,22 +30,27 @@ class Curve {
   /**
    * The kind of the part of the path before a row: 0 stable under dead load, 1 stable while the control holds what it
    * prescribes, 2 unstable even then; the better of its two ends, because at a kink the point already counts as what
-   * follows. Null where nobody counted negative eigenvalues.
+   * follows. 3 where that is not known at either end, because the negative eigenvalues were not or could not be
+   * counted.
    */
   stability() {
     const [dead, held] = ["negative_eigenvalues", "negative_under_control"].map((name) => this.table.numbers(name));
-    if (!dead) return null;
-    const kind = (row) => (!(dead[row] > 0) ? 0 : held && held[row] > 0 ? 2 : 1);
-    return (row) => Math.min(kind(row - 1), kind(row));
+    const unknown = 3;
+    const kind = (row) => {
+      if (!dead || Number.isNaN(dead[row])) return unknown;
+      if (dead[row] === 0) return 0;
+      return held ? (held[row] > 0 ? 2 : 1) : unknown;
+    };
+    return (row) => (Math.max(kind(row - 1), kind(row)) === unknown ? unknown : Math.min(kind(row - 1), kind(row)));
   }
 
   /** What the kinds of line mean, of those that the curve has. */
   stabilityNote() {
-    if (!this.kindOf) return "";
     const kinds = new Set(Array.from(this.steps.slice(1), (_, i) => this.kindOf(i + 1)));
     const notes = [
       [1, "Dashed: stable under the control only; under a dead load the structure would fail here."],
       [2, "Dashed in orange: unstable under the control, too."],
+      [3, "Dotted: it is not known whether it is stable."],
     ];
     return notes.filter(([kind]) => kinds.has(kind)).map(([, note]) => note).join(" ");
   }
@@ -60,7 +65,7 @@ class Curve {
   describe(row, axes = []) {
     const names = [
       "step", "control", "newton_iterations", "load", ...this.gauges(), ...axes, "external_work", "stored_energy",
-      "dissipated_energy", "current_stiffness", "negative_eigenvalues", "negative_under_control", "mu_1"
+      "dissipated_energy", "current_stiffness", "negative_eigenvalues", "negative_under_control", "negative_second_order_work", "mu_1"
     ];
     const isKnown = (column) => column && !(column.numbers && Number.isNaN(column.numbers[row]));
     const columns = [...new Set(names)].map((name) => this.table.column(name)).filter(isKnown);
@@ -136,5 +141,14 @@ function eventTable(curve) {
     {title: "uncertainty", isNumeric: true, text: ({uncertainty}) => formatNumber(uncertainty, 2)},
   ];
   return folded(
-      `${plural(curve.events.length, "located event")}`, tableOf(columns, curve.events), curve.events.length <= 8);
+      `${plural(curve.events.length, "located event")}${smallExtrema(curve.summary.small_extrema)}`,
+      tableOf(columns, curve.events), curve.events.length <= 8);
+}
+
+/** "; smaller ones (below 0.5 %): 64 of load", which the list leaves out. */
+function smallExtrema(small) {
+  if (!small) return "";
+  const counts = Object.entries(small).filter(([name]) => name !== "depth");
+  return `; smaller ones (below ${100 * small.depth} %): ` +
+      counts.map(([name, count]) => `${count} of ${words(name)}`).join(", ");
 }

@@ -52,7 +52,7 @@ class DeformedFigure {
     return element(
         "div", {class: "toolbar"},
         chooser(
-            "cracks by", [["opening", "opening"], ["damage", "damage"], ["none", "not shown"]], "opening",
+            "cracks by", [["opening", "opening"], ["sliding", "sliding"], ["damage", "damage"], ["none", "not shown"]], "opening",
             (value) => this.set("cracks", value)),
         this.blocks.stressUnit ? chooser("blocks by", fields, "none", (value) => this.set("field", value)) : null,
         checkbox("one scale for all steps", true, (value) => this.set("everyStep", value)),

@@ -1,6 +1,6 @@
 // The picture of the deformed blocks: what is drawn where, in which colours.
 
-/** Options: index, magnification, field, cracks ("opening" or "damage"), everyStep (one scale), view (or null). */
+/** Options: index, magnification, field, cracks ("opening", "sliding" or "damage"), everyStep (one scale), view (or null). */
 class PicturePainter {
   constructor(blocks, options, scales) {
     this.blocks = blocks;
@@ -146,10 +146,10 @@ function scalesOf(blocks, {index, field, cracks, everyStep}) {
     scales.field = ColourScale.signed(
         over((i) => innerRange(blocks.field(i, field))), withUnit(BLOCK_FIELDS[field].label, blocks.stressUnit));
   if (cracks === "damage") scales.cracks = new ColourScale("crack", [0, 1], "damage of the interface");
-  if (cracks === "opening")
+  if (cracks === "opening" || cracks === "sliding")
     scales.cracks = new ColourScale(
         "crack", [0, over((i) => rangeOf([[0], blocks.ofCracks(i, cracks)]))[1]],
-        withUnit("opening", blocks.lengthUnit));
+        withUnit(cracks, blocks.lengthUnit));
   scales.list = [scales.cracks, scales.field].filter(Boolean);
   return scales;
 }

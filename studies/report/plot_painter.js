@@ -7,8 +7,8 @@ const PLOT_ROOM = {
   bottom: 44
 };
 
-/** A part of a curve is stable, stable under its control only, or unstable. */
-const LINE_KINDS = [{}, {dash: [5, 5]}, {dash: [5, 5], stroke: PALETTE[1]}];
+/** A part of a curve is stable, stable under its control only, unstable, or nobody knows. */
+const LINE_KINDS = [{}, {dash: [5, 5]}, {dash: [5, 5], stroke: PALETTE[1]}, {dash: [1.5, 4], stroke: INK}];
 
 /** From values to the picture and back. */
 class PlotFrame {

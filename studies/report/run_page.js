@@ -150,8 +150,9 @@ class RunPage {
             "displacement grows, positive while both fall."
       ],
       [
-        "count", /^negative_(eigenvalues|under_control)$/, "negative eigenvalues",
-        "How many eigenvalues of the stiffness are negative: under dead load, and while the control holds what it prescribes."
+        "count", /^negative_(eigenvalues|under_control|second_order_work)$/, "negative eigenvalues",
+        "How many eigenvalues of the stiffness are negative: under dead load, while the control holds what it prescribes, " +
+            "and of its symmetric part, where friction or unequal strengths make it unsymmetric."
       ],
     ];
     const figures = groups.map(

@@ -234,7 +234,7 @@ TEST_P(SolverContract, InertiaOfUpdatesEqualsThatOfTheWholeMatrix) {
     const Eigen::MatrixXd k = dense_tangent(equilibrium, tangents);
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> whole(k, Eigen::EigenvaluesOnly);
     const auto expected = static_cast<int>((whole.eigenvalues().array() < 0).count());
-    const auto found = updated.num_negative_eigenvalues();
+    const auto found = updated.negative_eigenvalues().of_stiffness;
     if (!found) {
       EXPECT_EQ(GetParam(), "amesos2") << "the one solver that does not tell";
       return;
@@ -243,6 +243,46 @@ TEST_P(SolverContract, InertiaOfUpdatesEqualsThatOfTheWholeMatrix) {
     most = std::max(most, expected);
   }
   EXPECT_GE(most, 2);
+}
+
+/// The same where sliding points make the tangent unsymmetric, beside a symmetric base and as the base.
+TEST_P(SolverContract, UnsymmetricTangentsAreCounted) {
+  const Structure structure(square_deck());
+  const Equilibrium equilibrium = structure.equilibrium();
+  for (const auto update : {LinearSystem::Update::low_rank, LinearSystem::Update::refactorise}) {
+    LinearSystem linear(equilibrium, direct_solvers().choose(GetParam()), update);
+    int stable = 0, negative = 0;
+    for (int round = 0; round < 24; ++round) {
+      std::vector<Mat2> tangents;
+      for (std::size_t p = 0; p < equilibrium.num_active(); ++p) {
+        Mat2 d = equilibrium.point(p).intact_stiffness().asDiagonal();
+        if (p % 3 == 0) d(1, 0) = random_.between(-0.3, 0.3) * d(0, 0);
+        if (p % 7 == 0 && random_.between(0, 24) < round) d(0, 0) *= -random_.between(0, 1);
+        tangents.push_back(d);
+      }
+      ASSERT_TRUE(linear.set_tangent(tangents));
+      EXPECT_FALSE(linear.has_symmetric_tangent());
+      const auto found = linear.negative_eigenvalues();
+      if (!found.of_symmetric_part) {
+        EXPECT_EQ(GetParam(), "amesos2") << "the one solver that does not tell";
+        return;
+      }
+      const Eigen::MatrixXd k = dense_tangent(equilibrium, tangents);
+      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> symmetric(k + k.transpose(),
+                                                                     Eigen::EigenvaluesOnly);
+      EXPECT_EQ(*found.of_symmetric_part, (symmetric.eigenvalues().array() < 0).count()) << "round " << round;
+      if (*found.of_symmetric_part < 2) EXPECT_TRUE(found.of_stiffness) << "round " << round;
+      if (!found.of_stiffness) continue;
+      const auto lu = k.partialPivLu();
+      const double sign = lu.matrixLU().diagonal().cwiseSign().prod();
+      const bool is_odd = lu.permutationP().determinant() * sign < 0;
+      EXPECT_EQ(*found.of_stiffness % 2 == 1, is_odd) << "round " << round;
+      stable += *found.of_stiffness == 0;
+      negative += *found.of_stiffness > 0;
+    }
+    EXPECT_GT(stable, 2);
+    EXPECT_GT(negative, 2);
+  }
 }
 
 TEST_P(SolverContract, MemoryIsPredictedWithoutFactorising) {

@@ -37,9 +37,11 @@ const char* name_of(Anchor anchor) {
 }
 
 std::string stroke_of(const LineStyle& style) {
-  const std::string dashes = style.dashed ? fmt::format(" stroke-dasharray=\"5 9\" stroke-dashoffset=\"{}\"",
-                                                        coordinate(style.dash_offset))
-                                          : "";
+  std::string dashes;
+  if (style.dotted)
+    dashes = " stroke-dasharray=\"1 4\"";
+  else if (style.dashed)
+    dashes = fmt::format(" stroke-dasharray=\"5 9\" stroke-dashoffset=\"{}\"", coordinate(style.dash_offset));
   return fmt::format("stroke=\"{}\" stroke-width=\"{}\"{}", style.colour, coordinate(style.width), dashes);
 }
 

@@ -23,6 +23,7 @@ struct LineStyle {
   double width = 1;
   bool dashed = false;
   double dash_offset = 0;  ///< where the dashes start, so that coinciding curves show one after the other
+  bool dotted = false;     ///< instead of dashed
 };
 
 /// A rectangle of the picture, y downwards [px].

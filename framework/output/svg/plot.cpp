@@ -44,7 +44,7 @@ LineStyle style_of(const Series& series, std::size_t colour) {
   // Beyond the palette the dashes tell two series of one colour apart.
   constexpr double dash_step = 14.0 / 3;  // three coinciding dashed curves share the period of the dashes
   return {palette[colour % palette.size()], 1.8, series.dashed != (colour / palette.size() % 2 == 1),
-          dash_step * static_cast<double>(colour)};
+          dash_step * static_cast<double>(colour), series.dotted};
 }
 
 /// Draws one panel into its frame.

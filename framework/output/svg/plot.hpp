@@ -6,12 +6,14 @@
 namespace dda::svg {
 
 /// A curve drawn through its points in the order given, so that a snap-back turns back.
-/// Points that are not finite interrupt the line. colour: number in the palette, −1 = next one.
+/// Points that are not finite interrupt the line. colour: number in the palette, −1 = next one. A series
+/// without points stands in the legend alone.
 struct Series {
   std::string name;  ///< legend; "" = none
   std::vector<double> x, y;
   bool dashed = false;
   int colour = -1;
+  bool dotted = false;
 };
 
 /// One marked point, such as the limit point.

@@ -53,6 +53,18 @@ TEST(Xdmf, SizesAreThoseOfTheDatasets) {
   EXPECT_THAT(text, HasSubstr("<Time Value=\"1.5\"/>"));
 }
 
+TEST(Xdmf, NormalAndSlidingComponentsAreNamed) {
+  const std::string text =
+      xdmf_text("run.h5", {2, 7, 11, 4, true},
+                {{1, 0.5, {{"opening", "/field/000001/segments/opening", FieldPlace::segment, 3, "n s"}}}});
+  EXPECT_TRUE(is_balanced(text));
+  EXPECT_THAT(text, HasSubstr("Name=\"opening_n\" AttributeType=\"Scalar\""));
+  EXPECT_THAT(text, HasSubstr("Format=\"XML\">0 0 1 1 4 1</DataItem>"));
+  EXPECT_THAT(text, HasSubstr("Name=\"opening_s\" AttributeType=\"Scalar\""));
+  EXPECT_THAT(text, HasSubstr("Format=\"XML\">0 1 1 1 4 1</DataItem>"));
+  EXPECT_THAT(text, Not(HasSubstr("\"Vector\"")));
+}
+
 TEST(Xdmf, NoInterfaceGridWithoutSegments) {
   ResultsFile::Sizes blocks_only = sizes;
   blocks_only.segments = 0;

@@ -136,7 +136,7 @@ Snapshot snapshot(int step) {
       {{"displacement", "mm", FieldPlace::block_vertex, 2, {0, 0, x, 0, 0, -x, 0, 0, 0, 0, 0, 0}, "x y z"},
        {"stress", "MPa", FieldPlace::block, 3, {x, 2, 3, 4, 5, 6}, "xx yy xy"},
        {"displacement", "mm", FieldPlace::segment_end, 2, {1, 2, 3, 4, 5, 6, 7, 8}, "x y z"},
-       {"opening", "mm", FieldPlace::segment, 2, {0, 0, 3, 4}, "n s"},
+       {"opening", "mm", FieldPlace::segment, 2, {0, 0, 3, -4}, "n s"},
        {"damage", "", FieldPlace::segment, 1, {0, 0.5}, ""}}};
 }
 
@@ -152,7 +152,8 @@ TEST(Report, BlocksAndCracksAreCompact) {
   EXPECT_NEAR(second["motion"]["gradient"]["scale"], 2.0 / 32767, 1e-12);  // u_x = 2 x, u_y = -2 y
   EXPECT_NEAR(second["motion"]["mean"]["scale"], 2.0 / 3 / 32767, 1e-12);
   EXPECT_EQ(second["cracks"]["points"], "AQAAAA==");   // point 1 alone has damage
-  EXPECT_EQ(second["cracks"]["opening"], "AACgQA==");  // 5 = |(3, 4)|
+  EXPECT_EQ(second["cracks"]["opening"], "AABAQA==");  // 3, of w = (3, -4)
+  EXPECT_EQ(second["cracks"]["sliding"], "AACAQA==");  // 4
 }
 
 TEST(Report, WhatDoesNotMoveHasNoSize) {
