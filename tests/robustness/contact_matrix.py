@@ -53,7 +53,7 @@ def read_arguments():
     parser.add_argument("--run", metavar="PROGRAM", help="run the decks with this program")
     parser.add_argument("--only", action="append", default=[], metavar="TEXT", help="cases whose name holds it; may be repeated")
     parser.add_argument("--jobs", type=int, default=1)
-    parser.add_argument("--time-limit", type=float, default=300, help="seconds a run may take")
+    parser.add_argument("--time-limit", type=float, default=300, help="processor seconds that a run may take")
     parser.add_argument("--folder", type=Path, help="where runs are kept; nowhere if not given")
     parser.add_argument("--csv", type=Path, help="the rows as a file")
     arguments = parser.parse_args()

@@ -39,7 +39,7 @@ def decks(folder):
     studies, program = TESTS.parent / "studies", TESTS / "program"
     return {"softening": ("run", program / "fine_beam.yaml", ["path.stop.steps=30", *OFTEN]),
             "legs": ("run", program / "legs.yaml", ["scene.subdivision.blocks=1200", *OFTEN]),
-            "release": ("run", studies / "reinforced-beam" / "release.yaml", ["path.stop.gauges.deflection=0.06", *OFTEN]),
+            "release": ("run", studies / "reinforced-beam" / "release.yaml", ["path.stop.gauges.deflection=0.04", *OFTEN]),
             "plates": ("run", plates, OFTEN),
             "sweep": ("sweep", program / "beam.yaml",
                       ["scene.subdivision.blocks=500", "sweep={thickness: [50, 100, 150, 200]}", *OFTEN])}
@@ -48,20 +48,35 @@ def decks(folder):
 def descendants(process):
     """Numbers of a process' children and theirs, from /proc."""
     try:
-        found = Path(f"/proc/{process}/task/{process}/children").read_text(encoding="ascii").split()
+        found = [word for task in Path(f"/proc/{process}/task").iterdir()
+                 for word in (task / "children").read_text(encoding="ascii").split()]
     except OSError:
         return []
     return [number for child in map(int, found) for number in (child, *descendants(child))]
 
 
 def kill(process):
-    """SIGKILL to what was started here and to what that started: nothing is left to write."""
-    for number in (*descendants(process.pid), process.pid):
+    """SIGKILL to what was started here and to what that started: nothing is left to write, or holds a lock."""
+    process.send_signal(signal.SIGSTOP)  # starts nothing more
+    while state_of(process.pid) not in ("T", "Z", ""):
+        time.sleep(0.001)
+    below = descendants(process.pid)
+    for number in (*below, process.pid):
         try:
             os.kill(number, signal.SIGKILL)
         except ProcessLookupError:
             pass
     process.wait()
+    while any(state_of(number) not in ("Z", "") for number in below):
+        time.sleep(0.01)
+
+
+def state_of(process):
+    """Its letter in /proc: T stopped, Z over but not yet taken note of; "" gone."""
+    try:
+        return Path(f"/proc/{process}/stat").read_text(encoding="ascii").rsplit(")", 1)[1].split()[0]
+    except OSError:
+        return ""
 
 
 class Campaign:

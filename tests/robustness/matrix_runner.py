@@ -1,6 +1,8 @@
 """Runs the cases of the contact matrix and judges them: a row per case."""
 import csv
 import json
+import math
+import signal
 import subprocess
 import sys
 import time
@@ -16,15 +18,21 @@ COLUMNS = ("case", "status", "exit", "steps", "rejected", "end", "peak", "expect
 
 
 def start_deck(deck, folder, program, limit):
-    """Runs a deck into a folder: exit code (or `time`), seconds and the last line said."""
+    """Runs a deck into a folder: exit code (or `time`), seconds and the last line said.
+
+    `limit` is the processor time that it may take [s], so that a busy machine changes nothing.
+    """
     begun = time.monotonic()
-    command = [program, "run", str(deck), "--folder", str(folder), "--overwrite", "--quiet", "--threads", "1"]
+    command = ["prlimit", f"--cpu={math.ceil(limit)}", program, "run", str(deck), "--folder", str(folder), "--overwrite",
+               "--quiet", "--threads", "1"]
     try:
-        done = subprocess.run(command, capture_output=True, text=True, timeout=limit, check=False)
-        said = (done.stderr.strip() or done.stdout.strip() or " ").splitlines()[-1]
-        return done.returncode, time.monotonic() - begun, said
+        done = subprocess.run(command, capture_output=True, text=True, timeout=10 * limit, check=False)
     except subprocess.TimeoutExpired:
-        return "time", time.monotonic() - begun, f"not done in {limit:g} s"
+        return "time", time.monotonic() - begun, f"not done in {10 * limit:g} s"
+    if done.returncode == -signal.SIGXCPU:
+        return "time", time.monotonic() - begun, f"not done in {limit:g} s of processor time"
+    said = (done.stderr.strip() or done.stdout.strip() or " ").splitlines()[-1]
+    return done.returncode, time.monotonic() - begun, said
 
 
 def read_json(path):

@@ -109,7 +109,7 @@ def read_arguments():
     parser.add_argument("--count", type=int, default=60)
     parser.add_argument("--seed", type=int, default=1, help="the first one; structure n of a run has the seed SEED + n")
     parser.add_argument("--jobs", type=int, default=2)
-    parser.add_argument("--time-limit", type=float, default=60, help="seconds a run may take")
+    parser.add_argument("--time-limit", type=float, default=60, help="processor seconds that a run may take")
     parser.add_argument("--folder", type=Path, help="where decks and runs are kept; nowhere if not given")
     return parser.parse_args()
 

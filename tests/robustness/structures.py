@@ -25,6 +25,8 @@ class Maker:
         self.mesh = self.random.choice(MESHES)
         self.depth = round3(self.random.uniform(60, 200))
         self.shape = self.random.choice((self.beam, self.cantilever, self.corbel, self.panel, self.wall, self.l_shape, self.plated))
+        if not is_suited(self) and self.random.random() < 0.75:
+            self.mesh = "triangles"
 
     def of(self, *choices):
         return self.random.choice(choices)
@@ -39,7 +41,7 @@ class Maker:
         """`given` is a grid of blocks: the regions themselves would be too few to be a structure."""
         if self.mesh == "given":
             return {"type": "grid", "columns": columns, "rows": self.random.randint(2, 4), "shape": self.of("quads", "triangles")}
-        return {"type": self.mesh, "size": round3(self.depth / self.random.uniform(4, 7))}
+        return {"type": self.mesh, "size": round3(self.depth / self.random.uniform(3.5, 6))}
 
     def cracks_everywhere(self):
         return {"body": {"between": ["body", "body"], **joint(self, self.treatment)}}

@@ -16,7 +16,7 @@ from .state import Step
 
 __all__ = ["Finding", "verify"]
 
-BETWEEN_EQUILIBRIA = ("release", "jump")  # rows in which a point is losing its strength
+BETWEEN_EQUILIBRIA = "release"  # rows in which a point is losing its strength
 
 
 def read_steps(run, model):

@@ -27,4 +27,5 @@ def not_made(check, why):
 def worst_of(check, findings, bound):
     """The largest of (value, place) pairs as a Finding; a nan counts as larger than everything."""
     largest = max(findings, key=lambda pair: (pair[0] != pair[0], pair[0]), default=(0.0, "everywhere"))
-    return Finding(check, float(largest[0]), bound, largest[1])
+    value = float(largest[0])
+    return Finding(check, 0.0, bound, "everywhere") if value <= 0 else Finding(check, value, bound, largest[1])

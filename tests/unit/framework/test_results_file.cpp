@@ -52,6 +52,22 @@ TEST(ResultsFile, WritesTheMeshOnce) {
   EXPECT_THAT(file.texts("/provenance/version"), ElementsAre("0.1"));
 }
 
+TEST(ResultsFile, WritesTheTablesOfTheModel) {
+  const Scratch scratch;
+  ResultsMesh mesh = small_mesh();
+  mesh.model = {{"side/ends", {1, 0, 1, 1}, {}, {}, 4},
+                {"side/blocks", {}, {0, 1}, {}, 2},
+                {"interface_names", {}, {}, {"joint"}, 1},
+                {"load/block", {}, {}, {}, 1}};
+  const ResultsFile results(scratch.path(), mesh, {});
+  const Hdf5File file = reading(results);
+  EXPECT_EQ(file.num_rows("/model/side/ends"), 1u);
+  EXPECT_THAT(file.numbers("/model/side/ends"), ElementsAre(1, 0, 1, 1));
+  EXPECT_THAT(file.integers("/model/side/blocks"), ElementsAre(0, 1));
+  EXPECT_THAT(file.texts("/model/interface_names"), ElementsAre("joint"));
+  EXPECT_EQ(file.num_rows("/model/load/block"), 0u) << "an empty table is there";
+}
+
 TEST(ResultsFile, StoresFieldsStepByStep) {
   const Scratch scratch;
   ResultsFile results(scratch.path(), small_mesh(), {});
