@@ -36,7 +36,7 @@ TEST(SmallExtrema, AreCountedNotListed) {
 }
 
 TEST(SmallExtrema, ThePeakStaysHoweverLittleTheLoadFalls) {
-  const ListedEvents found = listed_events({extremum(100, 1)}, at(0, 0), at(99.9, 1.1), names);
+  const ListedEvents found = listed_events(Json::array({extremum(100, 1)}), at(0, 0), at(99.9, 1.1), names);
   EXPECT_EQ(loads(found.listed), std::vector<double>{100});
   EXPECT_TRUE(found.small.is_null());
 }
