@@ -1,5 +1,7 @@
 #include "meshing/voronoi.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -19,10 +21,16 @@ double uniform(std::mt19937_64& bits) { return static_cast<double>(bits() >> 11)
 std::vector<Vec2> random_sites(const Clipper& region, const Box& box, const VoronoiWish& wish) {
   std::mt19937_64 bits(wish.seed);
   std::vector<Vec2> sites;
-  while (sites.size() < wish.blocks) {
+  constexpr int most_misses = 1'000'000;  // in a row; the region has no area to speak of
+  for (int misses = 0; sites.size() < wish.blocks; ++misses) {
+    if (misses == most_misses)
+      throw GeosError(fmt::format("a part around ({:.6g}, {:.6g}) has no room for a cell", box.centre().x(),
+                                  box.centre().y()));
     const double x = uniform(bits), y = uniform(bits);
     const Vec2 site = box.low + (box.high - box.low).cwiseProduct(Vec2(x, y));
-    if (region.holds(site)) sites.push_back(site);
+    if (!region.holds(site)) continue;
+    sites.push_back(site);
+    misses = 0;
   }
   return sites;
 }

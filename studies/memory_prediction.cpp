@@ -237,10 +237,8 @@ MemoryPrediction predict_memory(const Simulation& simulation) {
     const MemoryPrediction anew = new_bases(of, {seldom_more, of.releases, 0});
     MemoryPrediction with_loca = alone;
     with_loca.libraries = library_bytes(of, true, is_indefinite(of));
-    if (of.refactorises() || (is_much && (of.releases || !ends_at_gauge)))
+    if (of.refactorises() || is_much)
       out = anew;
-    else if (is_much)  // which may end before
-      out = between(alone, anew);
     else if (of.slides)  // which LOCA follows, and often with a new base
       out = between(with_loca, anew);
     most = new_bases(of, {std::numeric_limits<double>::infinity(), of.slides, 1});

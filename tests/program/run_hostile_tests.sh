@@ -76,6 +76,7 @@ EndFor'
       --memory-limit 8
     said "\`--memory-limit\`"
   done
+  refused "a sliver" "has no room for a cell" "$program" check "$beam" --set "scene.slits={notch: [[150, 0], [1e12, 30]]}"
   refused "a fine grid" "\`--memory-limit\`" "$program" check "$bar" --memory-limit 8 \
     --set 'scene.subdivision={type: grid, columns: 100000, rows: 100000}'
 }
