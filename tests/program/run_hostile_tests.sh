@@ -60,6 +60,7 @@ commands_in_geometry() {
 }
 
 broken_geometry() {
+  plate sound
   plate endless 'For i In {0:1:1e-15}
   x = i;
 EndFor'
