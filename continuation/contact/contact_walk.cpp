@@ -173,7 +173,7 @@ class Walk {
     if (!refactor(right)) return {};
     direction_ = -1;
     last_ = -1;
-    const std::size_t most = 50 * size() + 200;
+    const std::size_t most = 12 * size() + 200;
     for (std::size_t pivots = 0; pivots < most; ++pivots) {
       const Vector along = direction_ * way_;
       const auto end = next_end(along);
