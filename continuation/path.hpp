@@ -86,6 +86,7 @@ struct PathMemory {
   double largest_force = 0;  ///< Σ |force| of loads and driven springs, largest so far [F]
   double imbalance = 0;      ///< work − storage − dissipation, jumps left out [FL]
   std::map<std::string, Travel> travels;  ///< of all gauges, and of the load as `load`
+  int idle_looks = 0;                     ///< looks for a hidden peak, one after another, that found none
   bool has_slid = false;                  ///< a contact has changed since the start
   bool is_mechanism = false;              ///< the load has stayed while the structure moved
 };

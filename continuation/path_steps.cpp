@@ -20,6 +20,8 @@ constexpr double smallest_share = 1e-4;
 constexpr int most_refinements = 20;
 /// And for what it may hide between its ends.
 constexpr int most_looks = 7;
+/// So many looks in a row that found no higher load end them: a plateau has corners in every step.
+constexpr int most_idle_looks = 10;
 
 }  // namespace
 
@@ -150,7 +152,8 @@ std::optional<Point> Path::controlled_step(const Move& move) {
       amount *= *share;
       continue;
     }
-    if (const auto share = before_hidden_turn(*candidate, amount); share && looks++ < most_looks) {
+    if (const auto share = before_hidden_turn(*candidate, amount);
+        share && looks++ < most_looks && memory_.idle_looks < most_idle_looks) {
       report("refined", "the step may hide a peak between its ends");
       ++walker_.effort().rejected;
       looked_at = std::max(looked_at, amount);
@@ -180,6 +183,11 @@ std::optional<Point> Path::controlled_step(const Move& move) {
       continue;
     }
     resize(*candidate, amount, move);
+    if (looked_at > 0) {
+      const bool is_new_peak =
+          load_of(candidate->state) > memory_.peak_load * (1 + parameters_.peak_tolerance);
+      memory_.idle_looks = is_new_peak ? 0 : memory_.idle_looks + 1;
+    }
     memory_.step = std::max(memory_.step, looked_at);  // what was hidden is behind
     return keep(*candidate, move.control);
   }

@@ -111,7 +111,7 @@ Mat2 with_own_stiffness(const Mat2& d, const InterfacePoint& point) {
 
 }  // namespace
 
-/// Bodies that slide with all their points keep a residual stiffness, so that the path has a tangent there.
+/// Bodies that slide as a whole keep a residual stiffness, so that the path has a tangent there.
 std::vector<Mat2> System::path_tangents(const LawValues& laws) const {
   constexpr double residual_share = 1e-7;
   std::vector<Mat2> out = laws.tangent;
@@ -388,24 +388,6 @@ std::size_t System::active_set(const LawValues& laws) const {
     hash = (hash ^ (piece + 32 * (piece ? p + 1 : 0))) * 1099511628211ull;
   }
   return hash;
-}
-
-double System::dissipated(const std::vector<History>& history) const {
-  double sum = 0;
-  for (std::size_t p = 0; p < history.size(); ++p)
-    sum += equilibrium_.point(p).weight * history[p].dissipated;
-  return sum;
-}
-
-double System::stored(const State& state, const LawValues& laws) const {
-  const double of_joints = parallel_sum(laws.opening.size(), points_at_once, [&](std::size_t p) {
-    const InterfacePoint& point = equilibrium_.point(p);
-    const double energy = point.law->stored(laws.opening[p], history_[p], point.stiffness);
-    if (point.multiplier != Multiplier::iterated) return point.weight * energy;
-    return point.weight *
-           (energy - 0.5 * multipliers_[p].dot(point.trial_stiffness().cwiseProduct(multipliers_[p])));
-  });
-  return equilibrium_.passive_energy(state.d) + of_joints;
 }
 
 }  // namespace dda

@@ -126,7 +126,7 @@ void put(RestartData& data, const PathMemory& m) {
   data.numbers["path"] = {
       m.peak_load, m.step,     m.largest_displacement, m.jump_energy, m.last_quantum, m.unaccounted,
       m.driver,    m.leg_peak, m.largest_force,        m.imbalance};
-  data.integers["path.counts"] = {m.direction, m.leg, m.leg_start, m.surplus, m.has_slid, m.is_mechanism};
+  data.integers["path.counts"] = {m.direction, m.leg, m.leg_start, m.surplus, m.idle_looks, m.has_slid, m.is_mechanism};
   data.texts["path.step_control"] = {m.step_control};
   auto& names = data.texts["path.travels"] = {};
   Numbers& travels = data.numbers["path.travels"] = {};
@@ -165,8 +165,9 @@ PathMemory take_path(const RestartData& data) {
           .largest_force = n.at(8),
           .imbalance = n.at(9),
           .travels = take_travels(data),
-          .has_slid = data.integers.at("path.counts").at(4) != 0,
-          .is_mechanism = data.integers.at("path.counts").at(5) != 0};
+          .idle_looks = static_cast<int>(data.integers.at("path.counts").at(4)),
+          .has_slid = data.integers.at("path.counts").at(5) != 0,
+          .is_mechanism = data.integers.at("path.counts").at(6) != 0};
 }
 
 void put(RestartData& data, const Tangent& leaving) {

@@ -43,8 +43,8 @@ void CrackedPoints::start_at(const State& guess) {
   for (std::size_t i = 0; i < points_.size(); ++i)
     pair(q_, i) = system_.equilibrium().opening(points_[i], guess.d) + multiplier(i);
   load_factor_ = guess.load_factor;
-  elastic_ =
-      std::max(dead_.lpNorm<Eigen::Infinity>(), std::abs(load_factor_) * live_.lpNorm<Eigen::Infinity>());
+  scale_ = std::max({dead_.lpNorm<Eigen::Infinity>(), q_.lpNorm<Eigen::Infinity>(),
+                     std::abs(load_factor_) * live_.lpNorm<Eigen::Infinity>()});
   evaluate();
 }
 
@@ -112,7 +112,7 @@ State CrackedPoints::state() const {
 
 double CrackedPoints::opening_scale() const {
   constexpr double far = 100;
-  const double loads = std::max(elastic_, std::abs(load_factor_) * live_.lpNorm<Eigen::Infinity>());
+  const double loads = std::max(scale_, std::abs(load_factor_) * live_.lpNorm<Eigen::Infinity>());
   return std::clamp(q_.lpNorm<Eigen::Infinity>(), loads, far * loads);
 }
 

@@ -64,7 +64,7 @@ class CrackedPoints {
   double gauge_dead_ = 0, gauge_live_ = 0;
   Vector q_, z_, spending_;
   double load_factor_ = 0, spent_ = 0;
-  double elastic_ = 0;               ///< size of the openings that the loads alone make [L]
+  double scale_ = 0;                 ///< size of the openings of the loads alone and of the guess [L]
   std::vector<Mat2> change_;         ///< E
   std::vector<std::size_t> active_;  ///< places in points_ with z or E
 };

@@ -128,11 +128,13 @@ class MohrCoulomb final : public InterfaceLaw {
   }
 
  private:
-  /// The last of what was carried over the residual friction is lost where the point stands; then it slides.
+  /// Where the last of what was carried over the residual friction goes, the traction falls while it slides.
   Spending spent_in_sliding(const Vec2& q, const History& h, double k) const {
-    const LineSlide slid = slide_along(h.opening, q, h.slip, residual_);
     const double left = respond(h.opening, h, k).traction.y(), before = h.traction.y();
-    return {k * slid.energy + 0.5 * (before + left) * (before - left) / k, k * slid.gradient};
+    constexpr double same = 1e-6;
+    if (std::abs(before - left) > same * std::abs(before)) return spent_in_release(q, h, k);
+    const LineSlide slid = slide_along(h.opening, q, h.slip, residual_);
+    return {k * slid.energy, k * slid.gradient};
   }
   Spending spent_in_release(const Vec2& q, const History& h, double k) const {
     const Response now = respond(q, h, k);
