@@ -176,6 +176,7 @@ std::optional<Point> Path::release_by_jump() {
 /// tangent.
 std::optional<Point> Path::driven_step() {
   constexpr double largest = 0.02, smallest = 1e-4;  // of the displacement so far
+  if (memory_.largest_displacement == 0) return {};
   const State& start = walker_.state();
   const double here = displacement_of(start);
   for (double share = largest; share > smallest; share *= cut) {
