@@ -1,6 +1,7 @@
 // Steps of structures that slide, open and close while nothing cracks.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -151,7 +152,8 @@ void Path::note_mechanism(Point& point, const State& before) {
     point.landed.emplace_back("mechanism");
   }
   memory_.is_mechanism = true;
-  if (ending_.kind == Ending::Kind::running && !std::isfinite(amount_to_landing()))
+  const auto is_goal = [](const Landing& landing) { return landing.ends_leg && !landing.only_falling; };
+  if (ending_.kind == Ending::Kind::running && !std::ranges::any_of(present_landings(), is_goal))
     end(Ending::Kind::goal_reached, text);
 }
 

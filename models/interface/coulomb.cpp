@@ -70,4 +70,11 @@ LineSlide slide_along(const Vec2& from, const Vec2& to, double slip, double m) {
   return out;
 }
 
+SlidingTraction sliding_traction(double before, double now, double slipped, bool slid_before) {
+  const bool on = before * slipped >= 0 && now * slipped >= 0;
+  if (on && (slid_before || std::abs(now) < std::abs(before))) return {0.5 * (before + now), 0.5};
+  if (now * slipped > 0) return {now, 1};
+  return {};
+}
+
 }  // namespace dda

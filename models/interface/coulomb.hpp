@@ -32,6 +32,15 @@ struct LineSlide {
 };
 LineSlide slide_along(const Vec2& from, const Vec2& to, double slip, double m);
 
+/// Traction under which a jump slid, as far as both of its ends tell, there being no line between them: their
+/// mean when it slid from its start or ends with less than it began with, else that of its end (it stuck at
+/// first, or turned round), none where that is unknown. So sliding never gains energy.
+struct SlidingTraction {
+  double mean = 0;     ///< [F/L²]
+  double per_now = 0;  ///< its derivative with respect to the traction at the end
+};
+SlidingTraction sliding_traction(double before, double now, double slipped, bool slid_before);
+
 /// At the limit `sliding` decides which side's gradient is meant. Touching, q_n = 0, counts as closed.
 Friction coulomb_friction(const Vec2& q, double slip, bool sliding, double m);
 

@@ -71,7 +71,12 @@ class MohrCoulomb final : public InterfaceLaw {
   /// contact gives everything back.
   Spending spending(const Vec2& q, const History& h, double k) const override {
     if (h.phase == 0) return {};
-    Spending out = h.share > 0 ? spent_in_release(q, h, k) : spent_in_sliding(q, h, k);
+    const Response now = respond(q, h, k);
+    const double t = now.traction.y(), slipped = q.y() - h.opening.y() - (t - h.traction.y()) / k;
+    const auto [mean, per_now] = h.share > 0 ? SlidingTraction{0.5 * (h.traction.y() + t), 0.5}
+                                             : sliding_traction(h.traction.y(), t, slipped, h.sliding);
+    const Vec2 per_q = now.tangent.row(1);
+    Spending out{mean * slipped, per_now * slipped * per_q + mean * (Vec2(0, 1) - per_q / k)};
     if (h.phase < 2) return out;
     const Vec2 step = q - h.opening;
     const double before = h.traction.x() - k * std::min(h.opening.x(), 0.0), held = h.share * h.held.x();
@@ -128,21 +133,6 @@ class MohrCoulomb final : public InterfaceLaw {
   }
 
  private:
-  /// Where the last of what was carried over the residual friction goes, the traction falls while it slides.
-  Spending spent_in_sliding(const Vec2& q, const History& h, double k) const {
-    const double left = respond(h.opening, h, k).traction.y(), before = h.traction.y();
-    constexpr double same = 1e-6;
-    if (std::abs(before - left) > same * std::abs(before)) return spent_in_release(q, h, k);
-    const LineSlide slid = slide_along(h.opening, q, h.slip, residual_);
-    return {k * slid.energy, k * slid.gradient};
-  }
-  Spending spent_in_release(const Vec2& q, const History& h, double k) const {
-    const Response now = respond(q, h, k);
-    const double mean = 0.5 * (h.traction.y() + now.traction.y());
-    const double slipped = q.y() - h.opening.y() - (now.traction.y() - h.traction.y()) / k;
-    const Vec2 per_q = now.tangent.row(1);
-    return {mean * slipped, 0.5 * slipped * per_q + mean * (Vec2(0, 1) - per_q / k)};
-  }
   struct Nearest {
     double opening;
     Vec2 gradient;

@@ -33,9 +33,10 @@ def all_cases():
     return cases + [slender(*place, cells) for cells in SLENDER for place in grid]
 
 
-def chosen(texts):
-    """Cases whose name holds every one of `texts`."""
-    return [case for case in all_cases() if all(text in case.name for text in texts)]
+def chosen(texts, without=()):
+    """Cases whose name holds every one of `texts` and none of `without`."""
+    return [case for case in all_cases()
+            if all(text in case.name for text in texts) and not any(text in case.name for text in without)]
 
 
 def write(cases, folder):
@@ -52,6 +53,8 @@ def read_arguments():
     parser.add_argument("--write", type=Path, metavar="DIR", help="write the decks and expected.json")
     parser.add_argument("--run", metavar="PROGRAM", help="run the decks with this program")
     parser.add_argument("--only", action="append", default=[], metavar="TEXT", help="cases whose name holds it; may be repeated")
+    parser.add_argument("--without", action="append", default=[], metavar="TEXT",
+                        help="no cases whose name holds it; may be repeated")
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--time-limit", type=float, default=300, help="processor seconds that a run may take")
     parser.add_argument("--folder", type=Path, help="where runs are kept; nowhere if not given")
@@ -64,7 +67,7 @@ def read_arguments():
 
 def main():
     arguments = read_arguments()
-    cases = chosen(arguments.only)
+    cases = chosen(arguments.only, arguments.without)
     if arguments.write:
         write(cases, arguments.write)
         print(f"{len(cases)} decks in {arguments.write}")
