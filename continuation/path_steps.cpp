@@ -91,8 +91,10 @@ std::optional<Point> Path::approach(double amount) {
   return {};
 }
 
-/// Whether joints may slide, open or close although nothing cracks.
+/// Whether joints may slide, open or close although nothing cracks. Where strength is lost at once the
+/// release finds what follows.
 bool Path::can_slide() const {
+  if (releases_at_once_) return false;
   return walker_.system().joins_by_contact() ||
          std::ranges::any_of(walker_.system().history(), [](const History& h) { return h.sliding; });
 }

@@ -38,7 +38,7 @@ struct ContactSettings {
 /// contact, where more than `most_contact_points` points would take part, and where there is no equilibrium.
 std::optional<Reduced> solve_contacts(System& system, const Control& control, double s, const State& guess,
                                       const ContactSettings& settings);
-inline constexpr std::size_t most_contact_points = 600;
+inline constexpr std::size_t most_contact_points = 400;
 /// Points that are not held at a state as in the intact structure.
 std::size_t num_changed(System& system, const State& at);
 

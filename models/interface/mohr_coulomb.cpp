@@ -126,12 +126,6 @@ class MohrCoulomb final : public InterfaceLaw {
     return h.phase == 1 && h.share > 0 ? Vec2(0, q.y() < 0 ? -1 : 1) : Vec2(1, 0);
   }
 
-  std::optional<Contact> contact(const History& h, double k) const override {
-    if (h.phase == 0 || h.share > 0) return {};
-    return Contact{
-        .closed = k, .open = h.phase == 1 ? k : 0, .friction = k, .coefficient = residual_, .slip = h.slip};
-  }
-
  private:
   struct Nearest {
     double opening;
