@@ -68,10 +68,8 @@ Holding holding_of(const System& system, const State& at) {
   out.load = sum_of_forces(system.loading(), at, equilibrium.num_blocks());
   if (out.load == 0) out.load = system.force_level(at.d);  // initial stress is no force
   const auto moved = [&](std::size_t b) { return Translation(at.d.data() + block_unknowns * b).norm(); };
-  for (std::size_t b = 0; b < equilibrium.num_blocks(); ++b) {
-    out.movement = std::max(out.movement, moved(b));
-    out.weak += equilibrium.weak_stiffness() * moved(b);
-  }
+  out.weak = system.weak_forces(at.d);
+  for (std::size_t b = 0; b < equilibrium.num_blocks(); ++b) out.movement = std::max(out.movement, moved(b));
   for (std::size_t b = 0; b < equilibrium.num_blocks(); ++b)
     if (moved(b) > 0 && moved(b) >= 0.5 * out.movement) out.blocks.push_back(b);
   return out;

@@ -59,6 +59,9 @@ double Path::load_of(const State& state) const {
   return (memory_.direction < 0 ? -1 : 1) * load_.value(state.d, state.load_factor);
 }
 
+/// A load below this is none: the tolerance of the equilibria leaves as much of the other forces.
+double Path::smallest_load() const { return walker_.parameters().newton.tolerance * memory_.largest_force; }
+
 double Path::displacement_of(const State& state) const {
   return displacement_.value(state.d, state.load_factor);
 }
@@ -99,7 +102,7 @@ Point Path::keep(Candidate candidate, const std::string& control) {
   out.gap = candidate.gap;
   const double load = load_.value(candidate.state.d, candidate.state.load_factor);
   if (memory_.direction == 0 && load != 0) memory_.direction = load > 0 ? 1 : -1;
-  if (const double here = load_of(candidate.state); here > memory_.peak_load) {
+  if (const double here = load_of(candidate.state); here > std::max(memory_.peak_load, smallest_load())) {
     memory_.peak_load = here;
     out.is_highest = true;
   }

@@ -222,6 +222,7 @@ class Path {
   void begin_next_leg();
   std::optional<Point> end(Ending::Kind kind, std::string reason);
   double load_of(const State& state) const;
+  double smallest_load() const;
   double displacement_of(const State& state) const;
   double displacement_rate(const Tangent& tangent) const;
   void report(const std::string& event, const std::string& text) const {

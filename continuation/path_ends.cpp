@@ -56,7 +56,7 @@ std::string Path::goal_of_path() const {
       if (std::string text = reached(landing); !text.empty()) return text;
   const StopRules& stop = parameters_.stop;
   if (const double target = stop.load_below * memory_.peak_load * (1 + same_value);
-      stop.load_below > 0 && is_last_leg() && !leg().unloads && memory_.leg_peak > target &&
+      target > 0 && is_last_leg() && !leg().unloads && memory_.leg_peak > target &&
       load_of(walker_.state()) <= target)
     return fmt::format("load below {:g} % of its peak", 100 * stop.load_below);
   if (has_ruptured()) return "complete rupture";

@@ -42,7 +42,7 @@ std::optional<int> iterate(CrackedPoints& points, const State& guess, const Cont
   if (settings.tries_newton && !points.only_touch())
     if (const auto iterations = points.newton(settings.max_iterations, CrackedPoints::Cycles::end_it))
       return iterations;
-  points.start_at(guess);
+  points.start_at(settings.from ? *settings.from : guess);
   return points.walk(settings.max_iterations);
 }
 

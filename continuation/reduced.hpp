@@ -29,6 +29,8 @@ void prepare_contacts(System& system, const State& guess);
 /// method has ended far away on a singular matrix.
 struct ContactSettings {
   int max_iterations = 15;
+  /// The equilibrium from which walks begin: between it and the wanted one they are equilibria of the path.
+  const State* from = nullptr;
   double tolerance = 1e-9;  ///< of the equations of the whole structure, relative
   bool tries_newton = true;
 };

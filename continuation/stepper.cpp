@@ -44,13 +44,14 @@ std::string missed(System& system, const Control& control, double step, const St
 }
 
 /// Contact and friction solved exactly; iterated multipliers carried over until no gap is left.
-Attempt contact_step(System& system, const Control& control, double step, const State& guess,
+Attempt contact_step(System& system, const State& start, const Control& control, double step, const State& guess,
                      const StepperParameters& parameters) {
   Attempt out{.state = guess, .reason = "contact and friction allow no equilibrium here"};
   if (!system.has_contacts()) return out;
   if (parameters.multipliers.predicted) system.set_multipliers(guess.multipliers);
   prepare_contacts(system, guess);
   ContactSettings settings{.max_iterations = parameters.newton.max_iterations,
+                           .from = &start,
                            .tolerance = parameters.newton.tolerance};
   for (; out.multiplier_iterations <= parameters.multipliers.max_iterations; ++out.multiplier_iterations) {
     auto found = solve_contacts(system, control, step, out.state, settings);
@@ -89,7 +90,7 @@ Attempt controlled_step(System& system, const State& start, Control& control, do
   Attempt out;
   if (const auto whole = finished(system, control, step, foreseen, parameters.newton)) out = *whole;
   const bool contacts_first = system.joins_by_contact() && num_changed(system, guess) <= few_points;
-  if (!out.converged && contacts_first) out = contact_step(system, control, step, guess, parameters);
+  if (!out.converged && contacts_first) out = contact_step(system, start, control, step, guess, parameters);
   if (!out.converged) {
     system.set_multipliers(start.multipliers);
     out = loca_step(system, start, control, step, foreseen, parameters);
@@ -98,7 +99,7 @@ Attempt controlled_step(System& system, const State& start, Control& control, do
   if (!out.converged && reduced) out = loca_step(system, start, control, step, guess, parameters);
   if (!out.converged && !contacts_first && system.joins_by_contact()) {
     system.set_multipliers(start.multipliers);
-    if (const Attempt found = contact_step(system, control, step, guess, parameters); found.converged)
+    if (const Attempt found = contact_step(system, start, control, step, guess, parameters); found.converged)
       out = found;
   }
   if (reduced) out.reduced_iterations += reduced->iterations;

@@ -333,7 +333,13 @@ double System::excess_residual(std::span<const double> r, std::span<const double
   equilibrium_.add_absolute_products(d, terms);
   parallel_for(terms.size(), numbers_at_once,
                [&](std::size_t i) { terms[i] = std::max(0.0, std::abs(r[i]) - rounding * terms[i]); });
-  return relative(residual_norm(terms), d);
+  return relative(std::max(0.0, residual_norm(terms) - weak_forces(d)), d);
+}
+
+double System::weak_forces(std::span<const double> d) const {
+  return equilibrium_.weak_stiffness() * parallel_sum(equilibrium_.num_blocks(), blocks_at_once, [&](std::size_t b) {
+    return Eigen::Map<const Vec2>(d.data() + block_unknowns * b).norm();
+  });
 }
 
 double System::excess_residual(const State& at) {

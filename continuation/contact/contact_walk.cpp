@@ -28,7 +28,7 @@ class Walk {
   std::optional<Vector> from(const Vector& start) {
     x_ = start;
     centre_ = openings(start);
-    disturb();
+    disturb(residual(x_, problem_.residual_share).lpNorm<Eigen::Infinity>());
     read_pieces();
     tau_ = 1;
     return follow(residual(x_, problem_.residual_share));
@@ -85,9 +85,10 @@ class Walk {
       z.segment<2>(place(i)) =
           point.weight * (respond(i, q, share).traction - point.base * (q - point.multiplier));
     }
-    Vector out = x + problem_.constant + problem_.couplings * z;
-    out.head(2 * count()) -= x[2 * count()] * problem_.live;
-    out[2 * count()] += problem_.control.dot(x) - x[2 * count()];
+    const Eigen::Index last = 2 * count();
+    Vector out = problem_.constant + problem_.couplings * z;
+    out.head(last) += x.head(last) - x[last] * problem_.live;
+    out[last] += problem_.control.dot(x);
     return out;
   }
 
@@ -136,12 +137,13 @@ class Walk {
         pieces_[i] = piece_at(*contact, opening(x, i), problem_.points[i].slides);
   }
 
-  /// Off all corners by next to nothing, so that no two points cross theirs at once.
-  void disturb() {
-    constexpr double little = 1e-6;
-    const double size_of_openings = x_.head(2 * count()).lpNorm<Eigen::Infinity>();
+  /// Off all corners by next to nothing, so that no two points cross theirs at once: by a small part of what
+  /// is left of F, so that walks that follow each other settle.
+  void disturb(double left) {
+    constexpr double little = 1e-6, part = 0.01;
+    const double most = little * x_.head(2 * count()).lpNorm<Eigen::Infinity>();
     for (Eigen::Index i = 0; i < 2 * count(); ++i)
-      x_[i] += little * size_of_openings * (tie_breaker(static_cast<std::size_t>(i)) - 1.15);
+      x_[i] += std::min(most, part * left) * (tie_breaker(static_cast<std::size_t>(i)) - 1.15);
   }
 
   /// An overlap at which all joints are closed and held.
@@ -176,7 +178,6 @@ class Walk {
       }
       x_ += end->length * along;
       tau_ += direction_ * end->length;
-      if (!cross(end->point, end->to, right)) return {};
     }
     return {};
   }
@@ -231,15 +232,17 @@ class Walk {
   std::optional<Vector> corrected() {
     if (!factor()) return {};
     double before = std::numeric_limits<double>::infinity();
+    Vector best = x_;
     for (int correction = 0; correction < 12; ++correction) {
       const Vector rest = residual(x_, 0);
       const double error = rest.lpNorm<Eigen::Infinity>();
-      if (!std::isfinite(error) || error > 10 * before) return {};
-      if (error <= problem_.accuracy || (correction > 3 && error > 0.5 * before)) return x_;
+      if (!(error < before)) return best;
+      best = x_;
+      if (error <= problem_.accuracy || (correction > 3 && error > 0.5 * before)) return best;
       before = error;
       x_ -= inverse_.solve(rest);
     }
-    return x_;
+    return best;
   }
 
   const ContactProblem& problem_;

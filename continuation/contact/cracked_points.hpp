@@ -11,10 +11,10 @@ namespace dda {
 
 /// The equations of the points with columns under one control, everything else being linear.
 ///
-///     q = q_dead + λ q_ref + m − G z,     z = W (t(q; h) − D_base (q − m)),     N(q, λ) = 0
-///     d = d_dead + λ d_ref − Z z
+///     q = q_dead + λ q_ref + m − G (z − z₀),     z = W (t(q; h) − D_base (q − m)),     N(q, λ) = 0
+///     d = d_dead + λ d_ref − Z (z − z₀)
 ///
-/// with the base, Z and G of a LinearSystem and the iterated multipliers m. An iteration costs a dense solve
+/// with the base, Z and G of a LinearSystem and the iterated multipliers m; z₀ = 0 until refined. An iteration costs a dense solve
 /// of the size of the cracked components.
 class CrackedPoints {
  public:
@@ -31,8 +31,9 @@ class CrackedPoints {
   /// Solves contact and friction exactly (contact_walk.hpp), anew for each tangent of what cracks; the number
   /// of tangents, or nothing.
   std::optional<int> walk(int max_iterations, int at_least = 0);
-  /// One step of iterative refinement: takes what rounding has left of the equations of the whole structure,
-  /// beyond those of the points, off the solution for the dead loads. The iteration goes on from there.
+  /// Makes the z found so far the origin z₀, d_dead being solved for with it: z itself may be large, as where
+  /// points slide that are held in the base, and then so are the errors of Z and G in its products. The
+  /// iteration goes on from there.
   void refine();
   /// The whole structure where the iteration stands.
   State state() const;
@@ -53,9 +54,11 @@ class CrackedPoints {
     return linear_.couplings().block(0, 2 * static_cast<Eigen::Index>(i), size(), 2);
   }
   Vector gap() const;
+  std::vector<double> unbalanced(const State& at) const;
   double correct();
   void solve_in_place(const Matrix& columns, Matrix& x) const;
   double value() const;
+  double rounding_of_value() const;
   double slope(const Vector& dq) const;
   ContactProblem linearised() const;
   ContactProblem::Point point_of(std::size_t i) const;
@@ -67,8 +70,9 @@ class CrackedPoints {
   Vector dead_, live_;  ///< q_dead + m, q_ref
   Vector along_;        ///< Zᵀ ∂g/∂d
   double gauge_dead_ = 0, gauge_live_ = 0;
-  std::vector<double> refinement_;  ///< of the solution for the dead loads
-  Vector q_, z_, spending_;
+  std::vector<double> origin_;  ///< d_dead
+  Vector z_origin_;             ///< z₀
+  Vector q_, z_, difference_, spending_;
   double load_factor_ = 0, spent_ = 0;
   double scale_ = 0;                 ///< size of the openings of the loads alone and of the guess [L]
   std::vector<Mat2> change_;         ///< E
