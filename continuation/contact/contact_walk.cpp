@@ -178,6 +178,7 @@ class Walk {
       }
       x_ += end->length * along;
       tau_ += direction_ * end->length;
+      if (!cross(end->point, end->to, right)) return {};
     }
     return {};
   }
