@@ -314,12 +314,8 @@ ContactProblem::Point CrackedPoints::point_of(std::size_t i) const {
                             .slides = h.sliding,
                             .traction = now.traction - now.tangent * q,
                             .tangent = now.tangent};
-  if (!out.contact) return out;
-  const Response kept = response_on(*out.contact, piece_at(*out.contact, q, h.sliding), q);
-  constexpr double same = 1e-12;
-  const double stiff = out.trial.maxCoeff();
-  if ((kept.traction - now.traction).norm() > same * stiff * q.norm() ||
-      (kept.tangent - now.tangent).cwiseAbs().maxCoeff() > same * stiff)
+  const bool is_damaged = out.contact && !point.law->contact({}, point.stiffness);
+  if (is_damaged && point.law->equivalent_opening(q, h, point.stiffness) > point.law->kappa(h, point.stiffness))
     out.contact.reset();
   return out;
 }
