@@ -144,6 +144,43 @@ TEST(Path, ControlsThatCannotFollowSaySo) {
   EXPECT_THAT(opening.path().ending().reason, testing::HasSubstr("snaps back"));
 }
 
+/// A step that converges and is refused for what it leads past must leave a reason, and so must increments of
+/// which none is tried any more.
+TEST(Path, EveryEarlyStopHasItsReason) {
+  std::string endless = bar_deck(100);  // without a rupture to land on
+  endless.replace(endless.find("linear_softening"), std::string("linear_softening").size(),
+                  "exponential_softening");
+  OnPath coarse(endless, "{step: {accuracy: 1.0e-30}, control: dissipation}");
+  for ([[maybe_unused]] const Point& point : coarse.path()) {
+  }
+  EXPECT_EQ(coarse.path().ending().kind, Ending::Kind::stopped_early);
+  EXPECT_THAT(coarse.path().ending().reason, testing::EndsWith("leaves too much energy unaccounted for"));
+
+  Bar increments(100, "control: load_increments");
+  ASSERT_TRUE(increments.path().next());
+  PathMemory memory = increments.path().memory();
+  memory.step = 1e-5 * increments.stress();
+  increments.path().restore(memory);
+  EXPECT_FALSE(increments.path().next());
+  EXPECT_EQ(increments.path().ending().kind, Ending::Kind::stopped_early);
+  EXPECT_THAT(increments.path().ending().reason,
+              testing::EndsWith("the increments have fallen below 0.0001 of it"));
+}
+
+/// A jump may lead past the share of the peak at which the path ends, to a load that acts the other way.
+TEST(Path, SaysWhereTheLoadHasTurnedRound) {
+  Bar bar(100, "stop: {load_below: 0.3}");
+  ASSERT_TRUE(bar.path().next());
+  ASSERT_NEAR(bar.stress(), 3, 1e-6);
+  PathMemory memory = bar.path().memory();
+  memory.direction = -1;
+  memory.peak_load *= 2;
+  memory.leg_peak = memory.peak_load;
+  bar.path().restore(memory);
+  EXPECT_FALSE(bar.path().next());
+  EXPECT_EQ(bar.path().ending().reason, "load below 30 % of its peak, turned round to -50 %");
+}
+
 TEST(Path, CanBeInterrupted) {
   Bar bar(100, "stop: {load_below: 0.02}");
   int asked = 0;
