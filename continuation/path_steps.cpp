@@ -202,7 +202,7 @@ std::optional<Point> Path::controlled_step(const Move& move) {
   if (const std::string turned = turning_point(); !turned.empty())
     return end(Ending::Kind::stopped_early, turned);
   constexpr double hardly_any = 1e-3;
-  if (const double left = load_of(walker_.state()) / memory_.peak_load; left < hardly_any)
+  if (const double left = std::abs(load_of(walker_.state())) / memory_.peak_load; left < hardly_any)
     return end(Ending::Kind::goal_reached,
                fmt::format("complete rupture: what is left is a mechanism ({:.1e} of the peak)", left));
   return end(Ending::Kind::stopped_early,
