@@ -151,20 +151,8 @@ TEST(Path, ControlsThatCannotFollowSaySo) {
   EXPECT_THAT(opening.path().ending().reason, testing::HasSubstr("snaps back"));
 }
 
-/// Every step that converges leaves more energy unaccounted for than this bears.
-constexpr auto too_accurate =
-    "{step: {accuracy: 1.0e-30}, newton: {tolerance: 1.0e-14}, control: dissipation, "
-    "stop: {load_below: 0, steps: 30}}";
-
-/// A step that converges and is refused for what it leads past must leave a reason, and so must increments of
-/// which none is tried any more.
+/// Increments of which none is tried any more must leave a reason.
 TEST(Path, EveryEarlyStopHasItsReason) {
-  OnPath coarse(endless_bar_deck(), too_accurate);
-  for ([[maybe_unused]] const Point& point : coarse.path()) {
-  }
-  EXPECT_EQ(coarse.path().ending().kind, Ending::Kind::stopped_early);
-  EXPECT_THAT(coarse.path().ending().reason, testing::Not(testing::EndsWith(": ")));
-
   Bar increments(100, "control: load_increments");
   ASSERT_TRUE(increments.path().next());
   PathMemory memory = increments.path().memory();
@@ -196,12 +184,14 @@ TEST(Path, SaysWhereTheLoadHasTurnedRound) {
 }
 
 TEST(Path, LoadThatHasTurnedRoundIsNoRupture) {
-  OnPath coarse(endless_bar_deck(), too_accurate);
-  ASSERT_TRUE(coarse.path().next());
-  turn_load_round(coarse.path());
-  while (coarse.path().next()) {
+  OnPath bar(
+      endless_bar_deck(),
+      "{step: {accuracy: 1.0e-30}, control: dissipation, stop: {load_below: 0}}");  // steps shrink to nothing
+  ASSERT_TRUE(bar.path().next());
+  turn_load_round(bar.path());
+  while (bar.path().next()) {
   }
-  EXPECT_EQ(coarse.path().ending().kind, Ending::Kind::stopped_early) << coarse.path().ending().reason;
+  EXPECT_EQ(bar.path().ending().kind, Ending::Kind::stopped_early) << bar.path().ending().reason;
 }
 
 TEST(Path, CanBeInterrupted) {
