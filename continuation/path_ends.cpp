@@ -8,6 +8,15 @@
 #include "continuation/path.hpp"
 
 namespace dda {
+namespace {
+
+/// What is true of a load that has fallen below a share of its peak; a jump may have turned it round.
+std::string fallen_load(double share, double now) {
+  std::string text = fmt::format("load below {:g} % of its peak", 100 * share);
+  return now < -same_value ? fmt::format("{}, turned round to {:g} %", text, 100 * now) : text;
+}
+
+}  // namespace
 
 /// A leg begins: gauges travel from here.
 void Path::set_out() {
@@ -58,7 +67,7 @@ std::string Path::goal_of_path() const {
   if (const double target = stop.load_below * memory_.peak_load * (1 + same_value);
       target > 0 && is_last_leg() && !leg().unloads && memory_.leg_peak > target &&
       load_of(walker_.state()) <= target)
-    return fmt::format("load below {:g} % of its peak", 100 * stop.load_below);
+    return fallen_load(stop.load_below, load_of(walker_.state()) / memory_.peak_load);
   if (has_ruptured()) return "complete rupture";
   return {};
 }

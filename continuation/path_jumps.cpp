@@ -209,7 +209,7 @@ std::optional<Point> Path::increment_step() {
   constexpr double smallest_share = 1e-4;
   const double first = memory_.step;
   const double smallest = smallest_share * std::max(first, std::abs(walker_.state().load_factor));
-  std::string why;
+  std::string why = fmt::format("the increments have fallen below {:g} of it", smallest_share);
   for (double increment = first; increment > smallest; increment *= 0.5) {
     const Increment found =
         load_increment(walker_.system(), walker_.state(), {increment, *driver_->load_solver()}, parameters_);

@@ -137,8 +137,14 @@ std::optional<Point> Path::controlled_step(const Move& move) {
     if (auto point = rupture()) return point;
   const double smallest = smallest_share * amount, natural = std::max(amount, bounded(first_amount()));
   constexpr double few_cuts = 0.1;  // new cracks are many: only where cutting the step has not helped
-  std::string why;
+  std::string why = "the tangent does not tell how far a step may go";
   double looked_at = 0;
+  const auto shorten = [&](const std::string& because, double share) {
+    why = because;
+    report("refined", why);
+    ++walker_.effort().rejected;
+    amount *= share;
+  };
   for (int refinements = 0, looks = 0; amount > smallest;) {
     const auto candidate = try_step(move, amount, why);
     if (!candidate) {
@@ -149,23 +155,17 @@ std::optional<Point> Path::controlled_step(const Move& move) {
       continue;
     }
     if (const auto share = before_peak(*candidate); share && refinements++ < most_refinements) {
-      report("refined", "the step crosses the limit point");
-      ++walker_.effort().rejected;
-      amount *= *share;
+      shorten("the step crosses the limit point", *share);
       continue;
     }
     if (const auto share = before_hidden_turn(*candidate, amount);
         share && looks++ < most_looks && memory_.idle_looks < most_idle_looks) {
-      report("refined", "the step may hide a peak between its ends");
-      ++walker_.effort().rejected;
       looked_at = std::max(looked_at, amount);
-      amount *= *share;
+      shorten("the step may hide a peak between its ends", *share);
       continue;
     }
     if (is_coarse(*candidate) && refinements++ < most_refinements) {
-      report("refined", "the step leaves too much energy unaccounted for");
-      ++walker_.effort().rejected;
-      amount *= 0.5;
+      shorten("the step leaves too much energy unaccounted for", 0.5);
       continue;
     }
     if (auto unstable = first_unstable(*candidate, amount, move)) {
@@ -176,11 +176,14 @@ std::optional<Point> Path::controlled_step(const Move& move) {
     const double strength = releases_at_once_ ? share_to_strength(*candidate) : 1;
     if (const auto crossing = first_crossing(*candidate); crossing && crossing->share <= strength) {
       if (auto point = land(*candidate, *crossing, move.control)) return point;
+      why = fmt::format("no step ends on {} = {:g}, which lies on the way", crossing->landing.name,
+                        crossing->landing.value);
       amount *= 0.5 * std::max(crossing->share, 0.1);
       continue;
     }
     if (strength < 1) {
       if (auto point = land_on_strength(*candidate, move.control)) return point;
+      why = "no step ends where the next point reaches its strength";
       amount *= 0.5 * std::max(strength, 0.1);
       continue;
     }
@@ -199,7 +202,7 @@ std::optional<Point> Path::controlled_step(const Move& move) {
   if (const std::string turned = turning_point(); !turned.empty())
     return end(Ending::Kind::stopped_early, turned);
   constexpr double hardly_any = 1e-3;
-  if (const double left = load_of(walker_.state()) / memory_.peak_load; left < hardly_any)
+  if (const double left = std::abs(load_of(walker_.state())) / memory_.peak_load; left < hardly_any)
     return end(Ending::Kind::goal_reached,
                fmt::format("complete rupture: what is left is a mechanism ({:.1e} of the peak)", left));
   return end(Ending::Kind::stopped_early,

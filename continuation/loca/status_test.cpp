@@ -73,6 +73,8 @@ NOX::StatusTest::StatusType NewtonTest::judge(const NOX::Solver::Generic& solver
     reason_ = "the iteration cycles between sets of loading points";
     return NOX::StatusTest::Failed;
   }
+  // NOX itself may give up from here, and does not say why.
+  reason_ = fmt::format("no further iterate was found (relative residual {:.1e})", residual_);
   return NOX::StatusTest::Unconverged;
 }
 

@@ -184,6 +184,17 @@ class Tests(unittest.TestCase):
         self.assertIn("0 tests failed out of 1", result.stdout)
         self.assertIn("night", result.stdout)
 
+    def test_sanitizers_have_a_build_of_their_own(self):
+        self.toy.write("CMakeLists.txt", CMAKE + """add_test(NAME options COMMAND sh -c "test $ASAN_OPTIONS = detect_leaks=0")
+            set_tests_properties(options PROPERTIES LABELS fast)
+            """)
+        for arguments, count in ((["--label", "sanitizers"], 2), (["--label=sanitizers", "-R", "options"], 1)):
+            result = self.toy.run("test", *arguments)
+            self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+            self.assertIn(f"0 tests failed out of {count}", result.stdout)
+        self.assertIn("-fsanitize=address", (self.toy.root / "build" / "asan" / "CMakeCache.txt").read_text(encoding="utf-8"))
+        self.assertFalse((self.toy.root / "build" / "release").exists())
+
     def test_no_test_is_a_failure(self):
         self.assertNotEqual(self.toy.run("test", "--label", "quicker").returncode, 0)
 

@@ -5,8 +5,11 @@ import os
 import shutil
 import subprocess
 import tempfile
+import time
 import unittest
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from unittest import mock
 
 import h5py
 import numpy as np
@@ -14,6 +17,7 @@ import pandas as pd
 
 import ddapath
 from ddapath.verify import curve_checks, laws, verify
+from ddapath.verify.model import Model
 
 TESTS = Path(__file__).resolve().parents[1]
 
@@ -122,6 +126,20 @@ class Doctored(unittest.TestCase):
         self.change_summary(status="stopped_early", reason="")
         self.assertEqual(self.refused(), ["last row is what the reason says"])
 
+    def test_threads_do_not_disturb_each_other(self):
+        """A matrix product begun while another thread is at one may be wrong: see ONE_AT_A_TIME."""
+        inside, most = [], []
+
+        def slowly(*arguments):
+            inside.append(1)
+            most.append(len(inside))
+            time.sleep(0.05)
+            inside.pop()
+            return Model(*arguments)
+        with mock.patch("ddapath.verify.Model", slowly), ThreadPoolExecutor(4) as pool:
+            self.assertEqual([found.holds for each in pool.map(verify, 4 * [self.folder]) for found in each].count(False), 0)
+        self.assertEqual(max(most), 1)
+
     def test_an_unfinished_run(self):
         (self.folder / "summary.json").unlink()
         self.assertEqual(self.refused(), [])
@@ -194,6 +212,14 @@ class Reasons(unittest.TestCase):
                        "load below 60 % of its peak", "slides as a mechanism at a load factor of 6.001", "complete rupture",
                        "complete rupture: 1.0e-03 of the peak was left", "nothing can crack; the full reference load is applied"):
             self.assertFalse(self.holds(reason), reason)
+
+    def test_a_load_that_has_turned_round(self):
+        turned = self.curve.assign(load=[0.0, 9.0, 6.0, -4.5])
+        for reason, is_true in (("load below 30 % of its peak, turned round to -50 %", True),
+                                ("load below 30 % of its peak, turned round to -40 %", False),
+                                ("load below 30 % of its peak", False)):
+            found = curve_checks.reason_is_true(turned, {"status": "goal_reached", "reason": reason}, self.deck)
+            self.assertEqual(found.holds, is_true, reason)
 
     def test_a_mechanism_whose_load_still_changes(self):
         moving = self.curve.assign(load=[0.0, 9.0, 7.0, 6.0])

@@ -7,6 +7,7 @@ Read are run.h5, curve.csv, summary.json, effective_deck.yaml and log.jsonl. Str
 envelopes are derived again from strains, displacements, stored tractions and the deck's materials and laws.
 """
 import re
+import threading
 
 from ..run_folder import opened, read_run
 from . import curve_checks, fields_checks
@@ -17,6 +18,10 @@ from .state import Step
 __all__ = ["Finding", "verify"]
 
 BETWEEN_EQUILIBRIA = "release"  # rows in which a point is losing its strength
+
+# numpy multiplies matrices without the interpreter's lock; a BLAS built without threads (Debian's libopenblas0-serial) gives
+# two callers the same work space, and both get wrong products.
+ONE_AT_A_TIME = threading.Lock()
 
 
 def read_steps(run, model):
@@ -29,8 +34,15 @@ def read_steps(run, model):
 
 
 def verify(folder):
-    """The Findings about a run folder. Throws NotFound or NothingStored for what is none, or holds too little."""
-    run = read_run(folder)
+    """The Findings about a run folder. Throws NotFound or NothingStored for what is none, or holds too little.
+
+    May be called from several threads, which then wait for each other; nothing else may multiply matrices meanwhile.
+    """
+    with ONE_AT_A_TIME:
+        return findings_of(read_run(folder))
+
+
+def findings_of(run):
     out = curve_checks.all_checks(run)
     with opened(run.folder / "run.h5") as file:
         model = Model(file, run.deck)

@@ -104,14 +104,20 @@ def of_gauge(reason, curve, deck):
 
 
 def of_load(reason, curve, deck):
-    """"load below 10 % of its peak", and rupture: how far above that share the last row is, in units of the peak."""
-    load = np.abs(curve["load"].to_numpy())
+    """"load below 10 % of its peak", and rupture: how far above that share the last row is, in units of the peak.
+
+    "load below 10 % of its peak, turned round to -45 %": a jump has led to so much of a load against that of the peak.
+    """
+    load = curve["load"].to_numpy()
     found, said = re.match(f"load below {NUMBER} % of its peak", reason), re.search(f"{NUMBER} of the peak", reason)
     if not found and not reason.startswith("complete rupture"):
         return None
+    if turned := re.search(f"turned round to {NUMBER} %", reason):
+        left = -abs(load[-1]) / max((-np.sign(load[-1]) * load).max(), 1e-300)
+        return max(abs(left - float(turned[1]) / 100) - PRINTED * abs(left), 0.0), f"{left:.6g} of the peak acts against it"
     share = float(found[1]) / 100 if found else min(1.1 * float(said[1]), LEFT) if said else RUPTURE
-    peak = load.max()
-    left = load[-1] / peak if peak > 0 else float("nan")
+    peak = np.abs(load).max()
+    left = abs(load[-1]) / peak if peak > 0 else float("nan")
     return max(left - share, 0.0) if left == left else left, f"{left:.6g} of the peak is left"
 
 

@@ -41,6 +41,13 @@ std::string bar_deck(double length) {
          x(1) + ", 50]}}\n";
 }
 
+/// The same without a rupture to land on.
+std::string endless_bar_deck() {
+  const std::string law = "linear_softening";
+  std::string out = bar_deck(100);
+  return out.replace(out.find(law), law.size(), "exponential_softening");
+}
+
 /// A structure on its path.
 class OnPath {
  public:
@@ -142,6 +149,49 @@ TEST(Path, ControlsThatCannotFollowSaySo) {
   }
   EXPECT_EQ(opening.path().ending().kind, Ending::Kind::stopped_early);
   EXPECT_THAT(opening.path().ending().reason, testing::HasSubstr("snaps back"));
+}
+
+/// Increments of which none is tried any more must leave a reason.
+TEST(Path, EveryEarlyStopHasItsReason) {
+  Bar increments(100, "control: load_increments");
+  ASSERT_TRUE(increments.path().next());
+  PathMemory memory = increments.path().memory();
+  memory.step = 1e-5 * increments.stress();
+  increments.path().restore(memory);
+  EXPECT_FALSE(increments.path().next());
+  EXPECT_EQ(increments.path().ending().kind, Ending::Kind::stopped_early);
+  EXPECT_THAT(increments.path().ending().reason,
+              testing::EndsWith("the increments have fallen below 0.0001 of it"));
+}
+
+/// As if a jump had led here from the peak of a load that acts the other way and is twice as large.
+void turn_load_round(Path& path) {
+  PathMemory memory = path.memory();
+  memory.direction *= -1;
+  memory.peak_load *= 2;
+  memory.leg_peak = memory.peak_load;
+  path.restore(memory);
+}
+
+/// A jump may lead past the share of the peak at which the path ends, to a load that acts the other way.
+TEST(Path, SaysWhereTheLoadHasTurnedRound) {
+  Bar bar(100, "stop: {load_below: 0.3}");
+  ASSERT_TRUE(bar.path().next());
+  ASSERT_NEAR(bar.stress(), 3, 1e-6);
+  turn_load_round(bar.path());
+  EXPECT_FALSE(bar.path().next());
+  EXPECT_EQ(bar.path().ending().reason, "load below 30 % of its peak, turned round to -50 %");
+}
+
+TEST(Path, LoadThatHasTurnedRoundIsNoRupture) {
+  OnPath bar(
+      endless_bar_deck(),
+      "{step: {accuracy: 1.0e-30}, control: dissipation, stop: {load_below: 0}}");  // steps shrink to nothing
+  ASSERT_TRUE(bar.path().next());
+  turn_load_round(bar.path());
+  while (bar.path().next()) {
+  }
+  EXPECT_EQ(bar.path().ending().kind, Ending::Kind::stopped_early) << bar.path().ending().reason;
 }
 
 TEST(Path, CanBeInterrupted) {
