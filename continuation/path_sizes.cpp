@@ -7,15 +7,17 @@
 
 namespace dda {
 
-/// The first step after a crack: small against the load and against what the fastest point may still open.
+/// The first step after a crack: small against the load and against what the fastest point may still open;
+/// where dead loads have cracked and there is no load yet, against the way to the next crack.
 double Path::first_amount() const {
   const Tangent& leaving = walker_.leaving();
   if (!leaving.dissipates)
     return 0.25 * std::min(next_event(walker_), std::max(1e-3, std::abs(walker_.state().load_factor)));
-  constexpr double of_load = 0.02, of_opening = 0.1;
-  const double load_rate = std::abs(leaving.rate(load_));
-  double amount = load_rate > 0 ? of_load * std::abs(load_of(walker_.state())) / load_rate
-                                : std::numeric_limits<double>::infinity();
+  constexpr double of_load = 0.02, of_opening = 0.1, of_way = 0.25;
+  const double load_rate = std::abs(leaving.rate(load_)), load = std::abs(load_of(walker_.state()));
+  double amount = load > 0 && load_rate > 0 ? of_load * load / load_rate
+                  : load == 0               ? of_way * next_new_crack(walker_)
+                                            : std::numeric_limits<double>::infinity();
   const System& system = walker_.system();
   const auto laws = system.laws(walker_.state().d, walker_.state().load_factor);
   for (std::size_t p = 0; p < laws.opening.size(); ++p) {

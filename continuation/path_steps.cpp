@@ -20,8 +20,6 @@ constexpr double smallest_share = 1e-4;
 constexpr int most_refinements = 20;
 /// And for what it may hide between its ends.
 constexpr int most_looks = 7;
-/// So many looks in a row that found no higher load end them: a plateau has corners in every step.
-constexpr int most_idle_looks = 10;
 
 }  // namespace
 
@@ -93,11 +91,7 @@ std::optional<Point> Path::approach(double amount) {
 
 /// Whether joints may slide, open or close although nothing cracks. Where strength is lost at once the
 /// release finds what follows.
-bool Path::can_slide() const {
-  if (releases_at_once_) return false;
-  return walker_.system().joins_by_contact() ||
-         std::ranges::any_of(walker_.system().history(), [](const History& h) { return h.sliding; });
-}
+bool Path::can_slide() const { return !releases_at_once_ && walker_.system().has_contacts(); }
 
 /// Lands on a wanted value that lies before an event predicted `amount` ahead.
 std::optional<Point> Path::land_ahead(double amount) {
@@ -139,6 +133,7 @@ std::optional<Point> Path::controlled_step(const Move& move) {
   constexpr double few_cuts = 0.1;  // new cracks are many: only where cutting the step has not helped
   std::string why;
   double looked_at = 0;
+  bool looked_for_peak = false;
   for (int refinements = 0, looks = 0; amount > smallest;) {
     const auto candidate = try_step(move, amount, why);
     if (!candidate) {
@@ -154,10 +149,17 @@ std::optional<Point> Path::controlled_step(const Move& move) {
       amount *= *share;
       continue;
     }
-    if (const auto share = before_hidden_turn(*candidate, amount);
-        share && looks++ < most_looks && memory_.idle_looks < most_idle_looks) {
-      report("refined", "the step may hide a peak between its ends");
+    if (const auto share = before_turn(*candidate); share && refinements++ < most_refinements) {
+      report("refined", "the step crosses a turning point of a gauge");
       ++walker_.effort().rejected;
+      amount *= *share;
+      continue;
+    }
+    if (const auto share = before_hidden_turn(*candidate, amount);
+        share && looks++ < most_looks) {
+      report("refined", "the step may hide a turn between its ends");
+      ++walker_.effort().rejected;
+      looked_for_peak = looked_for_peak || may_hide_peak(*candidate);
       looked_at = std::max(looked_at, amount);
       amount *= *share;
       continue;
@@ -185,7 +187,7 @@ std::optional<Point> Path::controlled_step(const Move& move) {
       continue;
     }
     resize(*candidate, amount, move);
-    if (looked_at > 0) {
+    if (looked_for_peak) {
       const bool is_new_peak =
           load_of(candidate->state) > memory_.peak_load * (1 + parameters_.peak_tolerance);
       memory_.idle_looks = is_new_peak ? 0 : memory_.idle_looks + 1;

@@ -95,7 +95,7 @@ Attempt controlled_step(System& system, const State& start, Control& control, do
   }
   // At a rupture the tangent is singular on the far side of the kink: only from this one can it be reached.
   if (!out.converged && reduced) out = loca_step(system, start, control, step, guess, parameters);
-  if (!out.converged && !contacts_first && system.joins_by_contact()) {
+  if (!out.converged && !contacts_first && system.has_contacts()) {
     system.set_multipliers(start.multipliers);
     if (const Attempt found = contact_step(system, control, step, guess, parameters); found.converged)
       out = found;

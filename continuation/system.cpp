@@ -102,6 +102,24 @@ Vec2 own_stiffness(const InterfacePoint& point) {
   return point.physical_stiffness / point.stiffness * point.trial_stiffness();
 }
 
+/// D + ε (P − D) at every point.
+std::vector<Mat2> with_residual(std::vector<Mat2> tangents, const Equilibrium& equilibrium) {
+  constexpr double residual_share = 1e-7;
+  for (std::size_t p = 0; p < tangents.size(); ++p)
+    tangents[p] += residual_share * (Mat2(equilibrium.point(p).trial_stiffness().asDiagonal()) - tangents[p]);
+  return tangents;
+}
+
+/// Whether parts of what has cracked through still press on each other: no structure that has come apart.
+bool rests_on_contact(const System& system, const LawValues& laws) {
+  bool is_torn = false, is_pressed = false;
+  for (std::size_t p = 0; p < laws.opening.size(); ++p) {
+    is_torn = is_torn || system.is_broken(p);
+    is_pressed = is_pressed || laws.traction[p].x() < 0;
+  }
+  return is_torn && is_pressed && system.has_contacts();
+}
+
 /// D̄ = D (1 + (P̄⁻¹ − P⁻¹) D)⁻¹: the joint's own stiffness p̄ in place of the k that carries its multiplier.
 Mat2 with_own_stiffness(const Mat2& d, const InterfacePoint& point) {
   const Vec2 more = own_stiffness(point).cwiseInverse() - point.trial_stiffness().cwiseInverse();
@@ -113,10 +131,7 @@ Mat2 with_own_stiffness(const Mat2& d, const InterfacePoint& point) {
 
 /// Bodies that slide as a whole keep a residual stiffness, so that the path has a tangent there.
 std::vector<Mat2> System::path_tangents(const LawValues& laws) const {
-  constexpr double residual_share = 1e-7;
-  std::vector<Mat2> out = laws.tangent;
-  for (std::size_t p = 0; joins_by_contact_ && p < out.size(); ++p)
-    out[p] += residual_share * (Mat2(equilibrium_.point(p).trial_stiffness().asDiagonal()) - out[p]);
+  std::vector<Mat2> out = joins_by_contact_ ? with_residual(laws.tangent, equilibrium_) : laws.tangent;
   for (std::size_t p = 0; p < out.size(); ++p)
     if (const InterfacePoint& point = equilibrium_.point(p); point.multiplier == Multiplier::iterated)
       out[p] = with_own_stiffness(out[p], point);
@@ -134,8 +149,14 @@ std::vector<Mat2> System::all_tangents(const LawValues& laws, bool is_physical) 
   return out;
 }
 
+/// K, and where that is singular because parts that have cracked through turn or slide on what they press on,
+/// K with a residual stiffness of what is open.
 bool System::use_path_tangent(const LawValues& laws) {
-  if (!physical_) return use_tangent(new_stamp(), joins_by_contact_ ? path_tangents(laws) : laws.tangent);
+  if (!physical_) {
+    if (use_tangent(new_stamp(), path_tangents(laws))) return true;
+    return !joins_by_contact_ && rests_on_contact(*this, laws) &&
+           use_tangent(new_stamp(), with_residual(laws.tangent, equilibrium_));
+  }
   path_tangent_ = path_tangents(laws);
   return physical_->set_tangent(path_tangent_);
 }
