@@ -6,6 +6,17 @@
 #include "continuation/path.hpp"
 
 namespace dda {
+namespace {
+
+/// What changes of the load are measured by: its largest so far, and where dead loads have cracked the
+/// structure before there is any, a hundredth of the forces that act.
+double load_size(const PathMemory& memory, const PathParameters& parameters) {
+  constexpr double hardly = 0.01;
+  const bool is_force = parameters.load_gauge.empty();
+  return std::max(memory.peak_load, is_force ? hardly * memory.largest_force : 0.0);
+}
+
+}  // namespace
 
 /// The first step after a crack: small against the load and against what the fastest point may still open;
 /// where dead loads have cracked and there is no load yet, against the way to the next crack.
@@ -42,8 +53,9 @@ double Path::unit_of(const Move& move) const {
 double Path::bounded(double amount) const {
   const double load_rate = std::abs(walker_.leaving().rate(load_));
   const double displacement_rate_now = std::abs(displacement_rate(walker_.leaving()));
-  if (load_rate > 0 && memory_.peak_load > 0)
-    amount = std::min(amount, parameters_.step.largest * memory_.peak_load / load_rate);
+  const double load_size_now = load_size(memory_, parameters_);
+  if (load_rate > 0 && load_size_now > 0)
+    amount = std::min(amount, parameters_.step.largest * load_size_now / load_rate);
   constexpr double of_displacement = 5;  // displacement may grow by half in one step of the default size
   if (displacement_rate_now > 0 && memory_.largest_displacement > 0)
     amount = std::min(amount, of_displacement * parameters_.step.largest * memory_.largest_displacement /
@@ -55,7 +67,7 @@ double Path::bounded(double amount) const {
 void Path::resize(const Candidate& candidate, double amount, const Move& move) {
   const State predicted = walker_.ahead(amount);
   const double load = std::abs(load_of(predicted) - load_of(candidate.state)) /
-                      std::max(memory_.peak_load, std::abs(load_of(candidate.state)));
+                      std::max(load_size(memory_, parameters_), std::abs(load_of(candidate.state)));
   const double displacement =
       std::abs(displacement_of(predicted) - displacement_of(candidate.state)) /
       std::max(memory_.largest_displacement, std::abs(displacement_of(candidate.state)));

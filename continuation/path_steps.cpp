@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "continuation/advice.hpp"
 #include "continuation/path.hpp"
 #include "continuation/release.hpp"
 
@@ -28,7 +29,8 @@ std::optional<Point> Path::take_step() {
   if (releases_at_once_ && driver_->load_increment() == 0 && is_release_pending(walker_.system()))
     return release_step();
   if (walker_.leaving().d.empty())
-    return end(Ending::Kind::stopped_early, "the tangent stiffness is singular here");
+    return end(Ending::Kind::stopped_early,
+               fmt::format("the tangent stiffness is singular here: a part is free to move; {}", what_to_try));
   const bool cracked = walker_.here().dissipated > 0 || walker_.leaving().dissipates;
   if (driver_->load_increment() > 0) return increment_step();
   if (!cracked) return event_step();
@@ -132,6 +134,11 @@ std::optional<Point> Path::controlled_step(const Move& move) {
   const double smallest = smallest_share * amount, natural = std::max(amount, bounded(first_amount()));
   constexpr double few_cuts = 0.1;  // new cracks are many: only where cutting the step has not helped
   std::string why;
+  const auto strays = [&](const Candidate& candidate) {
+    constexpr double far = 0.5;  // of all displacement so far, by which a step may be predicted to change it
+    return std::abs(displacement_of(candidate.state) - displacement_of(walker_.ahead(amount))) >
+           far * std::max(memory_.largest_displacement, std::abs(displacement_of(candidate.state)));
+  };
   double looked_at = 0;
   bool looked_for_peak = false;
   for (int refinements = 0, looks = 0; amount > smallest;) {
@@ -140,6 +147,12 @@ std::optional<Point> Path::controlled_step(const Move& move) {
       if (load_of(walker_.ahead(amount / cut)) <= 0)
         if (auto point = rupture()) return point;
       if (auto point = land_on_turn(amount, amount <= few_cuts * natural, move)) return point;
+      amount *= cut;
+      continue;
+    }
+    if (memory_.largest_displacement > 0 && strays(*candidate)) {
+      report("rejected", "the step strays from its tangent by more than half of all displacement so far");
+      ++walker_.effort().rejected;
       amount *= cut;
       continue;
     }
@@ -205,7 +218,7 @@ std::optional<Point> Path::controlled_step(const Move& move) {
     return end(Ending::Kind::goal_reached,
                fmt::format("complete rupture: what is left is a mechanism ({:.1e} of the peak)", left));
   return end(Ending::Kind::stopped_early,
-             fmt::format("{} control found no next equilibrium: {}", move.control, why));
+             fmt::format("{} control found no next equilibrium: {}; {}", move.control, why, what_to_try));
 }
 
 /// Where a step fails because the path turns on the way: lands exactly where a crack starts or has lost its
