@@ -1,5 +1,5 @@
-// What a converged step may hide between its ends: a peak at a corner of some law, a gauge that turns back and
-// forward again.
+// What a converged step may hide between its ends: a peak at a corner of some law, a gauge that turns back
+// and forward again.
 #include <algorithm>
 #include <cmath>
 

@@ -29,8 +29,9 @@ std::optional<Point> Path::take_step() {
   if (releases_at_once_ && driver_->load_increment() == 0 && is_release_pending(walker_.system()))
     return release_step();
   if (walker_.leaving().d.empty())
-    return end(Ending::Kind::stopped_early,
-               fmt::format("the tangent stiffness is singular here: a part is free to move; {}", what_to_try));
+    return end(
+        Ending::Kind::stopped_early,
+        fmt::format("the tangent stiffness is singular here: a part is free to move; {}", what_to_try));
   const bool cracked = walker_.here().dissipated > 0 || walker_.leaving().dissipates;
   if (driver_->load_increment() > 0) return increment_step();
   if (!cracked) return event_step();
@@ -168,8 +169,7 @@ std::optional<Point> Path::controlled_step(const Move& move) {
       amount *= *share;
       continue;
     }
-    if (const auto share = before_hidden_turn(*candidate, amount);
-        share && looks++ < most_looks) {
+    if (const auto share = before_hidden_turn(*candidate, amount); share && looks++ < most_looks) {
       report("refined", "the step may hide a turn between its ends");
       ++walker_.effort().rejected;
       looked_for_peak = looked_for_peak || may_hide_peak(*candidate);

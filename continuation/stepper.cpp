@@ -12,12 +12,9 @@ namespace dda {
 namespace {
 
 /// Up to so many points that have cracked, slide or are open contacts are solved before Newton's method is
-/// tried on all unknowns: their dense equations grow with the third power.
+/// tried on all unknowns, or where it has failed on what cracks, slides and closes: their dense equations
+/// grow with the third power.
 constexpr std::size_t few_points = 200;
-
-/// Up to so many points are solved by walking where Newton's method has failed on what cracks, slides and
-/// closes: each corner of their laws costs a dense solve.
-constexpr std::size_t few_cracked = 100;
 
 /// A state as the end of the step, if the full equations and the control have nothing to add.
 std::optional<Attempt> finished(System& system, const Control& control, double step, const State& at,
@@ -99,7 +96,9 @@ Attempt controlled_step(System& system, const State& start, Control& control, do
   }
   // At a rupture the tangent is singular on the far side of the kink: only from this one can it be reached.
   if (!out.converged && reduced) out = loca_step(system, start, control, step, guess, parameters);
-  const auto is_walked = [&] { return system.joins_by_contact() || num_changed(system, guess) <= few_cracked; };
+  const auto is_walked = [&] {
+    return system.joins_by_contact() || num_changed(system, guess) <= few_points;
+  };
   if (!out.converged && !contacts_first && is_walked()) {
     system.set_multipliers(start.multipliers);
     if (const Attempt found = contact_step(system, control, step, guess, parameters); found.converged)

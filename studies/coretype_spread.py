@@ -43,11 +43,10 @@ def table(rows, gauge, unit):
     for row in rows:
         yield (f"| {row['kernel']} | {row['exit_code']} | {row['steps']} | {row['rescues']} | {row['peak']:.6g} | {row['peak_at']:.4g} | "
                f"{row['last_load']:.4g} | {row['last_at']:.4g} | {row['balance']:.1e} |")
-    spread = {name: [row[name] for row in rows] for name in ("steps", "peak", "last_load")}
-    of_peak = 100 * (max(spread["peak"]) / min(spread["peak"]) - 1)
+    steps, peaks, last = ([row[name] for row in rows] for name in ("steps", "peak", "last_load"))
     yield ""
-    yield (f"Spread: {min(spread['steps'])} to {max(spread['steps'])} steps, {of_peak:.2g} % of the peak, a last load of "
-           f"{min(spread['last_load']):.3g} to {max(spread['last_load']):.3g} N.")
+    yield (f"Spread: {min(steps)} to {max(steps)} steps, {100 * (max(peaks) / min(peaks) - 1):.1e} % of the peak; the last load differs by "
+           f"{100 * (max(last) - min(last)) / min(peaks):.1e} % of the peak.")
 
 
 def write(readme, lines):
