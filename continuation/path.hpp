@@ -26,6 +26,10 @@ struct Landing {
 /// Share of a value, or of the way to it, by which a gauge may be off and is taken to stand on it.
 inline constexpr double same_value = 1e-7;
 
+/// Turns of a displacement gauge that are deeper than this share of its largest value are seen in the rows of
+/// the path, whatever the size of the steps.
+inline constexpr double turn_depth = 0.005;
+
 /// A part of the path under the loads of its last stage: followed by the control, or unloaded.
 struct Leg {
   std::string name;
@@ -183,7 +187,11 @@ class Path {
 
   // Refinements of a converged step.
   std::optional<double> before_peak(const Candidate& candidate) const;
+  std::optional<double> before_turn(const Candidate& candidate) const;
   std::optional<double> before_hidden_turn(const Candidate& candidate, double amount) const;
+  bool may_hide_peak(const Candidate& candidate) const;
+  bool may_hide_turns(const Candidate& candidate) const;
+  double size_of_gauge(const NamedGauge& gauge, const Candidate& candidate) const;
   struct Crossing {
     Landing landing;
     double share;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "continuation/advice.hpp"
 #include "continuation/path.hpp"
 
 namespace dda {
@@ -111,9 +112,8 @@ void Path::look_for_standstill(const Point& point) {
   if (ending_.kind != Ending::Kind::running || since.empty()) return;
   const auto points = active_points(walker_.system(), here.state);
   end(Ending::Kind::stopped_early,
-      fmt::format("standstill: {}{}; try a smaller `path.step.largest` (0.02), `points: vertices` or another "
-                  "`treatment` of this interface, or another `path.control`",
-                  since, points.empty() ? "" : "; active: " + places_of(walker_.system(), points)));
+      fmt::format("standstill: {}{}; {}", since,
+                  points.empty() ? "" : "; active: " + places_of(walker_.system(), points), what_to_try));
 }
 
 /// Wanted values between which no equilibrium is recorded.

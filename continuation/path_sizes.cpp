@@ -6,16 +6,29 @@
 #include "continuation/path.hpp"
 
 namespace dda {
+namespace {
 
-/// The first step after a crack: small against the load and against what the fastest point may still open.
+/// What changes of the load are measured by: its largest so far, and where dead loads have cracked the
+/// structure before there is any, a hundredth of the forces that act.
+double load_size(const PathMemory& memory, const PathParameters& parameters) {
+  constexpr double hardly = 0.01;
+  const bool is_force = parameters.load_gauge.empty();
+  return std::max(memory.peak_load, is_force ? hardly * memory.largest_force : 0.0);
+}
+
+}  // namespace
+
+/// The first step after a crack: small against the load and against what the fastest point may still open;
+/// where dead loads have cracked and there is no load yet, against the way to the next crack.
 double Path::first_amount() const {
   const Tangent& leaving = walker_.leaving();
   if (!leaving.dissipates)
     return 0.25 * std::min(next_event(walker_), std::max(1e-3, std::abs(walker_.state().load_factor)));
-  constexpr double of_load = 0.02, of_opening = 0.1;
-  const double load_rate = std::abs(leaving.rate(load_));
-  double amount = load_rate > 0 ? of_load * std::abs(load_of(walker_.state())) / load_rate
-                                : std::numeric_limits<double>::infinity();
+  constexpr double of_load = 0.02, of_opening = 0.1, of_way = 0.25;
+  const double load_rate = std::abs(leaving.rate(load_)), load = std::abs(load_of(walker_.state()));
+  double amount = load > 0 && load_rate > 0 ? of_load * load / load_rate
+                  : load == 0               ? of_way * next_new_crack(walker_)
+                                            : std::numeric_limits<double>::infinity();
   const System& system = walker_.system();
   const auto laws = system.laws(walker_.state().d, walker_.state().load_factor);
   for (std::size_t p = 0; p < laws.opening.size(); ++p) {
@@ -49,7 +62,7 @@ double Path::sliding_amount() const {
 double Path::bounded(double amount) const {
   const double load_rate = std::abs(walker_.leaving().rate(load_));
   const double displacement_rate_now = std::abs(displacement_rate(walker_.leaving()));
-  const double load_scale = std::max(memory_.peak_load, load_rate * sliding_amount());
+  const double load_scale = std::max(load_size(memory_, parameters_), load_rate * sliding_amount());
   if (load_rate > 0 && load_scale > 0)
     amount = std::min(amount, parameters_.step.largest * load_scale / load_rate);
   constexpr double of_displacement = 5;  // displacement may grow by half in one step of the default size
@@ -63,7 +76,7 @@ double Path::bounded(double amount) const {
 void Path::resize(const Candidate& candidate, double amount, const Move& move) {
   const State predicted = walker_.ahead(amount);
   const double load = std::abs(load_of(predicted) - load_of(candidate.state)) /
-                      std::max(memory_.peak_load, std::abs(load_of(candidate.state)));
+                      std::max(load_size(memory_, parameters_), std::abs(load_of(candidate.state)));
   const double displacement =
       std::abs(displacement_of(predicted) - displacement_of(candidate.state)) /
       std::max(memory_.largest_displacement, std::abs(displacement_of(candidate.state)));

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "continuation/advice.hpp"
 #include "continuation/path.hpp"
 #include "continuation/release.hpp"
 
@@ -20,8 +21,6 @@ constexpr double smallest_share = 1e-4;
 constexpr int most_refinements = 20;
 /// And for what it may hide between its ends.
 constexpr int most_looks = 7;
-/// So many looks in a row that found no higher load end them: a plateau has corners in every step.
-constexpr int most_idle_looks = 10;
 
 }  // namespace
 
@@ -30,7 +29,9 @@ std::optional<Point> Path::take_step() {
   if (releases_at_once_ && driver_->load_increment() == 0 && is_release_pending(walker_.system()))
     return release_step();
   if (walker_.leaving().d.empty())
-    return end(Ending::Kind::stopped_early, "the tangent stiffness is singular here");
+    return end(
+        Ending::Kind::stopped_early,
+        fmt::format("the tangent stiffness is singular here: a part is free to move; {}", what_to_try));
   const bool cracked = walker_.here().dissipated > 0 || walker_.leaving().dissipates;
   if (driver_->load_increment() > 0) return increment_step();
   if (!cracked) return event_step();
@@ -93,11 +94,7 @@ std::optional<Point> Path::approach(double amount) {
 
 /// Whether joints may slide, open or close although nothing cracks. Where strength is lost at once the
 /// release finds what follows.
-bool Path::can_slide() const {
-  if (releases_at_once_) return false;
-  return walker_.system().joins_by_contact() ||
-         std::ranges::any_of(walker_.system().history(), [](const History& h) { return h.sliding; });
-}
+bool Path::can_slide() const { return !releases_at_once_ && walker_.system().has_contacts(); }
 
 /// Lands on a wanted value that lies before an event predicted `amount` ahead.
 std::optional<Point> Path::land_ahead(double amount) {
@@ -138,13 +135,19 @@ std::optional<Point> Path::controlled_step(const Move& move) {
   const double smallest = smallest_share * amount, natural = std::max(amount, bounded(first_amount()));
   constexpr double few_cuts = 0.1;  // new cracks are many: only where cutting the step has not helped
   std::string why = "the tangent does not tell how far a step may go";
-  double looked_at = 0;
   const auto shorten = [&](const std::string& because, double share) {
     why = because;
     report("refined", why);
     ++walker_.effort().rejected;
     amount *= share;
   };
+  const auto strays = [&](const Candidate& candidate) {
+    constexpr double far = 0.5;  // of all displacement so far, by which a step may be predicted to change it
+    return std::abs(displacement_of(candidate.state) - displacement_of(walker_.ahead(amount))) >
+           far * std::max(memory_.largest_displacement, std::abs(displacement_of(candidate.state)));
+  };
+  double looked_at = 0;
+  bool looked_for_peak = false;
   for (int refinements = 0, looks = 0; amount > smallest;) {
     const auto candidate = try_step(move, amount, why);
     if (!candidate) {
@@ -154,14 +157,22 @@ std::optional<Point> Path::controlled_step(const Move& move) {
       amount *= cut;
       continue;
     }
+    if (memory_.largest_displacement > 0 && strays(*candidate)) {
+      shorten("the step strays from its tangent by more than half of all displacement so far", cut);
+      continue;
+    }
     if (const auto share = before_peak(*candidate); share && refinements++ < most_refinements) {
       shorten("the step crosses the limit point", *share);
       continue;
     }
-    if (const auto share = before_hidden_turn(*candidate, amount);
-        share && looks++ < most_looks && memory_.idle_looks < most_idle_looks) {
+    if (const auto share = before_turn(*candidate); share && refinements++ < most_refinements) {
+      shorten("the step crosses a turning point of a gauge", *share);
+      continue;
+    }
+    if (const auto share = before_hidden_turn(*candidate, amount); share && looks++ < most_looks) {
+      looked_for_peak = looked_for_peak || may_hide_peak(*candidate);
       looked_at = std::max(looked_at, amount);
-      shorten("the step may hide a peak between its ends", *share);
+      shorten("the step may hide a turn between its ends", *share);
       continue;
     }
     if (is_coarse(*candidate) && refinements++ < most_refinements) {
@@ -188,7 +199,7 @@ std::optional<Point> Path::controlled_step(const Move& move) {
       continue;
     }
     resize(*candidate, amount, move);
-    if (looked_at > 0) {
+    if (looked_for_peak) {
       const bool is_new_peak =
           load_of(candidate->state) > memory_.peak_load * (1 + parameters_.peak_tolerance);
       memory_.idle_looks = is_new_peak ? 0 : memory_.idle_looks + 1;
@@ -206,7 +217,7 @@ std::optional<Point> Path::controlled_step(const Move& move) {
     return end(Ending::Kind::goal_reached,
                fmt::format("complete rupture: what is left is a mechanism ({:.1e} of the peak)", left));
   return end(Ending::Kind::stopped_early,
-             fmt::format("{} control found no next equilibrium: {}", move.control, why));
+             fmt::format("{} control found no next equilibrium: {}; {}", move.control, why, what_to_try));
 }
 
 /// Where a step fails because the path turns on the way: lands exactly where a crack starts or has lost its

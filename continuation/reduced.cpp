@@ -129,15 +129,30 @@ std::optional<Reduced> solve_reduced(System& system, const Control& control, dou
   return {};
 }
 
-std::size_t num_changed(System& system, const State& at) {
+namespace {
+
+/// Points of some kind that are not held at a state as in the intact structure.
+template <class Kind>
+std::size_t count_changed(System& system, const State& at, Kind is_of_kind) {
   const auto laws = system.laws_at(at.d, at.load_factor);
   std::size_t out = 0;
   for (std::size_t p = 0; p < laws->opening.size(); ++p) {
-    const Vec2 intact = system.equilibrium().point(p).intact_stiffness().cwiseProduct(laws->opening[p]);
+    const InterfacePoint& point = system.equilibrium().point(p);
+    const Vec2 intact = point.intact_stiffness().cwiseProduct(laws->opening[p]);
     constexpr double round_off = 1e-14;
-    out += (laws->traction[p] - intact).norm() > round_off * intact.norm();
+    out += (laws->traction[p] - intact).norm() > round_off * intact.norm() && is_of_kind(point);
   }
   return out;
+}
+
+}  // namespace
+
+std::size_t num_changed(System& system, const State& at) {
+  return count_changed(system, at, [](const InterfacePoint&) { return true; });
+}
+
+std::size_t num_cracked(System& system, const State& at) {
+  return count_changed(system, at, [](const InterfacePoint& point) { return !is_separate(point); });
 }
 
 void prepare_contacts(System& system, const State& guess) {

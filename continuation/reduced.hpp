@@ -44,5 +44,7 @@ std::optional<Reduced> solve_contacts(System& system, const Control& control, do
 inline constexpr std::size_t most_contact_points = 1500;
 /// Points that are not held at a state as in the intact structure.
 std::size_t num_changed(System& system, const State& at);
+/// Those among them that were bonded.
+std::size_t num_cracked(System& system, const State& at);
 
 }  // namespace dda

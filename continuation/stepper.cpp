@@ -11,9 +11,9 @@
 namespace dda {
 namespace {
 
-/// Up to so many points that have cracked, slide or are open contacts are solved before Newton's method is
-/// tried on all unknowns: their dense equations grow with the third power.
-constexpr std::size_t few_points = 1500;
+/// Up to so many points that have cracked contacts are solved before Newton's method is tried on all unknowns,
+/// or where it has failed on what cracks, slides and closes: their dense equations grow with the third power.
+constexpr std::size_t few_points = 200;
 
 /// A state as the end of the step, if the full equations and the control have nothing to add.
 std::optional<Attempt> finished(System& system, const Control& control, double step, const State& at,
@@ -89,7 +89,7 @@ Attempt controlled_step(System& system, const State& start, Control& control, do
   const State& foreseen = reduced ? reduced->state : guess;
   Attempt out;
   if (const auto whole = finished(system, control, step, foreseen, parameters.newton)) out = *whole;
-  const bool contacts_first = system.joins_by_contact() && num_changed(system, guess) <= few_points;
+  const bool contacts_first = system.joins_by_contact() && num_cracked(system, guess) <= few_points;
   if (!out.converged && contacts_first) out = contact_step(system, start, control, step, guess, parameters);
   if (!out.converged) {
     system.set_multipliers(start.multipliers);
@@ -97,7 +97,10 @@ Attempt controlled_step(System& system, const State& start, Control& control, do
   }
   // At a rupture the tangent is singular on the far side of the kink: only from this one can it be reached.
   if (!out.converged && reduced) out = loca_step(system, start, control, step, guess, parameters);
-  if (!out.converged && !contacts_first && system.joins_by_contact()) {
+  const auto is_walked = [&] {
+    return system.joins_by_contact() || num_changed(system, guess) <= few_points;
+  };
+  if (!out.converged && !contacts_first && is_walked()) {
     system.set_multipliers(start.multipliers);
     if (const Attempt found = contact_step(system, start, control, step, guess, parameters); found.converged)
       out = found;

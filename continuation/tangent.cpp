@@ -43,9 +43,8 @@ void scale(double factor, std::vector<Vec2>& v) {
   for (Vec2& value : v) value *= factor;
 }
 
-Tangent oriented(System& system, const State& state) {
-  const auto scope = system.timings().measure("tangents");
-  Tangent out = direction(system, state);
+/// The same direction in its unit: per energy that it dissipates, per load factor where it dissipates none.
+Tangent in_unit(System& system, const State& state, Tangent out) {
   if (out.d.empty()) return out;
   const double rate = dissipation_rate(system, state, out);
   out.dissipates = rate != 0;
@@ -55,6 +54,11 @@ Tangent oriented(System& system, const State& state) {
   scale(1 / rate, out.multipliers);
   out.load_factor = 1 / rate;
   return out;
+}
+
+Tangent oriented(System& system, const State& state) {
+  const auto scope = system.timings().measure("tangents");
+  return in_unit(system, state, direction(system, state));
 }
 
 /// Unflags what unloads or sticks; false when there was nothing to unflag.
@@ -84,6 +88,13 @@ Tangent arriving_tangent(System& system, const State& state) { return oriented(s
 Tangent leaving_tangent(System& system, const State& state, Tangent arriving) {
   while (!arriving.d.empty() && prune(system, state, arriving)) arriving = oriented(system, state);
   return arriving;
+}
+
+Tangent starting_tangent(System& system, const State& state) {
+  const auto scope = system.timings().measure("tangents");
+  Tangent out = direction(system, state);
+  while (!out.d.empty() && prune(system, state, out)) out = direction(system, state);
+  return in_unit(system, state, std::move(out));
 }
 
 }  // namespace dda

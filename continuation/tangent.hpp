@@ -32,4 +32,8 @@ Tangent arriving_tangent(System& system, const State& state);
 /// same state.
 Tangent leaving_tangent(System& system, const State& state, Tangent arriving);
 
+/// The direction in which a stage begins: that in which its load grows. What earlier stages have cracked
+/// would dissipate in the opposite one, too; of it only goes on what loads and slides under the new load.
+Tangent starting_tangent(System& system, const State& state);
+
 }  // namespace dda

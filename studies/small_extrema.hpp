@@ -3,13 +3,14 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "continuation/path.hpp"
 #include "studies/measures.hpp"
 
 namespace dda {
 
 /// Depth below which limit points and turning points are counted, not listed: of the largest load, and of the
 /// largest displacement of a gauge.
-inline constexpr double listed_depth = 0.005;
+inline constexpr double listed_depth = turn_depth;
 
 /// The events of a path without its small extrema, and how many of each quantity those are.
 struct ListedEvents {

@@ -1,0 +1,24 @@
+// A beam without a notch; its crack is the line in the middle.
+DefineConstant[ depth = {100}, span = {400}, ligament_size = {2.5}, far_size = {12} ];
+half = span / 2;
+Point(1) = {0, 0, 0, ligament_size};
+Point(2) = {0, depth, 0, ligament_size};
+Point(5) = {-half, 0, 0, far_size};
+Point(6) = {half, 0, 0, far_size};
+Point(7) = {-half, depth, 0, far_size};
+Point(8) = {half, depth, 0, far_size};
+Line(1) = {1, 2};
+Line(2) = {5, 1};
+Line(3) = {1, 6};
+Line(4) = {6, 8};
+Line(5) = {8, 2};
+Line(6) = {2, 7};
+Line(7) = {7, 5};
+Curve Loop(1) = {2, 1, 6, 7};
+Curve Loop(2) = {3, 4, 5, -1};
+Plane Surface(1) = {1};
+Plane Surface(2) = {2};
+Transfinite Curve {1} = Ceil(depth / ligament_size) + 1;
+Physical Surface("material:concrete/left") = {1};
+Physical Surface("material:concrete/right") = {2};
+Physical Curve("interface:ligament") = {1};
