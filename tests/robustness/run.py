@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Runs random structures, checks every run independently and prints who reaches the goal; see README.md.
 
-    run.py PROGRAM --count 500 --seed 1 --jobs 2 --time-limit 60 [--folder DIR] [--only NUMBER]
+    run.py PROGRAM --count 500 --seed 1 --jobs 2 --time-limit 60 [--folder DIR] [--only SEED ...]
 
+Each run has a line on standard error as soon as it has ended; the table follows at the end.
 Exit code 1 when a bound is broken: 97 % of the goals with consistent and penalty joints, 90 % with multipliers on meshes
 that they are for, no run that ends with exit 0 and is refused by `dda verify`, no exit code but 0, 2 and 3, no time-out.
 """
@@ -46,7 +47,15 @@ def run_one(seed, folder, arguments):
     path.write_text(yaml.safe_dump(deck, sort_keys=False, default_flow_style=None, width=120), encoding="utf-8")
     code, seconds, said = start_deck(path, place, arguments.program, arguments.time_limit)
     reason = read_json(place / "summary.json").get("reason", said)
-    return Outcome(seed, kind, code, seconds, reason, refusals(place) if code in (0, 3) else [])
+    outcome = Outcome(seed, kind, code, seconds, reason, refusals(place) if code in (0, 3) else [])
+    print(row(outcome), file=sys.stderr, flush=True)
+    return outcome
+
+
+def row(outcome):
+    """A line about a run, shown as soon as it has ended."""
+    refused = f" REFUSED: {'; '.join(outcome.refused)}" if outcome.refused else ""
+    return f"exit {outcome.code} {outcome.seconds:6.1f} s  {outcome.name}{'' if outcome.kind['suited'] else ' (other mesh)'}: {outcome.reason}{refused}"
 
 
 def missed_beyond(outcomes, share):
@@ -108,6 +117,7 @@ def read_arguments():
     parser.add_argument("program")
     parser.add_argument("--count", type=int, default=60)
     parser.add_argument("--seed", type=int, default=1, help="the first one; structure n of a run has the seed SEED + n")
+    parser.add_argument("--only", type=int, nargs="+", metavar="SEED", help="these structures instead of a series")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--time-limit", type=float, default=60, help="processor seconds that a run may take")
     parser.add_argument("--folder", type=Path, help="where decks and runs are kept; nowhere if not given")
@@ -116,7 +126,7 @@ def read_arguments():
 
 def main():
     arguments = read_arguments()
-    seeds = range(arguments.seed, arguments.seed + arguments.count)
+    seeds = arguments.only or range(arguments.seed, arguments.seed + arguments.count)
     with tempfile.TemporaryDirectory() as scratch:
         folder = arguments.folder or Path(scratch)
         folder.mkdir(parents=True, exist_ok=True)
