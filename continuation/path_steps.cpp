@@ -64,8 +64,10 @@ std::optional<Point> Path::event_step() {
     }
     return end_without_equilibrium("the next initiation was not found: " + why);
   }
-  if (is_coarse(*candidate))
+  if (is_coarse(*candidate)) {
     if (auto point = can_slide() ? sliding_step() : approach(amount)) return point;
+    ending_ = {};  // no finer way was found: the event itself stands
+  }
   if (const auto crossing = first_crossing(*candidate))
     if (auto point = land(*candidate, *crossing, "event")) return point;
   memory_.step = 0;
@@ -199,7 +201,7 @@ std::optional<Point> Path::controlled_step(const Move& move) {
   if (const std::string turned = turning_point(); !turned.empty())
     return end(Ending::Kind::stopped_early, turned);
   constexpr double hardly_any = 1e-3;
-  if (const double left = load_of(walker_.state()) / memory_.peak_load; left < hardly_any)
+  if (const double left = std::abs(load_of(walker_.state())) / memory_.peak_load; left < hardly_any)
     return end(Ending::Kind::goal_reached,
                fmt::format("complete rupture: what is left is a mechanism ({:.1e} of the peak)", left));
   return end(Ending::Kind::stopped_early,

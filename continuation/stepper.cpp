@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "continuation/contact_step.hpp"
 #include "continuation/reduced.hpp"
 #include "continuation/trilinos_module.hpp"
 
@@ -43,7 +44,8 @@ std::string missed(System& system, const Control& control, double step, const St
   return fmt::format("contact and friction were met to {:.1e} only", residual);
 }
 
-/// Contact and friction solved exactly; iterated multipliers carried over until no gap is left.
+}  // namespace
+
 Attempt contact_step(System& system, const Control& control, double step, const State& guess,
                      const StepperParameters& parameters) {
   Attempt out{.state = guess, .reason = "contact and friction allow no equilibrium here"};
@@ -76,8 +78,6 @@ Attempt contact_step(System& system, const Control& control, double step, const 
   return out;
 }
 
-}  // namespace
-
 Attempt controlled_step(System& system, const State& start, Control& control, double step, const State& guess,
                         const StepperParameters& parameters) {
   system.set_frozen(control.freezes_damage());
@@ -95,7 +95,7 @@ Attempt controlled_step(System& system, const State& start, Control& control, do
   }
   // At a rupture the tangent is singular on the far side of the kink: only from this one can it be reached.
   if (!out.converged && reduced) out = loca_step(system, start, control, step, guess, parameters);
-  if (!out.converged && !contacts_first && system.joins_by_contact()) {
+  if (!out.converged && !contacts_first) {
     system.set_multipliers(start.multipliers);
     if (const Attempt found = contact_step(system, control, step, guess, parameters); found.converged)
       out = found;

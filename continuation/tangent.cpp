@@ -1,5 +1,9 @@
 #include "continuation/tangent.hpp"
 
+#include <cmath>
+#include <optional>
+#include <set>
+
 namespace dda {
 namespace {
 
@@ -57,33 +61,117 @@ Tangent oriented(System& system, const State& state) {
   return out;
 }
 
-/// Unflags what unloads or sticks; false when there was nothing to unflag.
-bool prune(System& system, const State& state, const Tangent& found) {
-  std::vector<History> history = system.history();
-  bool changed = false;
-  const auto laws = system.laws_at(state.d, state.load_factor);
-  for (std::size_t p = 0; p < found.opening.size(); ++p) {
-    History& h = history[p];
-    if (!h.loading && !h.sliding) continue;
-    const InterfacePoint& point = system.equilibrium().point(p);
-    const auto turns_back = [&](const Vec2& gradient) { return gradient.dot(found.opening[p]) < 0; };
-    if (h.loading && !point.law->releases_at_once() &&
-        turns_back(point.law->opening_gradient(laws->opening[p], h, point.stiffness)))
-      h.loading = !(changed = true);
-    if (h.sliding && turns_back(point.law->slip_gradient(laws->opening[p], h, point.stiffness)))
-      h.sliding = !(changed = true);
+/// A flag of a point that stands on its damage surface or at its limit of friction.
+struct Flag {
+  std::size_t point;
+  bool History::* side;  ///< loading or sliding
+};
+
+/// The rate problem of an equilibrium: which of the points flagged in the history go on loading and sliding.
+///
+///     flagged:  κ̇ ≥ 0 (slip rate ≥ 0);      not flagged, on the surface:  κ̇ ≤ 0
+class RateProblem {
+ public:
+  RateProblem(System& system, const State& state) : system_(system), state_(state) {
+    const auto laws = system.laws_at(state.d, state.load_factor);
+    for (std::size_t p = 0; p < system.history().size(); ++p) {
+      const History& h = system.history()[p];
+      const InterfacePoint& point = system.equilibrium().point(p);
+      if (h.loading && !point.law->releases_at_once())
+        add({p, &History::loading}, point.law->opening_gradient(laws->opening[p], h, point.stiffness));
+      if (h.sliding)
+        add({p, &History::sliding}, point.law->slip_gradient(laws->opening[p], h, point.stiffness));
+    }
   }
-  if (changed) system.set_history(std::move(history));
-  return changed;
-}
+
+  /// Takes off whatever unloads or sticks until the rest goes on.
+  Tangent pruned(Tangent found) {
+    while (!found.d.empty() && unflag(found)) found = oriented(system_, state_);
+    return found;
+  }
+
+  /// Whether nothing that was taken off would go on after all.
+  bool is_consistent(const Tangent& along) const { return along.d.empty() || !worst(along); }
+
+  /// Changes one flag at a time, the one that contradicts its rate most, until none does; nothing when that
+  /// leads back to a set that has been, or takes more changes than twice the flags.
+  std::optional<Tangent> exchanged(Tangent found) {
+    std::set<std::vector<bool>> seen;
+    while (!found.d.empty() && seen.size() <= 2 * flags_.size() && seen.insert(flags()).second) {
+      const auto wrong = worst(found);
+      if (!wrong) return found;
+      flip(*wrong);
+      found = oriented(system_, state_);
+    }
+    return {};
+  }
+
+ private:
+  void add(const Flag& flag, const Vec2& gradient) {
+    flags_.push_back(flag);
+    gradients_.push_back(gradient);
+  }
+  double rate(std::size_t i, const Tangent& along) const {
+    return gradients_[i].dot(along.opening[flags_[i].point]);
+  }
+  bool is_set(std::size_t i) const { return system_.history()[flags_[i].point].*flags_[i].side; }
+
+  bool unflag(const Tangent& found) {
+    std::vector<History> history = system_.history();
+    bool changed = false;
+    for (std::size_t i = 0; i < flags_.size(); ++i)
+      if (is_set(i) && rate(i, found) < 0)
+        history[flags_[i].point].*flags_[i].side = !(changed = true);
+    if (changed) system_.set_history(std::move(history));
+    return changed;
+  }
+
+  /// The flag that contradicts its rate most.
+  std::optional<std::size_t> worst(const Tangent& along) const {
+    constexpr double round_off = 1e-9;
+    double fastest = 0;
+    for (std::size_t i = 0; i < flags_.size(); ++i) fastest = std::max(fastest, std::abs(rate(i, along)));
+    std::optional<std::size_t> out;
+    double most = round_off * fastest;
+    for (std::size_t i = 0; i < flags_.size(); ++i) {
+      const double contradiction = is_set(i) ? -rate(i, along) : rate(i, along);
+      if (contradiction <= most) continue;
+      most = contradiction;
+      out = i;
+    }
+    return out;
+  }
+
+  std::vector<bool> flags() const {
+    std::vector<bool> out;
+    for (std::size_t i = 0; i < flags_.size(); ++i) out.push_back(is_set(i));
+    return out;
+  }
+  void flip(std::size_t i) {
+    std::vector<History> history = system_.history();
+    bool& flag = history[flags_[i].point].*flags_[i].side;
+    flag = !flag;
+    system_.set_history(std::move(history));
+  }
+
+  System& system_;
+  const State& state_;
+  std::vector<Flag> flags_;
+  std::vector<Vec2> gradients_;
+};
 
 }  // namespace
 
 Tangent arriving_tangent(System& system, const State& state) { return oriented(system, state); }
 
 Tangent leaving_tangent(System& system, const State& state, Tangent arriving) {
-  while (!arriving.d.empty() && prune(system, state, arriving)) arriving = oriented(system, state);
-  return arriving;
+  RateProblem problem(system, state);
+  Tangent found = problem.pruned(std::move(arriving));
+  if (problem.is_consistent(found)) return found;
+  const std::vector<History> pruned = system.history();
+  if (auto other = problem.exchanged(found)) return *std::move(other);
+  system.set_history(pruned);
+  return found;
 }
 
 }  // namespace dda
