@@ -64,7 +64,7 @@ Tangent oriented(System& system, const State& state) {
 /// A flag of a point that stands on its damage surface or at its limit of friction.
 struct Flag {
   std::size_t point;
-  bool History::* side;  ///< loading or sliding
+  bool History::*side;  ///< loading or sliding
 };
 
 /// The rate problem of an equilibrium: which of the points flagged in the history go on loading and sliding.
@@ -120,8 +120,7 @@ class RateProblem {
     std::vector<History> history = system_.history();
     bool changed = false;
     for (std::size_t i = 0; i < flags_.size(); ++i)
-      if (is_set(i) && rate(i, found) < 0)
-        history[flags_[i].point].*flags_[i].side = !(changed = true);
+      if (is_set(i) && rate(i, found) < 0) history[flags_[i].point].*flags_[i].side = !(changed = true);
     if (changed) system_.set_history(std::move(history));
     return changed;
   }
