@@ -13,9 +13,10 @@ double Path::first_amount() const {
   if (!leaving.dissipates)
     return 0.25 * std::min(next_event(walker_), std::max(1e-3, std::abs(walker_.state().load_factor)));
   constexpr double of_load = 0.02, of_opening = 0.1;
-  const double load_rate = std::abs(leaving.rate(load_));
-  double amount = load_rate > 0 ? of_load * std::abs(load_of(walker_.state())) / load_rate
-                                : std::numeric_limits<double>::infinity();
+  const double load_rate = std::abs(leaving.rate(load_)), load = std::abs(load_of(walker_.state()));
+  // Of no load there is no share: dead loads alone have cracked something.
+  double amount =
+      load_rate > 0 && load > 0 ? of_load * load / load_rate : std::numeric_limits<double>::infinity();
   const System& system = walker_.system();
   const auto laws = system.laws(walker_.state().d, walker_.state().load_factor);
   for (std::size_t p = 0; p < laws.opening.size(); ++p) {

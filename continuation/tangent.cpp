@@ -67,12 +67,21 @@ struct Flag {
   bool History::*side;  ///< loading or sliding
 };
 
+void reverse(Tangent& along) {
+  along.load_factor *= -1;
+  for (double& value : along.d) value *= -1;
+  scale(-1, along.opening);
+  scale(-1, along.multipliers);
+}
+
 /// The rate problem of an equilibrium: which of the points flagged in the history go on loading and sliding.
 ///
 ///     flagged:  κ̇ ≥ 0 (slip rate ≥ 0);      not flagged, on the surface:  κ̇ ≤ 0
 class RateProblem {
  public:
-  RateProblem(System& system, const State& state) : system_(system), state_(state) {
+  enum class Sense { dissipates, loads };  ///< what orients the direction: energy spent, or the load factor
+  RateProblem(System& system, const State& state, Sense sense)
+      : system_(system), state_(state), sense_(sense) {
     const auto laws = system.laws_at(state.d, state.load_factor);
     for (std::size_t p = 0; p < system.history().size(); ++p) {
       const History& h = system.history()[p];
@@ -84,15 +93,23 @@ class RateProblem {
     }
   }
 
-  /// Takes off whatever unloads or sticks until the rest goes on.
-  Tangent pruned(Tangent found) {
-    while (!found.d.empty() && unflag(found)) found = oriented(system_, state_);
+  /// Takes off whatever unloads or sticks until the rest goes on; where something that was taken off would go
+  /// on after all, flags are exchanged, if that ends.
+  Tangent solve(Tangent found) {
+    while (!found.d.empty() && unflag(found)) found = tangent();
+    if (found.d.empty() || !worst(found)) return found;
+    const std::vector<History> pruned = system_.history();
+    if (auto other = exchanged(found)) return *std::move(other);
+    system_.set_history(pruned);
     return found;
   }
+  Tangent tangent() const {
+    Tangent out = oriented(system_, state_);
+    if (sense_ == Sense::loads && out.load_factor < 0) reverse(out);
+    return out;
+  }
 
-  /// Whether nothing that was taken off would go on after all.
-  bool is_consistent(const Tangent& along) const { return along.d.empty() || !worst(along); }
-
+ private:
   /// Changes one flag at a time, the one that contradicts its rate most, until none does; nothing when that
   /// leads back to a set that has been, or takes more changes than twice the flags.
   std::optional<Tangent> exchanged(Tangent found) {
@@ -101,12 +118,11 @@ class RateProblem {
       const auto wrong = worst(found);
       if (!wrong) return found;
       flip(*wrong);
-      found = oriented(system_, state_);
+      found = tangent();
     }
     return {};
   }
 
- private:
   void add(const Flag& flag, const Vec2& gradient) {
     flags_.push_back(flag);
     gradients_.push_back(gradient);
@@ -155,6 +171,7 @@ class RateProblem {
 
   System& system_;
   const State& state_;
+  Sense sense_;
   std::vector<Flag> flags_;
   std::vector<Vec2> gradients_;
 };
@@ -164,13 +181,12 @@ class RateProblem {
 Tangent arriving_tangent(System& system, const State& state) { return oriented(system, state); }
 
 Tangent leaving_tangent(System& system, const State& state, Tangent arriving) {
-  RateProblem problem(system, state);
-  Tangent found = problem.pruned(std::move(arriving));
-  if (problem.is_consistent(found)) return found;
-  const std::vector<History> pruned = system.history();
-  if (auto other = problem.exchanged(found)) return *std::move(other);
-  system.set_history(pruned);
-  return found;
+  return RateProblem(system, state, RateProblem::Sense::dissipates).solve(std::move(arriving));
+}
+
+Tangent starting_tangent(System& system, const State& state) {
+  RateProblem problem(system, state, RateProblem::Sense::loads);
+  return problem.solve(problem.tangent());
 }
 
 }  // namespace dda

@@ -18,7 +18,7 @@ void Walker::begin_stage(std::size_t stage) {
   here_.state.load_factor = 0;
   here_.load = value(system_.loading().load);
   fill_arriving(here_);
-  leaving_ = leaving_tangent(system_, here_.state, here_.arriving);
+  leaving_ = starting_tangent(system_, here_.state);
 }
 
 Attempt Walker::attempt(Control& control, double step, const State& guess) {
