@@ -204,6 +204,7 @@ class Path {
   // Sizes and ends.
   double first_amount() const;
   double unit_of(const Move& move) const;
+  double sliding_amount() const;
   double bounded(double amount) const;
   void resize(const Candidate& candidate, double amount, const Move& move);
   Point keep(Candidate candidate, const std::string& control);

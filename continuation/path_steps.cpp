@@ -267,8 +267,12 @@ Attempt Path::attempt(const Move& move, double amount) {
   return walker_.attempt(arc);
 }
 
-/// Work of the step that neither storage nor dissipation explains: quadrature error, or a jump [FL].
-double Path::unaccounted(const Candidate& candidate) const { return std::abs(missing_work(candidate)); }
+/// Work of the step that neither storage nor dissipation explains, nor the tolerance of the equilibria, of
+/// which what is stored has a share: quadrature error, or a jump [FL].
+double Path::unaccounted(const Candidate& candidate) const {
+  const double left_open = walker_.parameters().newton.tolerance * candidate.stored;
+  return std::max(0.0, std::abs(missing_work(candidate)) - left_open);
+}
 
 /// Whether the quadrature of the work misses a kink within the step: the energy balance of a run is the sum
 /// of these.

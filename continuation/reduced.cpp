@@ -12,6 +12,16 @@ bool has_offsets(const System& system) {
   return !system.loading().dead_offset.empty() || !system.loading().reference_offset.empty();
 }
 
+/// A tie of exact multipliers holds 1/δ times as firmly as its own stiffness P, and where a body has more ties
+/// than motions the openings would answer a traction with that factor's rounding. With a share of P instead
+/// the multiplier follows from the gap, m = s/(1 + δ − s) g, so that the joint of the base is a spring.
+constexpr double loosened = 0.9;
+
+/// A joint of bodies that were never bonded.
+bool is_separate(const InterfacePoint& point) {
+  return point.law->contact({}, point.stiffness).has_value();
+}
+
 /// Points without columns that are not as in the base.
 std::vector<std::size_t> newly_cracked(System& system, const LinearSystem& linear, const State& at) {
   const auto laws = system.laws_at(at.d, at.load_factor);
@@ -25,6 +35,28 @@ std::vector<std::size_t> newly_cracked(System& system, const LinearSystem& linea
   return out;
 }
 
+/// By Newton's method where something cracks, that is wanted and does it, else by walking: where only contacts
+/// change one walk is all, and Newton's method steps round between their pieces.
+std::optional<int> iterate(CrackedPoints& points, const State& guess, const ContactSettings& settings) {
+  points.start_at(guess);
+  if (settings.tries_newton && !points.only_touch())
+    if (const auto iterations = points.newton(settings.max_iterations, CrackedPoints::Cycles::end_it))
+      return iterations;
+  points.start_at(guess);
+  return points.walk(settings.max_iterations);
+}
+
+/// What rounding leaves of the equations of the whole structure is taken off as far as it can be.
+void refine(System& system, CrackedPoints& points, Reduced& found, const ContactSettings& settings) {
+  constexpr int most = 3;
+  for (int i = 0; i < most && system.excess_residual(found.state) > settings.tolerance; ++i) {
+    points.refine();
+    if (!points.walk(settings.max_iterations, 1)) return;
+    found.state.d = points.state().d;
+    found.state.load_factor = points.state().load_factor;
+  }
+}
+
 /// Solves contacts under a control that is a sum, taking points in until none is left out.
 std::optional<Reduced> solve_sum(System& system, const ControlSum& sum, const State& guess,
                                  const ContactSettings& settings) {
@@ -34,23 +66,17 @@ std::optional<Reduced> solve_sum(System& system, const ControlSum& sum, const St
   for (int round = 0; round < most_rounds; ++round) {
     if (linear.updated_points().size() > most_contact_points) return {};
     CrackedPoints points(system, linear, sum);
-    std::optional<int> iterations;
-    {
-      const auto scope = system.timings().measure("contact");
-      points.start_at(guess);
-      if (settings.tries_newton)
-        iterations = points.newton(settings.max_iterations, CrackedPoints::Cycles::end_it);
-      if (!iterations) {
-        points.start_at(guess);
-        iterations = points.walk(settings.max_iterations);
-      }
-    }
+    const auto scope = system.timings().measure("contact");
+    const auto iterations = iterate(points, guess, settings);
     if (!iterations) return {};
     out.iterations += *iterations;
     out.state = points.state();
     out.state.multipliers = guess.multipliers;
     const std::vector<std::size_t> added = newly_cracked(system, linear, out.state);
-    if (added.empty()) return out;
+    if (added.empty()) {
+      refine(system, points, out, settings);
+      return out;
+    }
     linear.add_points(added);
   }
   return {};
@@ -123,8 +149,10 @@ void prepare_contacts(System& system, const State& guess) {
     const InterfacePoint& point = system.equilibrium().point(p);
     const History& h = system.history()[p];
     Mat2 tangent = point.intact_stiffness().asDiagonal();
-    if (is_cracked && point.law->contact(h, point.stiffness) && !point.law->contact({}, point.stiffness))
+    if (is_cracked && point.law->contact(h, point.stiffness) && !is_separate(point))
       tangent = point.law->respond_frozen(laws->opening[p], h, point.stiffness).tangent;
+    if (const bool is_tie = point.multiplier == Multiplier::unknown; is_tie && is_separate(point))
+      tangent *= loosened;
     base.emplace_back(0.5 * (tangent + tangent.transpose()));
   }
   LinearSystem& linear = system.contact_linear();

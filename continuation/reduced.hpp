@@ -29,6 +29,7 @@ void prepare_contacts(System& system, const State& guess);
 /// method has ended far away on a singular matrix.
 struct ContactSettings {
   int max_iterations = 15;
+  double tolerance = 1e-9;  ///< of the equations of the whole structure, relative
   bool tries_newton = true;
 };
 
@@ -38,7 +39,7 @@ struct ContactSettings {
 /// contact, where more than `most_contact_points` points would take part, and where there is no equilibrium.
 std::optional<Reduced> solve_contacts(System& system, const Control& control, double s, const State& guess,
                                       const ContactSettings& settings);
-inline constexpr std::size_t most_contact_points = 400;
+inline constexpr std::size_t most_contact_points = 1500;
 /// Points that are not held at a state as in the intact structure.
 std::size_t num_changed(System& system, const State& at);
 

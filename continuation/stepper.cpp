@@ -14,7 +14,7 @@ namespace {
 
 /// Up to so many points that have cracked, slide or are open contacts are solved before Newton's method is
 /// tried on all unknowns: their dense equations grow with the third power.
-constexpr std::size_t few_points = 200;
+constexpr std::size_t few_points = 1500;
 
 /// A state as the end of the step, if the full equations and the control have nothing to add.
 std::optional<Attempt> finished(System& system, const Control& control, double step, const State& at,
@@ -52,7 +52,8 @@ Attempt contact_step(System& system, const Control& control, double step, const 
   if (!system.has_contacts()) return out;
   if (parameters.multipliers.predicted) system.set_multipliers(guess.multipliers);
   prepare_contacts(system, guess);
-  ContactSettings settings{.max_iterations = parameters.newton.max_iterations};
+  ContactSettings settings{.max_iterations = parameters.newton.max_iterations,
+                           .tolerance = parameters.newton.tolerance};
   for (; out.multiplier_iterations <= parameters.multipliers.max_iterations; ++out.multiplier_iterations) {
     auto found = solve_contacts(system, control, step, out.state, settings);
     if (found) out.reason = missed(system, control, step, found->state, parameters.newton.tolerance);

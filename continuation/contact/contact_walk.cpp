@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "continuation/linear/dense_lu.hpp"
+#include "continuation/contact/changing_inverse.hpp"
 
 namespace dda {
 namespace {
@@ -19,44 +19,6 @@ double tie_breaker(std::size_t index) {
   const double golden = 0.6180339887498949 * static_cast<double>(index + 1);
   return 1 + 0.3 * (golden - std::floor(golden));
 }
-
-/// (J + Σ g vᵀ)⁻¹: a dense factorisation and the changes of rank one since.
-class ChangingInverse {
- public:
-  bool factor(Matrix matrix) {
-    changes_.clear();
-    return lu_.compute(std::move(matrix));
-  }
-  Vector solve(const Vector& b) const {
-    Vector x = lu_.solve(b);
-    for (const Change& change : changes_) x -= change.column * (change.along(x) / change.ratio);
-    return x;
-  }
-  /// Adds u vᵀ, v at two rows only; the factor by which the determinant changes.
-  double add(const Vector& u, Eigen::Index at, const Vec2& v) {
-    Change change{solve(u), at, v, 1};
-    change.ratio = 1 + change.along(change.column);
-    changes_.push_back(std::move(change));
-    return changes_.back().ratio;
-  }
-  /// Brings a solution before the last change up to it.
-  void update(Vector& x) const {
-    const Change& last = changes_.back();
-    x -= last.column * (last.along(x) / last.ratio);
-  }
-  std::size_t num_changes() const { return changes_.size(); }
-
- private:
-  struct Change {
-    Vector column;
-    Eigen::Index at;
-    Vec2 v;
-    double ratio;
-    double along(const Vector& x) const { return v.dot(x.segment<2>(at)); }
-  };
-  DenseLu lu_;
-  std::vector<Change> changes_;
-};
 
 class Walk {
  public:
@@ -77,14 +39,14 @@ class Walk {
       if (const auto& contact = problem_.points[i].contact)
         pieces_[i] = contact->coefficient > 0 ? ContactPiece::stuck : ContactPiece::forward;
     x_ = Vector::Zero(problem_.constant.size());
-    if (!inverse_.factor(matrix())) return {};
+    if (!factor()) return {};
     x_ -= inverse_.solve(residual(x_, problem_.residual_share));
     Vector overlap = Vector::Zero(x_.size());
     for (std::size_t i = 0; i < size(); ++i)
       if (problem_.points[i].contact) overlap[place(i)] = -tie_breaker(i);
     tau_ = covering(overlap);
     x_ += tau_ * overlap;
-    return follow(matrix() * overlap);
+    return follow(times(overlap));
   }
 
  private:
@@ -123,18 +85,47 @@ class Walk {
       z.segment<2>(place(i)) =
           point.weight * (respond(i, q, share).traction - point.base * (q - point.multiplier));
     }
-    return problem_.fixed * x + problem_.constant + problem_.couplings * z;
+    Vector out = x + problem_.constant + problem_.couplings * z;
+    out.head(2 * count()) -= x[2 * count()] * problem_.live;
+    out[2 * count()] += problem_.control.dot(x) - x[2 * count()];
+    return out;
   }
 
-  Matrix matrix() const {
-    Matrix out = problem_.fixed;
+  Mat2 change_of(std::size_t i) const {
+    const ContactProblem::Point& point = problem_.points[i];
+    return point.weight * (respond(i, Vec2::Zero(), problem_.residual_share).tangent - point.base);
+  }
+
+  /// ∂F/∂x: the unit matrix but for the points that are not as in the base, the load factor and the control.
+  bool factor() {
+    std::vector<Mat2> changes;
+    std::vector<Eigen::Index> places;
     for (std::size_t i = 0; i < size(); ++i) {
-      const ContactProblem::Point& point = problem_.points[i];
-      const Mat2 change =
-          point.weight * (respond(i, Vec2::Zero(), problem_.residual_share).tangent - point.base);
+      const Mat2 change = change_of(i);
       if (change.isZero(0)) continue;
-      out.middleCols<2>(place(i)).noalias() += problem_.couplings.middleCols<2>(place(i)) * change;
+      changes.push_back(change);
+      places.insert(places.end(), {place(i), place(i) + 1});
     }
+    const Eigen::Index last = 2 * count();
+    places.push_back(last);
+    Matrix columns(last + 1, std::ssize(places));
+    for (std::size_t a = 0; a < changes.size(); ++a) {
+      const Eigen::Index at = places[2 * a];
+      auto pair = columns.middleCols<2>(place(a));
+      pair.noalias() = problem_.couplings.middleCols<2>(at) * changes[a];
+      pair.middleRows<2>(at) += Mat2::Identity();
+      pair.row(last) += problem_.control.segment<2>(at).transpose();
+    }
+    columns.rightCols(1) << -problem_.live, problem_.control[last];
+    return inverse_.factor(std::move(columns), std::move(places), problem_.control);
+  }
+
+  /// ∂F/∂x v of a v without load factor.
+  Vector times(const Vector& v) const {
+    Vector z(2 * count());
+    for (std::size_t i = 0; i < size(); ++i) z.segment<2>(place(i)) = change_of(i) * opening(v, i);
+    Vector out = v + problem_.couplings * z;
+    out[2 * count()] += problem_.control.dot(v);
     return out;
   }
 
@@ -191,7 +182,7 @@ class Walk {
   }
 
   bool refactor(const Vector& right) {
-    if (!inverse_.factor(matrix())) return false;
+    if (!factor()) return false;
     way_ = inverse_.solve(right);
     return way_.allFinite();
   }
@@ -238,7 +229,7 @@ class Walk {
 
   /// Proximal corrections on the pieces that were found, until the equations hold as they are.
   std::optional<Vector> corrected() {
-    if (!inverse_.factor(matrix())) return {};
+    if (!factor()) return {};
     double before = std::numeric_limits<double>::infinity();
     for (int correction = 0; correction < 12; ++correction) {
       const Vector rest = residual(x_, 0);

@@ -10,7 +10,7 @@ namespace dda {
 
 /// Equilibrium of some points under one control, linear but for contact and friction:
 ///
-///     F(x) = A x + c + C z,    x = (q, λ),    z_p = W (t_p(q_p) − D_base (q_p − m_p))
+///     F(x) = (q − λ q_ref, g · x) + c + C z,    x = (q, λ),    z_p = W (t_p(q_p) − D_base (q_p − m_p))
 ///
 /// size 2 · points + 1. A point with a `contact` has its pieces, any other the linear traction given.
 struct ContactProblem {
@@ -25,7 +25,8 @@ struct ContactProblem {
     Mat2 tangent = Mat2::Zero();   ///< without contact
   };
   std::vector<Point> points;
-  Eigen::MatrixXd fixed;         ///< A
+  Eigen::VectorXd live;          ///< q_ref
+  Eigen::VectorXd control;       ///< g
   Eigen::VectorXd constant;      ///< c
   Eigen::MatrixXd couplings;     ///< C, (2 · points + 1) × 2 · points
   double accuracy = 0;           ///< of F that counts as none [L]

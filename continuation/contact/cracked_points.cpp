@@ -22,6 +22,7 @@ CrackedPoints::CrackedPoints(const System& system, LinearSystem& linear, const C
       linear_(linear),
       control_(control),
       points_(linear_.updated_points()),
+      refinement_(linear.dead_solution().size(), 0.0),
       dead_(size()),
       live_(size()) {
   for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -48,6 +49,13 @@ void CrackedPoints::start_at(const State& guess) {
   evaluate();
 }
 
+bool CrackedPoints::only_touch() const {
+  return std::ranges::all_of(points_, [&](std::size_t p) {
+    const InterfacePoint& point = system_.equilibrium().point(p);
+    return point.law->contact({}, point.stiffness).has_value();
+  });
+}
+
 std::optional<int> CrackedPoints::newton(int max_iterations, Cycles cycles) {
   constexpr int most = 50;
   std::set<std::size_t> seen;
@@ -69,11 +77,11 @@ std::optional<int> CrackedPoints::newton(int max_iterations, Cycles cycles) {
   return {};
 }
 
-std::optional<int> CrackedPoints::walk(int max_iterations) {
+std::optional<int> CrackedPoints::walk(int max_iterations, int at_least) {
   double before = std::numeric_limits<double>::infinity();
   int rises = 0;
   for (int iteration = 0; iteration <= max_iterations; ++iteration) {
-    if (is_solved()) return iteration;
+    if (iteration >= at_least && is_solved()) return iteration;
     const double error = gap().lpNorm<Eigen::Infinity>();
     constexpr int most_rises = 5;
     constexpr double smaller = 0.03, hardly = 1e-8;  // what rounding leaves the full equations judge
@@ -94,8 +102,30 @@ std::optional<int> CrackedPoints::walk(int max_iterations) {
   return {};
 }
 
+void CrackedPoints::refine() {
+  const State at = state();
+  const LawValues laws = system_.laws(at.d, at.load_factor);
+  std::vector<double> residual(at.d.size()), differences(2 * laws.opening.size(), 0.0);
+  system_.residual(at.d, at.load_factor, laws, residual);
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const std::size_t p = points_[i];
+    const Vec2 z = laws.traction[p] - linear_.base()[p] * (laws.opening[p] - multiplier(i));
+    const Vec2 difference = pair(z_, i) / system_.equilibrium().point(p).weight - z;
+    differences[2 * p] = difference.x();
+    differences[2 * p + 1] = difference.y();
+  }
+  system_.equilibrium().scatter_add(differences, residual);
+  std::vector<double> change(residual.size());
+  linear_.solve_base(residual, change);
+  for (std::size_t i = 0; i < change.size(); ++i) refinement_[i] -= change[i];
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    pair(dead_, i) -= system_.equilibrium().opening(points_[i], change);
+  if (control_.gauge) gauge_dead_ -= control_.gauge->value(change, 0) - control_.gauge->constant;
+}
+
 State CrackedPoints::state() const {
   State out{linear_.dead_solution(), load_factor_};
+  for (std::size_t i = 0; i < out.d.size(); ++i) out.d[i] += refinement_[i];
   const std::vector<double>& live = linear_.reference_solution();
   for (std::size_t i = 0; i < out.d.size(); ++i) out.d[i] += load_factor_ * live[i];
   std::vector<std::size_t> points;
@@ -228,10 +258,10 @@ ContactProblem CrackedPoints::linearised() const {
   const Eigen::Index n = size();
   const double size_now = opening_scale();
   const double unit = size_now > 0 && control_.scale > 0 ? size_now / control_.scale : 1;
-  out.fixed = Matrix::Identity(n + 1, n + 1);
-  out.fixed.block(0, n, n, 1) = -live_;
-  out.fixed.block(n, 0, 1, n) = unit * (control_.spends ? spending_ : Vector(Vector::Zero(n))).transpose();
-  out.fixed(n, n) = unit * (control_.gauge ? gauge_live_ : 0);
+  out.live = live_;
+  out.control = Vector::Zero(n + 1);
+  if (control_.spends) out.control.head(n) = unit * spending_;
+  out.control[n] = unit * (control_.gauge ? gauge_live_ : 0);
   out.couplings.resize(n + 1, n);
   out.couplings.topRows(n) = linear_.couplings().topLeftCorner(n, n);
   out.couplings.row(n).setZero();
@@ -240,7 +270,7 @@ ContactProblem CrackedPoints::linearised() const {
   out.constant.head(n) = -dead_;
   const double spent = control_.spends ? spent_ - spending_.dot(q_) : 0;
   out.constant[n] = unit * ((control_.gauge ? gauge_dead_ : 0) + spent - control_.target);
-  out.accuracy = 0.1 * good * size_now;
+  out.accuracy = 1e-3 * good * size_now;
   for (std::size_t i = 0; i < points_.size(); ++i) out.points.push_back(point_of(i));
   return out;
 }

@@ -22,13 +22,18 @@ class CrackedPoints {
 
   /// Begins at a state's openings.
   void start_at(const State& guess);
+  /// Whether all of them are contacts, without damage.
+  bool only_touch() const;
   /// Newton's method; the number of iterations, or nothing. Those that bring a new set of pieces do not count
   /// against `max_iterations`; a set that comes back ends it at once where something else can be tried.
   enum class Cycles { end_it, may_settle };
   std::optional<int> newton(int max_iterations, Cycles cycles);
   /// Solves contact and friction exactly (contact_walk.hpp), anew for each tangent of what cracks; the number
   /// of tangents, or nothing.
-  std::optional<int> walk(int max_iterations);
+  std::optional<int> walk(int max_iterations, int at_least = 0);
+  /// One step of iterative refinement: takes what rounding has left of the equations of the whole structure,
+  /// beyond those of the points, off the solution for the dead loads. The iteration goes on from there.
+  void refine();
   /// The whole structure where the iteration stands.
   State state() const;
 
@@ -62,6 +67,7 @@ class CrackedPoints {
   Vector dead_, live_;  ///< q_dead + m, q_ref
   Vector along_;        ///< Zᵀ ∂g/∂d
   double gauge_dead_ = 0, gauge_live_ = 0;
+  std::vector<double> refinement_;  ///< of the solution for the dead loads
   Vector q_, z_, spending_;
   double load_factor_ = 0, spent_ = 0;
   double scale_ = 0;                 ///< size of the openings of the loads alone and of the guess [L]

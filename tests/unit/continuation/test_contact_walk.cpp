@@ -26,7 +26,8 @@ ContactProblem random_problem(Random& random, int points, double coefficient, in
   ContactProblem out;
   out.couplings = Matrix::Zero(n + 1, n);
   out.couplings.topRows(n) = basis * share.asDiagonal() * basis.transpose();
-  out.fixed = Matrix::Identity(n + 1, n + 1);
+  out.live = Vector::Zero(n);
+  out.control = Vector::Unit(n + 1, n);
   out.constant = Vector::Zero(n + 1);
   for (Eigen::Index i = 0; i < n; ++i) out.constant[i] = -random.between(-1, 1);
   out.constant[n] = -1;
@@ -48,7 +49,10 @@ double missed(const ContactProblem& problem, const Vector& x) {
     const Response now = response_on(*point.contact, piece_at(*point.contact, q, false), q);
     z.segment<2>(2 * static_cast<Eigen::Index>(i)) = now.traction - point.base * q;
   }
-  return (problem.fixed * x + problem.constant + problem.couplings * z).lpNorm<Eigen::Infinity>();
+  Vector f = x + problem.constant + problem.couplings * z;
+  f.head(x.size() - 1) -= x[x.size() - 1] * problem.live;
+  f[x.size() - 1] = problem.control.dot(x) + problem.constant[x.size() - 1];
+  return f.lpNorm<Eigen::Infinity>();
 }
 
 TEST(ContactWalk, SolvesFromAnywhereForAnyFriction) {
@@ -83,7 +87,8 @@ TEST(ContactWalk, FindsNothingWhereABodyFliesAway) {
   ContactProblem problem;
   problem.couplings = Matrix::Zero(3, 2);
   problem.couplings.topRows(2).setIdentity();  // nothing but the contact holds the body
-  problem.fixed = Matrix::Identity(3, 3);
+  problem.live = Vector::Zero(2);
+  problem.control = Vector::Unit(3, 2);
   problem.constant = Vector::Zero(3);
   problem.constant[0] = -1;  // pulled off
   problem.constant[2] = -1;
