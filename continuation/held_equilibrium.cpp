@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "continuation/contact_step.hpp"
+
 namespace dda {
 
 HeldEquilibrium::HeldEquilibrium(System& system, const StepperParameters& parameters, const Functional& held,
@@ -19,6 +21,23 @@ HeldEquilibrium::HeldEquilibrium(System& system, const StepperParameters& parame
 }
 
 std::optional<State> HeldEquilibrium::solve(State at) {
+  auto found = solve_by_newton(at);
+  return found || !system_.joins_by_contact() ? found : solve_contacts_from(at);
+}
+
+/// Contact and friction of separate bodies solved exactly, where Newton's method runs in circles.
+std::optional<State> HeldEquilibrium::solve_contacts_from(const State& at) {
+  const auto control = make_gauge_control(held_);
+  const double now = held_.value(at.d, at.load_factor);
+  system_.set_multipliers(at.multipliers);
+  control->start_at({at.d, at.load_factor, *system_.laws_at(at.d, at.load_factor)},
+                    std::max(std::abs(now), std::abs(value_)));
+  const Attempt found = contact_step(system_, at, *control, value_ - now, at, parameters_);
+  iterations_ += found.reduced_iterations;
+  return found.converged ? std::optional(found.state) : std::nullopt;
+}
+
+std::optional<State> HeldEquilibrium::solve_by_newton(State at) {
   for (int closing = 0; closing <= parameters_.multipliers.max_iterations; ++closing) {
     if (!converge(at)) return {};
     if (!system_.iterates_multipliers()) return at;

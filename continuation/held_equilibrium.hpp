@@ -25,6 +25,8 @@ class HeldEquilibrium {
     double load_factor;
   };
 
+  std::optional<State> solve_by_newton(State at);
+  std::optional<State> solve_contacts_from(const State& at);
   bool converge(State& at);
   bool meets_gauge(const State& at) const;
   Correction correct(const State& at, const std::vector<double>& residual, const std::vector<double>& slope);

@@ -65,8 +65,10 @@ std::optional<Point> Path::event_step() {
     }
     return end_without_equilibrium("the next initiation was not found: " + why);
   }
-  if (is_coarse(*candidate))
+  if (is_coarse(*candidate)) {
     if (auto point = can_slide() ? sliding_step() : approach(amount)) return point;
+    ending_ = {};  // no finer way was found: the event itself stands
+  }
   if (const auto crossing = first_crossing(*candidate))
     if (auto point = land(*candidate, *crossing, "event")) return point;
   memory_.step = 0;

@@ -14,7 +14,8 @@ class SecantWalk {
  public:
   SecantWalk(System& system, const State& start) : system_(system), state_(start) {}
 
-  /// Grows the critical point and finds the next secant equilibrium.
+  /// Grows the critical point and finds the next secant equilibrium. Where the load that brings one point to
+  /// its strength leaves another beyond its own, that one is critical next: the state is none to stop at.
   bool step() {
     std::vector<History> history = system_.history();
     const auto p = static_cast<std::size_t>(critical_);
@@ -23,9 +24,14 @@ class SecantWalk {
     history[p] = point.law->grown(history[p], point.stiffness, growth);
     system_.set_history(std::move(history));
     if (!settle() || !polish()) return false;
-    system_.set_history(system_.next_history(state_.d, state_.load_factor));  // what has slid stays so
+    const auto beyond = farthest_beyond();
+    is_admissible_ = !beyond;
+    if (beyond) critical_ = *beyond;
+    if (is_admissible_)
+      system_.set_history(system_.next_history(state_.d, state_.load_factor));  // what has slid stays so
     return true;
   }
+  bool is_admissible() const { return is_admissible_; }
 
   /// The unbroken point nearest its surface at the start.
   bool find_critical() {
@@ -48,6 +54,22 @@ class SecantWalk {
   LawAt point_at(std::size_t p) const {
     const InterfacePoint& point = system_.equilibrium().point(p);
     return {*point.law, system_.history()[p], point.stiffness};
+  }
+
+  /// The unbroken point that stands farthest beyond its surface, if any does.
+  std::optional<int> farthest_beyond() const {
+    constexpr double round_off = 1e-8;
+    const auto laws = system_.laws_at(state_.d, state_.load_factor);
+    double most = 1 + round_off;
+    std::optional<int> out;
+    for (std::size_t p = 0; p < laws->opening.size(); ++p) {
+      if (system_.is_broken(p)) continue;
+      const double ratio = point_at(p).opening(laws->opening[p]) / system_.kappa(p);
+      if (!(ratio > most)) continue;
+      most = ratio;
+      out = static_cast<int>(p);
+    }
+    return out;
   }
 
   /// The secant stiffness depends on which cracks are closed and which slide: repeat until these sets stay.
@@ -181,6 +203,7 @@ class SecantWalk {
   System& system_;
   State state_;
   int critical_ = -1;
+  bool is_admissible_ = false;
 };
 
 }  // namespace
@@ -194,6 +217,7 @@ std::optional<Settled> sequentially_linear(System& system, const State& start, d
   constexpr int most = 2000;
   bool is_enough = !walk.find_critical();
   for (int i = 0; i < most && !is_enough && walk.step(); ++i) {
+    if (!walk.is_admissible()) continue;
     out = Settled{walk.state(), system.history()};
     for (History& h : out->history) h.loading = false;
     out->history[walk.critical()].loading = true;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "continuation/contact_step.hpp"
 #include "continuation/reduced.hpp"
 #include "continuation/trilinos_module.hpp"
 
@@ -43,7 +44,8 @@ std::string missed(System& system, const Control& control, double step, const St
   return fmt::format("contact and friction were met to {:.1e} only", residual);
 }
 
-/// Contact and friction solved exactly; iterated multipliers carried over until no gap is left.
+}  // namespace
+
 Attempt contact_step(System& system, const State& start, const Control& control, double step, const State& guess,
                      const StepperParameters& parameters) {
   Attempt out{.state = guess, .reason = "contact and friction allow no equilibrium here"};
@@ -64,6 +66,7 @@ Attempt contact_step(System& system, const State& start, const Control& control,
     }
     if (!found || !out.reason.empty()) return out;
     out.state = found->state;
+    settings.from = &out.state;
     out.reduced_iterations += found->iterations;
     out.residual = system.excess_residual(out.state);
     out.state.multipliers = system.multipliers();
@@ -77,8 +80,6 @@ Attempt contact_step(System& system, const State& start, const Control& control,
                            parameters.multipliers.max_iterations, out.gap);
   return out;
 }
-
-}  // namespace
 
 Attempt controlled_step(System& system, const State& start, Control& control, double step, const State& guess,
                         const StepperParameters& parameters) {

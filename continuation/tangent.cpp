@@ -1,5 +1,9 @@
 #include "continuation/tangent.hpp"
 
+#include <cmath>
+#include <optional>
+#include <set>
+
 namespace dda {
 namespace {
 
@@ -43,8 +47,9 @@ void scale(double factor, std::vector<Vec2>& v) {
   for (Vec2& value : v) value *= factor;
 }
 
-/// The same direction in its unit: per energy that it dissipates, per load factor where it dissipates none.
-Tangent in_unit(System& system, const State& state, Tangent out) {
+Tangent oriented(System& system, const State& state) {
+  const auto scope = system.timings().measure("tangents");
+  Tangent out = direction(system, state);
   if (out.d.empty()) return out;
   const double rate = dissipation_rate(system, state, out);
   out.dissipates = rate != 0;
@@ -56,45 +61,132 @@ Tangent in_unit(System& system, const State& state, Tangent out) {
   return out;
 }
 
-Tangent oriented(System& system, const State& state) {
-  const auto scope = system.timings().measure("tangents");
-  return in_unit(system, state, direction(system, state));
+/// A flag of a point that stands on its damage surface or at its limit of friction.
+struct Flag {
+  std::size_t point;
+  bool History::*side;  ///< loading or sliding
+};
+
+void reverse(Tangent& along) {
+  along.load_factor *= -1;
+  for (double& value : along.d) value *= -1;
+  scale(-1, along.opening);
+  scale(-1, along.multipliers);
 }
 
-/// Unflags what unloads or sticks; false when there was nothing to unflag.
-bool prune(System& system, const State& state, const Tangent& found) {
-  std::vector<History> history = system.history();
-  bool changed = false;
-  const auto laws = system.laws_at(state.d, state.load_factor);
-  for (std::size_t p = 0; p < found.opening.size(); ++p) {
-    History& h = history[p];
-    if (!h.loading && !h.sliding) continue;
-    const InterfacePoint& point = system.equilibrium().point(p);
-    const auto turns_back = [&](const Vec2& gradient) { return gradient.dot(found.opening[p]) < 0; };
-    if (h.loading && !point.law->releases_at_once() &&
-        turns_back(point.law->opening_gradient(laws->opening[p], h, point.stiffness)))
-      h.loading = !(changed = true);
-    if (h.sliding && turns_back(point.law->slip_gradient(laws->opening[p], h, point.stiffness)))
-      h.sliding = !(changed = true);
+/// The rate problem of an equilibrium: which of the points flagged in the history go on loading and sliding.
+///
+///     flagged:  κ̇ ≥ 0 (slip rate ≥ 0);      not flagged, on the surface:  κ̇ ≤ 0
+class RateProblem {
+ public:
+  enum class Sense { dissipates, loads };  ///< what orients the direction: energy spent, or the load factor
+  RateProblem(System& system, const State& state, Sense sense)
+      : system_(system), state_(state), sense_(sense) {
+    const auto laws = system.laws_at(state.d, state.load_factor);
+    for (std::size_t p = 0; p < system.history().size(); ++p) {
+      const History& h = system.history()[p];
+      const InterfacePoint& point = system.equilibrium().point(p);
+      if (h.loading && !point.law->releases_at_once())
+        add({p, &History::loading}, point.law->opening_gradient(laws->opening[p], h, point.stiffness));
+      if (h.sliding)
+        add({p, &History::sliding}, point.law->slip_gradient(laws->opening[p], h, point.stiffness));
+    }
   }
-  if (changed) system.set_history(std::move(history));
-  return changed;
-}
+
+  /// Takes off whatever unloads or sticks until the rest goes on; where something that was taken off would go
+  /// on after all, flags are exchanged, if that ends.
+  Tangent solve(Tangent found) {
+    while (!found.d.empty() && unflag(found)) found = tangent();
+    if (found.d.empty() || !worst(found)) return found;
+    const std::vector<History> pruned = system_.history();
+    if (auto other = exchanged(found)) return *std::move(other);
+    system_.set_history(pruned);
+    return found;
+  }
+  Tangent tangent() const {
+    Tangent out = oriented(system_, state_);
+    if (sense_ == Sense::loads && out.load_factor < 0) reverse(out);
+    return out;
+  }
+
+ private:
+  /// Changes one flag at a time, the one that contradicts its rate most, until none does; nothing when that
+  /// leads back to a set that has been, or takes more changes than twice the flags.
+  std::optional<Tangent> exchanged(Tangent found) {
+    std::set<std::vector<bool>> seen;
+    while (!found.d.empty() && seen.size() <= 2 * flags_.size() && seen.insert(flags()).second) {
+      const auto wrong = worst(found);
+      if (!wrong) return found;
+      flip(*wrong);
+      found = tangent();
+    }
+    return {};
+  }
+
+  void add(const Flag& flag, const Vec2& gradient) {
+    flags_.push_back(flag);
+    gradients_.push_back(gradient);
+  }
+  double rate(std::size_t i, const Tangent& along) const {
+    return gradients_[i].dot(along.opening[flags_[i].point]);
+  }
+  bool is_set(std::size_t i) const { return system_.history()[flags_[i].point].*flags_[i].side; }
+
+  bool unflag(const Tangent& found) {
+    std::vector<History> history = system_.history();
+    bool changed = false;
+    for (std::size_t i = 0; i < flags_.size(); ++i)
+      if (is_set(i) && rate(i, found) < 0) history[flags_[i].point].*flags_[i].side = !(changed = true);
+    if (changed) system_.set_history(std::move(history));
+    return changed;
+  }
+
+  /// The flag that contradicts its rate most.
+  std::optional<std::size_t> worst(const Tangent& along) const {
+    constexpr double round_off = 1e-9;
+    double fastest = 0;
+    for (std::size_t i = 0; i < flags_.size(); ++i) fastest = std::max(fastest, std::abs(rate(i, along)));
+    std::optional<std::size_t> out;
+    double most = round_off * fastest;
+    for (std::size_t i = 0; i < flags_.size(); ++i) {
+      const double contradiction = is_set(i) ? -rate(i, along) : rate(i, along);
+      if (contradiction <= most) continue;
+      most = contradiction;
+      out = i;
+    }
+    return out;
+  }
+
+  std::vector<bool> flags() const {
+    std::vector<bool> out;
+    for (std::size_t i = 0; i < flags_.size(); ++i) out.push_back(is_set(i));
+    return out;
+  }
+  void flip(std::size_t i) {
+    std::vector<History> history = system_.history();
+    bool& flag = history[flags_[i].point].*flags_[i].side;
+    flag = !flag;
+    system_.set_history(std::move(history));
+  }
+
+  System& system_;
+  const State& state_;
+  Sense sense_;
+  std::vector<Flag> flags_;
+  std::vector<Vec2> gradients_;
+};
 
 }  // namespace
 
 Tangent arriving_tangent(System& system, const State& state) { return oriented(system, state); }
 
 Tangent leaving_tangent(System& system, const State& state, Tangent arriving) {
-  while (!arriving.d.empty() && prune(system, state, arriving)) arriving = oriented(system, state);
-  return arriving;
+  return RateProblem(system, state, RateProblem::Sense::dissipates).solve(std::move(arriving));
 }
 
 Tangent starting_tangent(System& system, const State& state) {
-  const auto scope = system.timings().measure("tangents");
-  Tangent out = direction(system, state);
-  while (!out.d.empty() && prune(system, state, out)) out = direction(system, state);
-  return in_unit(system, state, std::move(out));
+  RateProblem problem(system, state, RateProblem::Sense::loads);
+  return problem.solve(problem.tangent());
 }
 
 }  // namespace dda

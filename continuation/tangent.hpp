@@ -28,12 +28,12 @@ struct Tangent {
 Tangent arriving_tangent(System& system, const State& state);
 
 /// The direction in which the path goes on: points that would unload or stick are taken off the set, and
-/// unflagged in the history, until all that are left load and slide. Starts from the arriving tangent of the
-/// same state.
+/// unflagged in the history, until all that are left load and slide; what was taken off and would go on after
+/// all is put back. Starts from the arriving tangent of the same state.
 Tangent leaving_tangent(System& system, const State& state, Tangent arriving);
 
-/// The direction in which a stage begins: that in which its load grows. What earlier stages have cracked
-/// would dissipate in the opposite one, too; of it only goes on what loads and slides under the new load.
+/// The direction in which a stage begins, its load growing: what the stages before have cracked goes on only
+/// where that load drives it, and nothing is followed backwards because it spends energy.
 Tangent starting_tangent(System& system, const State& state);
 
 }  // namespace dda

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 #include "framework/suggestion.hpp"
 #include "models/interface/scaled_law.hpp"
+#include "models/locked_joints.hpp"
 #include "models/treatment/trace_constant.hpp"
 
 namespace dda {
@@ -273,7 +275,9 @@ class PointMaker {
 }  // namespace
 
 InterfaceSet make_interface_points(const Body& body, const ModelParameters& model, Findings& findings) {
-  return PointMaker(body, model, findings).make();
+  InterfaceSet out = PointMaker(body, model, findings).make();
+  std::ranges::move(locked_joints(body, out), std::back_inserter(out.notices));
+  return out;
 }
 
 }  // namespace dda

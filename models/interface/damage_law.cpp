@@ -6,6 +6,10 @@
 namespace dda {
 namespace {
 
+/// Share of κ within which a point stands on its surface: events are met as closely, and what has been flagged
+/// there as loading must load.
+constexpr double on_surface = 1e-10;
+
 /// dy/dω of the compliance y = ω/g; infinite where the traction has vanished.
 double compliance_slope(const SofteningShape& shape, double omega) {
   const double g = shape.value(omega);
@@ -129,7 +133,7 @@ Response DamageLaw::secant(const Vec2& q, const History& h, double kappa, double
 /// A point on its surface is loading when the path has chosen so: the flag decides within round-off of κ.
 bool DamageLaw::is_loading(double opening, double kappa, bool flag) const {
   constexpr double round_off = 1e-11;
-  return opening > kappa * (1 + (flag ? -round_off : round_off));
+  return flag ? opening >= kappa * (1 - on_surface) : opening > kappa * (1 + round_off);
 }
 
 Response DamageLaw::respond(const Vec2& q, const History& h, double k) const {
@@ -216,12 +220,11 @@ void DamageLaw::add_friction_work(const Vec2& q, const History& h, double k, Spe
 }
 
 History DamageLaw::accept(const Vec2& q, const History& h, double k) const {
-  constexpr double round_off = 1e-10;
   const Equivalent at = equivalent(q, k);
   const double reached = kappa(h, k);
   History out = h;
   out.dissipated += spending(q, h, k).value;
-  out.loading = at.kappa >= reached * (1 - round_off);
+  out.loading = at.kappa >= reached * (1 - on_surface);
   if (at.kappa > reached) {
     out.kappa = at.kappa;
   }

@@ -152,10 +152,10 @@ def structure(seed):
 
 
 def is_suited(maker):
-    """Whether the treatment is for this mesh: exact joints lock what is no triangle, unless they join separate bodies."""
+    """Whether the treatment is for this mesh: exact joints lock sub-blocks that are no triangles, and separate bodies
+    whose corners do not meet along the joint (`dda check` says so)."""
     if maker.treatment in ("consistent", "penalty"):
         return True
-    bodies = maker.shape.__name__ in ("corbel", "panel", "wall", "plated")
-    return bodies or maker.mesh == "triangles"
-
-
+    shape = maker.shape.__name__
+    meets = maker.mesh == "quads" or (maker.mesh == "given" and shape in ("panel", "wall"))
+    return maker.mesh == "triangles" or (meets and shape in ("corbel", "panel", "wall", "plated"))

@@ -38,6 +38,18 @@ TEST_F(LinearSoftening, PhysicalOpeningFollowsTheStraightLine) {
   }
 }
 
+/// An event is met to 1e-10 of κ: what acceptance flags there as loading must spend and soften, or the path has
+/// no direction in which anything cracks.
+TEST_F(LinearSoftening, WhatIsFlaggedOnItsSurfaceLoads) {
+  for (const double below : {0.0, 2e-11, 9e-11}) {
+    const Vec2 q(k0 * (1 - below), 0);
+    const History h = law_->accept(q, {}, k);
+    EXPECT_TRUE(h.loading) << below;
+    EXPECT_GT(law_->spending(q, h, k).gradient.x(), 0) << below;
+    EXPECT_LT(law_->respond(q, h, k).tangent(0, 0), 0) << below;
+  }
+}
+
 TEST_F(LinearSoftening, UnloadsToTheOriginAndReloads) {
   const History h{.kappa = 0.03};
   const double envelope = law_->respond({0.03, 0}, {}, k).traction.x();
