@@ -102,8 +102,7 @@ std::optional<Point> Path::sliding_step() {
     double amount = is_loaded && std::isfinite(change) ? part * change : 1 / walker_.leaving().load_factor;
     if (memory_.has_slid && is_loaded)
       amount = part * std::abs(walker_.state().load_factor / walker_.leaving().load_factor);
-    constexpr double little = 0.02;
-    amount = std::max(amount, little * sliding_amount());
+    amount = std::max(amount, sliding_amount());
     memory_.step = amount * unit_of(move);
     memory_.step_control = move.control;
   }

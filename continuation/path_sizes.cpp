@@ -49,22 +49,23 @@ double Path::unit_of(const Move& move) const {
   return walker_.leaving().dissipates ? 1 : std::abs(move.rate);
 }
 
-/// Amount after which the proportional loads by themselves would have stored what is stored here: what a step
-/// is compared with where contacts alone change, which begin to under next to no load. 0 where that is not
-/// elastic.
+/// How far a first step goes where contacts alone change, the nearest change being no measure: it may lie
+/// next to nothing ahead.
 double Path::sliding_amount() const {
-  const Tangent& leaving = walker_.leaving();
-  const double power = leaving.load_factor * displacement_rate(leaving);
-  return !leaving.dissipates && can_slide() && power > 0 ? std::sqrt(2 * walker_.here().stored / power) : 0;
+  constexpr double little = 0.001;
+  const double load_rate = std::abs(walker_.leaving().rate(load_));
+  return load_rate > 0 ? little * load_size(memory_, parameters_) / load_rate : 0;
 }
 
 /// No step may be predicted to change load or displacement by more than the deck allows.
 double Path::bounded(double amount) const {
   const double load_rate = std::abs(walker_.leaving().rate(load_));
   const double displacement_rate_now = std::abs(displacement_rate(walker_.leaving()));
-  const double load_scale = std::max(load_size(memory_, parameters_), load_rate * sliding_amount());
-  if (load_rate > 0 && load_scale > 0)
-    amount = std::min(amount, parameters_.step.largest * load_scale / load_rate);
+  const double load_size_now = load_size(memory_, parameters_);
+  const bool only_slides = !walker_.leaving().dissipates && can_slide();
+  const double of_load = only_slides ? 1.5 : 1;  // steps of contacts alone are exact but for the order of changes
+  if (load_rate > 0 && load_size_now > 0)
+    amount = std::min(amount, of_load * parameters_.step.largest * load_size_now / load_rate);
   constexpr double of_displacement = 5;  // displacement may grow by half in one step of the default size
   if (displacement_rate_now > 0 && memory_.largest_displacement > 0)
     amount = std::min(amount, of_displacement * parameters_.step.largest * memory_.largest_displacement /

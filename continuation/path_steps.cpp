@@ -292,7 +292,8 @@ double Path::unaccounted(const Candidate& candidate) const {
 /// of these.
 bool Path::is_coarse(const Candidate& candidate) const {
   constexpr double share = 0.01;  // of the accuracy, twice what the step size aims at
-  constexpr double of_sliding = 0.02;
+  // Of the work of a step along which contacts change: many kinks lie in one where bodies only touch.
+  const double of_sliding = walker_.system().joins_by_contact() ? 0.02 : 0.01;
   const double missing = unaccounted(candidate), work = std::abs(candidate.work - walker_.here().work);
   const bool only_slides = !walker_.leaving().dissipates && !candidate.arriving.dissipates && can_slide();
   return missing > share * parameters_.step.accuracy * std::abs(candidate.work) &&
