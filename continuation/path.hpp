@@ -183,6 +183,7 @@ class Path {
   std::string unsoundness(const Candidate& candidate) const;
   std::string energy_objection(const Candidate& candidate) const;
   std::optional<Point> end_of_sound(std::string reason);
+  bool only_touches(const Candidate& candidate) const;
   bool is_coarse(const Candidate& candidate) const;
 
   // Refinements of a converged step.

@@ -288,16 +288,19 @@ double Path::unaccounted(const Candidate& candidate) const {
   return std::max(0.0, std::abs(missing_work(candidate)) - left_open);
 }
 
+/// Whether a step only opens, closes and slides joints, so that many kinks may lie in it.
+bool Path::only_touches(const Candidate& candidate) const {
+  return !walker_.leaving().dissipates && !candidate.arriving.dissipates && can_slide();
+}
+
 /// Whether the quadrature of the work misses a kink within the step: the energy balance of a run is the sum
 /// of these.
 bool Path::is_coarse(const Candidate& candidate) const {
   constexpr double share = 0.01;  // of the accuracy, twice what the step size aims at
-  // Of the work of a step along which contacts change: many kinks lie in one where bodies only touch.
   const double of_sliding = walker_.system().joins_by_contact() ? 0.02 : 0.01;
   const double missing = unaccounted(candidate), work = std::abs(candidate.work - walker_.here().work);
-  const bool only_slides = !walker_.leaving().dissipates && !candidate.arriving.dissipates && can_slide();
   return missing > share * parameters_.step.accuracy * std::abs(candidate.work) &&
-         !(only_slides && missing <= of_sliding * work);
+         !(only_touches(candidate) && missing <= of_sliding * work);
 }
 
 /// Why a converged state is not the next point of this path; "" when it is.
@@ -308,7 +311,8 @@ std::string Path::objection(const Candidate& candidate) const {
   const double dissipated = candidate.dissipated - here.dissipated, work = candidate.work - here.work;
   const double missing = unaccounted(candidate);
   constexpr double of_dissipation = 0.1, of_total = 0.02, of_work = 0.01;
-  if (missing >
+  const bool has_kinks = only_touches(candidate) && walker_.system().joins_by_contact();  // is_coarse judges
+  if (!has_kinks && missing >
       of_dissipation * std::max(dissipated, of_total * candidate.dissipated) + of_work * std::abs(work))
     return fmt::format("the step jumps: {:.1e} of its work is unaccounted for", missing / std::abs(work));
   const double before = load_of(walker_.state()), after = load_of(candidate.state);

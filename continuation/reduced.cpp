@@ -64,7 +64,7 @@ std::optional<Reduced> solve_sum(System& system, const ControlSum& sum, const St
   Reduced out{.state = guess};
   constexpr int most_rounds = 60;
   for (int round = 0; round < most_rounds; ++round) {
-    if (linear.updated_points().size() > most_contact_points) return {};
+    if (linear.updated_points().size() > settings.most_points) return {};
     CrackedPoints points(system, linear, sum);
     const auto scope = system.timings().measure("contact");
     const auto iterations = iterate(points, guess, settings);

@@ -31,6 +31,7 @@ struct ContactSettings {
   int max_iterations = 15;
   /// The equilibrium from which walks begin: between it and the wanted one they are equilibria of the path.
   const State* from = nullptr;
+  std::size_t most_points = 1500;  ///< more are not tried: dense equations grow with the third power
   double tolerance = 1e-9;  ///< of the equations of the whole structure, relative
   bool tries_newton = true;
 };
@@ -38,10 +39,9 @@ struct ContactSettings {
 /// Contact and friction solved exactly on the points that are not held as in the intact structure, with
 /// Newton's method for what cracks around it, also under frozen damage, iterated multipliers and controls
 /// that look at every point; after `prepare_contacts`. Nothing with initial stress, where no joint is in
-/// contact, where more than `most_contact_points` points would take part, and where there is no equilibrium.
+/// contact, where more than `most_points` points would take part, and where there is no equilibrium.
 std::optional<Reduced> solve_contacts(System& system, const Control& control, double s, const State& guess,
                                       const ContactSettings& settings);
-inline constexpr std::size_t most_contact_points = 1500;
 /// Points that are not held at a state as in the intact structure.
 std::size_t num_changed(System& system, const State& at);
 /// Those among them that were bonded.

@@ -15,6 +15,8 @@ namespace {
 /// Up to so many points that have cracked contacts are solved before Newton's method is tried on all unknowns,
 /// or where it has failed on what cracks, slides and closes: their dense equations grow with the third power.
 constexpr std::size_t few_points = 200;
+/// Points that may take part in the end, where bodies touch that were never bonded and elsewhere.
+constexpr std::size_t most_touching = 1500, most_cracked = 250;
 
 /// A state as the end of the step, if the full equations and the control have nothing to add.
 std::optional<Attempt> finished(System& system, const Control& control, double step, const State& at,
@@ -54,6 +56,7 @@ Attempt contact_step(System& system, const State& start, const Control& control,
   prepare_contacts(system, guess);
   ContactSettings settings{.max_iterations = parameters.newton.max_iterations,
                            .from = &start,
+                           .most_points = system.joins_by_contact() ? most_touching : most_cracked,
                            .tolerance = parameters.newton.tolerance};
   for (; out.multiplier_iterations <= parameters.multipliers.max_iterations; ++out.multiplier_iterations) {
     auto found = solve_contacts(system, control, step, out.state, settings);
