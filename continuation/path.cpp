@@ -102,13 +102,13 @@ Point Path::keep(Candidate candidate, const std::string& control) {
   out.gap = candidate.gap;
   const double load = load_.value(candidate.state.d, candidate.state.load_factor);
   if (memory_.direction == 0 && load != 0) memory_.direction = load > 0 ? 1 : -1;
-  if (const double here = load_of(candidate.state); here > std::max(memory_.peak_load, smallest_load())) {
+  memory_.largest_force = std::max(memory_.largest_force, holding_of(walker_.system(), candidate.state).load);
+  if (const double here = load_of(candidate.state); here > memory_.peak_load) {
     memory_.peak_load = here;
     out.is_highest = true;
   }
   memory_.unaccounted += unaccounted(candidate);
   memory_.imbalance += missing_work(candidate);
-  memory_.largest_force = std::max(memory_.largest_force, holding_of(walker_.system(), candidate.state).load);
   memory_.largest_displacement =
       std::max(memory_.largest_displacement, std::abs(displacement_of(candidate.state)));
   if (const double quantum = candidate.dissipated - walker_.here().dissipated; quantum > 0)

@@ -143,7 +143,9 @@ void Path::note_mechanism(Point& point, const State& before) {
   constexpr double same_load = 1e-6, moved = 0.1;
   const double load = load_of(walker_.state()), change = std::abs(load - load_of(before));
   const double along = std::abs(displacement_of(walker_.state()) - displacement_of(before));
-  if (change > std::max(same_load * std::abs(load), smallest_load()) || along < moved * std::abs(displacement_of(before))) return;
+  if (change > std::max(same_load * std::abs(load), smallest_load()) ||
+      along < moved * std::abs(displacement_of(before)))
+    return;
   const ContactCount count = count_contacts(walker_);
   const std::string text =
       fmt::format("{} as a mechanism at a load factor of {:.9g}: {} points slide, {} are open",

@@ -66,7 +66,7 @@ std::string Path::goal_of_path() const {
       if (std::string text = reached(landing); !text.empty()) return text;
   const StopRules& stop = parameters_.stop;
   if (const double target = stop.load_below * memory_.peak_load * (1 + same_value);
-      target > 0 && is_last_leg() && !leg().unloads && memory_.leg_peak > target &&
+      target > 0 && is_last_leg() && !leg().unloads && memory_.leg_peak > std::max(target, smallest_load()) &&
       load_of(walker_.state()) <= target)
     return fallen_load(stop.load_below, load_of(walker_.state()) / memory_.peak_load);
   if (has_ruptured()) return "complete rupture";

@@ -63,7 +63,8 @@ double Path::bounded(double amount) const {
   const double displacement_rate_now = std::abs(displacement_rate(walker_.leaving()));
   const double load_size_now = load_size(memory_, parameters_);
   const bool only_slides = !walker_.leaving().dissipates && can_slide();
-  const double of_load = only_slides ? 1.5 : 1;  // steps of contacts alone are exact but for the order of changes
+  const double of_load =
+      only_slides ? 1.5 : 1;  // steps of contacts alone are exact but for the order of changes
   if (load_rate > 0 && load_size_now > 0)
     amount = std::min(amount, of_load * parameters_.step.largest * load_size_now / load_rate);
   constexpr double of_displacement = 5;  // displacement may grow by half in one step of the default size

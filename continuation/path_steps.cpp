@@ -312,8 +312,8 @@ std::string Path::objection(const Candidate& candidate) const {
   const double missing = unaccounted(candidate);
   constexpr double of_dissipation = 0.1, of_total = 0.02, of_work = 0.01;
   const bool has_kinks = only_touches(candidate) && walker_.system().joins_by_contact();  // is_coarse judges
-  if (!has_kinks && missing >
-      of_dissipation * std::max(dissipated, of_total * candidate.dissipated) + of_work * std::abs(work))
+  if (!has_kinks && missing > of_dissipation * std::max(dissipated, of_total * candidate.dissipated) +
+                                  of_work * std::abs(work))
     return fmt::format("the step jumps: {:.1e} of its work is unaccounted for", missing / std::abs(work));
   const double before = load_of(walker_.state()), after = load_of(candidate.state);
   if (here.dissipated > 0 && dissipated <= 0 && after < before && walker_.leaving().dissipates)

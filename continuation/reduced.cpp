@@ -12,15 +12,14 @@ bool has_offsets(const System& system) {
   return !system.loading().dead_offset.empty() || !system.loading().reference_offset.empty();
 }
 
-/// A tie of exact multipliers holds 1/δ times as firmly as its own stiffness P, and where a body has more ties
-/// than motions the openings would answer a traction with that factor's rounding. With a share of P instead
-/// the multiplier follows from the gap, m = s/(1 + δ − s) g, so that the joint of the base is a spring.
+/// A tie of exact multipliers holds 1/δ times as firmly as its own stiffness P, and where a body has more
+/// ties than motions the openings would answer a traction with that factor's rounding. With a share of P
+/// instead the multiplier follows from the gap, m = s/(1 + δ − s) g, so that the joint of the base is a
+/// spring.
 constexpr double loosened = 0.9;
 
 /// A joint of bodies that were never bonded.
-bool is_separate(const InterfacePoint& point) {
-  return point.law->contact({}, point.stiffness).has_value();
-}
+bool is_separate(const InterfacePoint& point) { return point.law->contact({}, point.stiffness).has_value(); }
 
 /// Points without columns that are not as in the base.
 std::vector<std::size_t> newly_cracked(System& system, const LinearSystem& linear, const State& at) {
@@ -35,8 +34,8 @@ std::vector<std::size_t> newly_cracked(System& system, const LinearSystem& linea
   return out;
 }
 
-/// By Newton's method where something cracks, that is wanted and does it, else by walking: where only contacts
-/// change one walk is all, and Newton's method steps round between their pieces.
+/// By Newton's method where something cracks, that is wanted and does it, else by walking: where only
+/// contacts change one walk is all, and Newton's method steps round between their pieces.
 std::optional<int> iterate(CrackedPoints& points, const State& guess, const ContactSettings& settings) {
   points.start_at(guess);
   if (settings.tries_newton && !points.only_touch())

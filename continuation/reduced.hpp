@@ -32,7 +32,7 @@ struct ContactSettings {
   /// The equilibrium from which walks begin: between it and the wanted one they are equilibria of the path.
   const State* from = nullptr;
   std::size_t most_points = 1500;  ///< more are not tried: dense equations grow with the third power
-  double tolerance = 1e-9;  ///< of the equations of the whole structure, relative
+  double tolerance = 1e-9;         ///< of the equations of the whole structure, relative
   bool tries_newton = true;
 };
 

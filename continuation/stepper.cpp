@@ -12,8 +12,9 @@
 namespace dda {
 namespace {
 
-/// Up to so many points that have cracked contacts are solved before Newton's method is tried on all unknowns,
-/// or where it has failed on what cracks, slides and closes: their dense equations grow with the third power.
+/// Up to so many points that have cracked contacts are solved before Newton's method is tried on all
+/// unknowns, or where it has failed on what cracks, slides and closes: their dense equations grow with the
+/// third power.
 constexpr std::size_t few_points = 200;
 /// Points that may take part in the end, where bodies touch that were never bonded and elsewhere.
 constexpr std::size_t most_touching = 1500, most_cracked = 250;
@@ -48,8 +49,8 @@ std::string missed(System& system, const Control& control, double step, const St
 
 }  // namespace
 
-Attempt contact_step(System& system, const State& start, const Control& control, double step, const State& guess,
-                     const StepperParameters& parameters) {
+Attempt contact_step(System& system, const State& start, const Control& control, double step,
+                     const State& guess, const StepperParameters& parameters) {
   Attempt out{.state = guess, .reason = "contact and friction allow no equilibrium here"};
   if (!system.has_contacts()) return out;
   if (parameters.multipliers.predicted) system.set_multipliers(guess.multipliers);

@@ -250,9 +250,10 @@ double System::excess_residual(std::span<const double> r, std::span<const double
 }
 
 double System::weak_forces(std::span<const double> d) const {
-  return equilibrium_.weak_stiffness() * parallel_sum(equilibrium_.num_blocks(), blocks_at_once, [&](std::size_t b) {
-    return Eigen::Map<const Vec2>(d.data() + block_unknowns * b).norm();
-  });
+  return equilibrium_.weak_stiffness() *
+         parallel_sum(equilibrium_.num_blocks(), blocks_at_once, [&](std::size_t b) {
+           return Eigen::Map<const Vec2>(d.data() + block_unknowns * b).norm();
+         });
 }
 
 double System::excess_residual(const State& at) {

@@ -15,8 +15,8 @@ class ChangingInverse {
   using Matrix = Eigen::MatrixXd;
   using Vector = Eigen::VectorXd;
 
-  /// `columns` of M at `places`, which ascend and end with the last one; `last_row` of M elsewhere. False when
-  /// M is singular.
+  /// `columns` of M at `places`, which ascend and end with the last one; `last_row` of M elsewhere. False
+  /// when M is singular.
   bool factor(Matrix columns, std::vector<Eigen::Index> places, Vector last_row);
   Vector solve(const Vector& b) const;
   /// Adds u vᵀ, v at two rows only; the factor by which the determinant changes.

@@ -22,10 +22,10 @@ CrackedPoints::CrackedPoints(const System& system, LinearSystem& linear, const C
       linear_(linear),
       control_(control),
       points_(linear_.updated_points()),
-      origin_(linear.dead_solution()),
-      z_origin_(Vector::Zero(size())),
       dead_(size()),
-      live_(size()) {
+      live_(size()),
+      origin_(linear.dead_solution()),
+      z_origin_(Vector::Zero(size())) {
   for (std::size_t i = 0; i < points_.size(); ++i) {
     pair(dead_, i) = system.equilibrium().opening(points_[i], linear_.dead_solution()) + multiplier(i);
     pair(live_, i) = system.equilibrium().opening(points_[i], linear_.reference_solution());
@@ -110,14 +110,14 @@ void CrackedPoints::refine() {
     const State at = state();
     std::vector<double> change = unbalanced(at);
     linear_.solve_base(change, change);
-    for (std::size_t k = 0; k < change.size(); ++k)
-      origin_[k] = at.d[k] - change[k] - load_factor_ * live[k];
+    for (std::size_t k = 0; k < change.size(); ++k) origin_[k] = at.d[k] - change[k] - load_factor_ * live[k];
     z_origin_ = z_;
     difference_.setZero();
   }
   const State at = state();
   for (std::size_t i = 0; i < points_.size(); ++i)
-    pair(dead_, i) = system_.equilibrium().opening(points_[i], at.d) + multiplier(i) - load_factor_ * pair(live_, i);
+    pair(dead_, i) =
+        system_.equilibrium().opening(points_[i], at.d) + multiplier(i) - load_factor_ * pair(live_, i);
   if (control_.gauge) gauge_dead_ = control_.gauge->value(at.d, load_factor_) - load_factor_ * gauge_live_;
 }
 
@@ -315,7 +315,8 @@ ContactProblem::Point CrackedPoints::point_of(std::size_t i) const {
                             .traction = now.traction - now.tangent * q,
                             .tangent = now.tangent};
   const bool is_damaged = out.contact && !point.law->contact({}, point.stiffness);
-  if (is_damaged && point.law->equivalent_opening(q, h, point.stiffness) > point.law->kappa(h, point.stiffness))
+  if (is_damaged &&
+      point.law->equivalent_opening(q, h, point.stiffness) > point.law->kappa(h, point.stiffness))
     out.contact.reset();
   return out;
 }

@@ -14,8 +14,8 @@ namespace dda {
 ///     q = q_dead + λ q_ref + m − G (z − z₀),     z = W (t(q; h) − D_base (q − m)),     N(q, λ) = 0
 ///     d = d_dead + λ d_ref − Z (z − z₀)
 ///
-/// with the base, Z and G of a LinearSystem and the iterated multipliers m; z₀ = 0 until refined. An iteration costs a dense solve
-/// of the size of the cracked components.
+/// with the base, Z and G of a LinearSystem and the iterated multipliers m; z₀ = 0 until refined. An
+/// iteration costs a dense solve of the size of the cracked components.
 class CrackedPoints {
  public:
   CrackedPoints(const System& system, LinearSystem& linear, const ControlSum& control);

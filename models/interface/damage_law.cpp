@@ -6,8 +6,8 @@
 namespace dda {
 namespace {
 
-/// Share of κ within which a point stands on its surface: events are met as closely, and what has been flagged
-/// there as loading must load.
+/// Share of κ within which a point stands on its surface: events are met as closely, and what has been
+/// flagged there as loading must load.
 constexpr double on_surface = 1e-10;
 
 /// dy/dω of the compliance y = ω/g; infinite where the traction has vanished.

@@ -38,8 +38,8 @@ TEST_F(LinearSoftening, PhysicalOpeningFollowsTheStraightLine) {
   }
 }
 
-/// An event is met to 1e-10 of κ: what acceptance flags there as loading must spend and soften, or the path has
-/// no direction in which anything cracks.
+/// An event is met to 1e-10 of κ: what acceptance flags there as loading must spend and soften, or the path
+/// has no direction in which anything cracks.
 TEST_F(LinearSoftening, WhatIsFlaggedOnItsSurfaceLoads) {
   for (const double below : {0.0, 2e-11, 9e-11}) {
     const Vec2 q(k0 * (1 - below), 0);
