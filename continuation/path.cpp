@@ -107,7 +107,7 @@ Point Path::keep(Candidate candidate, const std::string& control) {
     memory_.peak_load = here;
     out.is_highest = true;
   }
-  memory_.unaccounted += unaccounted(candidate);
+  memory_.unaccounted += std::abs(missing_work(candidate));
   memory_.imbalance += missing_work(candidate);
   memory_.largest_displacement =
       std::max(memory_.largest_displacement, std::abs(displacement_of(candidate.state)));

@@ -178,7 +178,7 @@ class Path {
   std::optional<Candidate> try_step(const Move& move, double amount, std::string& why);
   Attempt attempt(const Move& move, double amount);
   std::string objection(const Candidate& candidate) const;
-  double unaccounted(const Candidate& candidate) const;
+  bool loses_work(const Candidate& candidate, double most) const;
   double missing_work(const Candidate& candidate) const;
   std::string unsoundness(const Candidate& candidate) const;
   std::string energy_objection(const Candidate& candidate) const;

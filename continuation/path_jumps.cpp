@@ -125,7 +125,7 @@ std::optional<Point> Path::release_holding(const Functional* held) {
     Candidate beyond = walker_.settled(found->end);
     const double spent = std::abs(beyond.dissipated - here.dissipated),
                  work = std::abs(beyond.work - here.work);
-    const bool is_straight = unaccounted(beyond) <= of_spent * spent + of_work * work;
+    const bool is_straight = !loses_work(beyond, of_spent * spent + of_work * work);
     if (!is_straight && most * cut > nearest) continue;
     if (const auto crossing = first_crossing(beyond))
       if (auto point = release_up_to(*crossing, held, most)) return point;

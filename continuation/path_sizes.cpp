@@ -83,8 +83,8 @@ void Path::resize(const Candidate& candidate, double amount, const Move& move) {
       std::abs(displacement_of(predicted) - displacement_of(candidate.state)) /
       std::max(memory_.largest_displacement, std::abs(displacement_of(candidate.state)));
   constexpr double balance_share = 0.005;  // of the accuracy, for the energy a step leaves unaccounted for
-  const double strayed =
-      std::max({load, displacement, unaccounted(candidate) / candidate.work / balance_share, 1e-12});
+  const double strayed = std::max(
+      {load, displacement, std::abs(missing_work(candidate)) / candidate.work / balance_share, 1e-12});
   memory_.step =
       amount * unit_of(move) * std::clamp(std::sqrt(parameters_.step.accuracy / strayed), 0.3, 2.0);
   memory_.step_control = move.control;

@@ -160,7 +160,10 @@ std::optional<Point> Path::controlled_step(const Move& move) {
       continue;
     }
     if (memory_.largest_displacement > 0 && strays(*candidate)) {
-      shorten("the step strays from its tangent by more than half of all displacement so far", cut);
+      why = "the step strays from its tangent by more than half of all displacement so far";
+      report("rejected", why);
+      ++walker_.effort().rejected;
+      amount *= cut;
       continue;
     }
     if (const auto share = before_peak(*candidate); share && refinements++ < most_refinements) {
@@ -281,11 +284,12 @@ Attempt Path::attempt(const Move& move, double amount) {
   return walker_.attempt(arc);
 }
 
-/// Work of the step that neither storage nor dissipation explains, nor the tolerance of the equilibria, of
-/// which what is stored has a share: quadrature error, or a jump [FL].
-double Path::unaccounted(const Candidate& candidate) const {
-  const double left_open = walker_.parameters().newton.tolerance * candidate.stored;
-  return std::max(0.0, std::abs(missing_work(candidate)) - left_open);
+/// Whether more work of the step than `most` is neither stored nor dissipated, nor lost in rounding:
+/// quadrature error, or a jump.
+bool Path::loses_work(const Candidate& candidate, double most) const {
+  const double missing = std::abs(missing_work(candidate));
+  return missing > most &&
+         missing - walker_.system().rounding_of_work(walker_.state(), candidate.state) > most;
 }
 
 /// Whether a step only opens, closes and slides joints, so that many kinks may lie in it.
@@ -298,9 +302,9 @@ bool Path::only_touches(const Candidate& candidate) const {
 bool Path::is_coarse(const Candidate& candidate) const {
   constexpr double share = 0.01;  // of the accuracy, twice what the step size aims at
   const double of_sliding = walker_.system().joins_by_contact() ? 0.02 : 0.01;
-  const double missing = unaccounted(candidate), work = std::abs(candidate.work - walker_.here().work);
-  return missing > share * parameters_.step.accuracy * std::abs(candidate.work) &&
-         !(only_touches(candidate) && missing <= of_sliding * work);
+  const double work = std::abs(candidate.work - walker_.here().work);
+  const double fine = share * parameters_.step.accuracy * std::abs(candidate.work);
+  return loses_work(candidate, only_touches(candidate) ? std::max(fine, of_sliding * work) : fine);
 }
 
 /// Why a converged state is not the next point of this path; "" when it is.
@@ -309,12 +313,11 @@ std::string Path::objection(const Candidate& candidate) const {
   if (std::string why = energy_objection(candidate); !why.empty()) return why;
   const Candidate& here = walker_.here();
   const double dissipated = candidate.dissipated - here.dissipated, work = candidate.work - here.work;
-  const double missing = unaccounted(candidate);
   constexpr double of_dissipation = 0.1, of_total = 0.02, of_work = 0.01;
-  const bool has_kinks = only_touches(candidate) && walker_.system().joins_by_contact();  // is_coarse judges
-  if (!has_kinks && missing > of_dissipation * std::max(dissipated, of_total * candidate.dissipated) +
-                                  of_work * std::abs(work))
-    return fmt::format("the step jumps: {:.1e} of its work is unaccounted for", missing / std::abs(work));
+  if (loses_work(candidate, of_dissipation * std::max(dissipated, of_total * candidate.dissipated) +
+                                of_work * std::abs(work)))
+    return fmt::format("the step jumps: {:.1e} of its work is unaccounted for",
+                       std::abs(missing_work(candidate) / work));
   const double before = load_of(walker_.state()), after = load_of(candidate.state);
   if (here.dissipated > 0 && dissipated <= 0 && after < before && walker_.leaving().dissipates)
     return "the step retraces the unloading branch";

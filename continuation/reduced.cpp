@@ -45,10 +45,13 @@ std::optional<int> iterate(CrackedPoints& points, const State& guess, const Cont
   return points.walk(settings.max_iterations);
 }
 
-/// What rounding leaves of the equations of the whole structure is taken off as far as it can be.
+/// What rounding leaves of the equations of the whole structure is taken off as far as it can be, and where
+/// bodies only touch what the weak springs bear.
 void refine(System& system, CrackedPoints& points, Reduced& found, const ContactSettings& settings) {
   constexpr int most = 3;
-  for (int i = 0; i < most && system.excess_residual(found.state) > settings.tolerance; ++i) {
+  bool is_done = !points.only_touch();
+  for (int i = 0; i < most && !(is_done && system.excess_residual(found.state) <= settings.tolerance); ++i) {
+    is_done = true;
     points.refine();
     if (!points.walk(settings.max_iterations, 1)) return;
     found.state.d = points.state().d;

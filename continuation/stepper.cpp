@@ -90,21 +90,24 @@ Attempt controlled_step(System& system, const State& start, Control& control, do
   system.set_frozen(control.freezes_damage());
   system.set_multipliers(start.multipliers);
   control.start_at({start.d, start.load_factor, *system.laws_at(start.d, start.load_factor)}, std::abs(step));
-  const auto reduced = solve_reduced(system, control, step, guess, parameters.newton.max_iterations);
+  const bool touches = system.joins_by_contact();
+  const std::size_t cracked = touches ? num_cracked(system, guess) : 0;
+  const bool only_touches = touches && cracked == 0 && num_changed(system, guess) <= most_touching;
+  const auto reduced = only_touches
+                           ? std::nullopt
+                           : solve_reduced(system, control, step, guess, parameters.newton.max_iterations);
   const State& foreseen = reduced ? reduced->state : guess;
   Attempt out;
   if (const auto whole = finished(system, control, step, foreseen, parameters.newton)) out = *whole;
-  const bool contacts_first = system.joins_by_contact() && num_cracked(system, guess) <= few_points;
+  const bool contacts_first = touches && cracked <= few_points;
   if (!out.converged && contacts_first) out = contact_step(system, start, control, step, guess, parameters);
-  if (!out.converged) {
+  if (!out.converged && !only_touches) {
     system.set_multipliers(start.multipliers);
     out = loca_step(system, start, control, step, foreseen, parameters);
   }
   // At a rupture the tangent is singular on the far side of the kink: only from this one can it be reached.
   if (!out.converged && reduced) out = loca_step(system, start, control, step, guess, parameters);
-  const auto is_walked = [&] {
-    return system.joins_by_contact() || num_changed(system, guess) <= few_points;
-  };
+  const auto is_walked = [&] { return touches || num_changed(system, guess) <= few_points; };
   if (!out.converged && !contacts_first && is_walked()) {
     system.set_multipliers(start.multipliers);
     if (const Attempt found = contact_step(system, start, control, step, guess, parameters); found.converged)

@@ -236,17 +236,35 @@ double System::residual_norm(std::span<const double> r) const {
   return std::sqrt(sum);
 }
 
+std::vector<double> System::rounding_of_forces(std::span<const double> d, double load_factor) const {
+  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+  std::vector<double> out(d.size());
+  parallel_for(out.size(), numbers_at_once, [&](std::size_t i) {
+    out[i] = std::abs(loading_->dead[i]) + std::abs(load_factor * loading_->reference[i]);
+  });
+  equilibrium_.add_absolute_products(d, out);
+  parallel_for(out.size(), numbers_at_once, [&](std::size_t i) { out[i] *= rounding; });
+  return out;
+}
+
 double System::excess_residual(std::span<const double> r, std::span<const double> d,
                                double load_factor) const {
-  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
-  std::vector<double> terms(d.size());
-  parallel_for(terms.size(), numbers_at_once, [&](std::size_t i) {
-    terms[i] = std::abs(loading_->dead[i]) + std::abs(load_factor * loading_->reference[i]);
-  });
-  equilibrium_.add_absolute_products(d, terms);
-  parallel_for(terms.size(), numbers_at_once,
-               [&](std::size_t i) { terms[i] = std::max(0.0, std::abs(r[i]) - rounding * terms[i]); });
-  return relative(std::max(0.0, residual_norm(terms) - weak_forces(d)), d);
+  const std::vector<double> rounding = rounding_of_forces(d, load_factor);
+  const auto beyond_rounding = [&](std::span<const double> forces) {
+    std::vector<double> terms(d.size());
+    parallel_for(terms.size(), numbers_at_once,
+                 [&](std::size_t i) { terms[i] = std::max(0.0, std::abs(forces[i]) - rounding[i]); });
+    return residual_norm(terms);
+  };
+  std::vector<double> own(r.begin(), r.end());
+  equilibrium_.subtract_weak_forces(d, own);
+  return relative(std::min(beyond_rounding(r), beyond_rounding(own)), d);
+}
+
+double System::rounding_of_work(const State& from, const State& to) const {
+  const std::vector<double> forces = rounding_of_forces(to.d, to.load_factor);
+  return parallel_sum(forces.size(), numbers_at_once,
+                      [&](std::size_t i) { return forces[i] * std::abs(to.d[i] - from.d[i]); });
 }
 
 double System::weak_forces(std::span<const double> d) const {

@@ -140,11 +140,14 @@ class System {
   double residual_norm(std::span<const double> r) const;
   /// What is left of R beyond rounding, over the force level: each row may keep 4 ε of the absolute products
   /// that it sums up (Equilibrium::add_absolute_products, |f|), by which they cannot cancel better. Stiff
-  /// joints and supports of blocks that move far make that large. Nor does what the weak springs bear count,
-  /// which are no part of the structure.
+  /// joints and supports of blocks that move far make that large. The smaller of two: with the weak springs,
+  /// and without them, the structure's own equations.
   double excess_residual(std::span<const double> r, std::span<const double> d, double load_factor) const;
   /// The same at a state.
   double excess_residual(const State& at);
+  /// What rounding leaves of the work on a step: Σ 4 ε |f|ᵢ |Δdᵢ|, with the absolute products |f| at its end
+  /// [FL].
+  double rounding_of_work(const State& from, const State& to) const;
   /// Σ |force| of the weak springs of all blocks [F].
   double weak_forces(std::span<const double> d) const;
   /// ‖R‖ over the force level; 0 of nothing.
@@ -174,6 +177,7 @@ class System {
   double stored(const State& state, const LawValues& laws) const;
 
  private:
+  std::vector<double> rounding_of_forces(std::span<const double> d, double load_factor) const;
   void screen_intact_points();
   std::vector<Mat2> path_tangents(const LawValues& laws) const;
   double block_forces(std::span<const double> d) const;

@@ -193,12 +193,18 @@ void Equilibrium::add_absolute_products(std::span<const double> d, std::span<dou
   }
 }
 
+void Equilibrium::subtract_weak_forces(std::span<const double> d, std::span<double> out) const {
+  parallel_for(num_blocks_, parts_at_once, [&](std::size_t b) {
+    const double area = block_size_[b] * block_size_[b];
+    Eigen::Map<Vec3>(out.data() + 6 * b) -=
+        weak_stiffness_ * Vec3(1, 1, area).cwiseProduct(Eigen::Map<const Vec3>(d.data() + 6 * b));
+  });
+}
+
 double Equilibrium::passive_energy(std::span<const double> d) const {
   double twice = parallel_sum(num_blocks_, parts_at_once, [&](std::size_t b) {
-    const Eigen::Map<const Vec6> at(d.data() + 6 * b);
-    const double area = block_size_[b] * block_size_[b];
-    return at.tail<3>().dot(strain_stiffness_[b] * at.tail<3>()) +
-           weak_stiffness_ * (at.head<2>().squaredNorm() + area * at[2] * at[2]);
+    const Eigen::Map<const Vec3> strain(d.data() + 6 * b + 3);
+    return strain.dot(strain_stiffness_[b] * strain);
   });
   for (const Spring& spring : supports_) {
     const double u = spring.displacement.value(d, 0);

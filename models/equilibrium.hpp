@@ -100,9 +100,11 @@ class Equilibrium {
   /// out += |K0| |d| + Σ W |B|ᵀ D0 |B| |d|: of all products that K0 d sums up, those included which cancel in
   /// K0 itself by the symmetry of a block.
   void add_absolute_products(std::span<const double> d, std::span<double> out) const;
-  /// Energy stored in blocks, bonds, supports and weak springs: all but the joints of active points and the
-  /// springs that loads drive [FL]. A sum over the parts: ½ d·K0 d would lose the digits of a small part of a
-  /// structure that moves far.
+  /// out −= Kʷ d: what the weak springs bear.
+  void subtract_weak_forces(std::span<const double> d, std::span<double> out) const;
+  /// Energy stored in blocks, bonds and supports, weak springs being no part of the structure: all but the
+  /// joints of active points and the springs that loads drive [FL]. A sum over the parts: ½ d·K0 d would lose
+  /// the digits of a small part of a structure that moves far.
   double passive_energy(std::span<const double> d) const;
   /// Nodes that a path asks for along a direction: those of active points, gauges, loads and driven springs.
   std::vector<BlockId> watched() const;

@@ -31,7 +31,7 @@ class Walk {
     disturb(residual(x_, problem_.residual_share).lpNorm<Eigen::Infinity>());
     read_pieces();
     tau_ = 1;
-    return follow(residual(x_, problem_.residual_share));
+    return follow(residual(x_, problem_.residual_share), most_near * size() + few);
   }
 
   std::optional<Vector> covered() {
@@ -46,10 +46,13 @@ class Walk {
       if (problem_.points[i].contact) overlap[place(i)] = -tie_breaker(i);
     tau_ = covering(overlap);
     x_ += tau_ * overlap;
-    return follow(times(overlap));
+    return follow(times(overlap), most_covered * size() + few);
   }
 
  private:
+  /// Corners a walk may pass, per point and beside: one that passes more wanders.
+  static constexpr std::size_t most_near = 2, most_covered = 12, few = 200;
+
   std::size_t size() const { return problem_.points.size(); }
   Eigen::Index count() const { return static_cast<Eigen::Index>(size()); }
   Vec2 opening(const Vector& x, std::size_t i) const { return x.segment<2>(place(i)); }
@@ -161,13 +164,12 @@ class Walk {
     return 1.1 * out + largest;
   }
 
-  /// Along F(x) = τ r to τ = 0, then corrected until F is met as it is.
-  std::optional<Vector> follow(const Vector& right) {
+  /// Along F(x) = τ r to τ = 0, past not more than `most` corners, then corrected until F is met as it is.
+  std::optional<Vector> follow(const Vector& right, std::size_t most) {
     if (!refactor(right)) return {};
     direction_ = -1;
     last_ = -1;
-    const std::size_t most = 12 * size() + 200;
-    for (std::size_t pivots = 0; pivots < most; ++pivots) {
+    for (std::size_t corners = 0; corners < most; ++corners) {
       const Vector along = direction_ * way_;
       const auto end = next_end(along);
       const double rest = direction_ < 0 ? tau_ : std::numeric_limits<double>::infinity();
@@ -260,6 +262,21 @@ class Walk {
 
 std::optional<Vector> walk_from(const ContactProblem& problem, const Vector& start) {
   return Walk(problem).from(start);
+}
+
+std::optional<Vector> walk_proximally(ContactProblem problem, Vector start) {
+  constexpr double firm = 0.1, more = 10, most = 1;
+  constexpr int most_walks = 30;
+  const double wanted = problem.residual_share;
+  double& share = problem.residual_share;
+  share = std::max(firm, more * wanted);
+  for (int walks = 0; walks < most_walks && share <= most; ++walks) {
+    const auto found = walk_from(problem, start);
+    if (found && share <= wanted) return found;
+    if (found) start = *found;
+    share = found ? std::max(wanted, share / more) : more * share;
+  }
+  return {};
 }
 
 std::optional<Vector> walk_covered(const ContactProblem& problem) { return Walk(problem).covered(); }

@@ -44,6 +44,10 @@ struct ContactProblem {
 /// when it starts from closed and stuck joints pressed together (`covered`): then no ray leads to infinity.
 /// Nothing where the equations have no solution, as beyond the load of a mechanism.
 std::optional<Eigen::VectorXd> walk_from(const ContactProblem& problem, const Eigen::VectorXd& start);
+/// Where such a walk wanders, as among the many states in which bricks are wedged by strong friction: with
+/// more residual stiffness it ends soon, and from there with less again, the end of each walk being the
+/// centre of the next (proximal point method).
+std::optional<Eigen::VectorXd> walk_proximally(ContactProblem problem, Eigen::VectorXd start);
 std::optional<Eigen::VectorXd> walk_covered(const ContactProblem& problem);
 
 }  // namespace dda

@@ -94,6 +94,7 @@ std::optional<int> CrackedPoints::walk(int max_iterations, int at_least) {
     Vector start(size() + 1);
     start << q_, load_factor_;
     auto found = walk_from(problem, start);
+    if (!found) found = walk_proximally(problem, start);
     if (!found) found = walk_covered(problem);
     if (!found || !found->allFinite()) return {};
     q_ = found->head(size());
@@ -121,7 +122,8 @@ void CrackedPoints::refine() {
   if (control_.gauge) gauge_dead_ = control_.gauge->value(at.d, load_factor_) - load_factor_ * gauge_live_;
 }
 
-/// The equations of the whole structure at d, with the z of the iteration.
+/// The equations of the whole structure at d, with the z of the iteration. Weak springs are none of it: where
+/// several courses slide under the same load they alone would tell which, by forces that are next to nothing.
 std::vector<double> CrackedPoints::unbalanced(const State& at) const {
   const LawValues laws = system_.laws(at.d, at.load_factor);
   std::vector<double> out(at.d.size()), differences(2 * laws.opening.size(), 0.0);
@@ -133,6 +135,7 @@ std::vector<double> CrackedPoints::unbalanced(const State& at) const {
     difference = pair(z_, i) / system_.equilibrium().point(p).weight - z;
   }
   system_.equilibrium().scatter_add(differences, out);
+  system_.equilibrium().subtract_weak_forces(at.d, out);
   return out;
 }
 

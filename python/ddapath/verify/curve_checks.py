@@ -10,6 +10,7 @@ ROUNDING = 1e-9    # of the largest energy
 SUMMARY = 1e-9     # of the number itself
 GOAL = 1e-6        # of the gauge's target
 PRINTED = 1e-5     # to which a reason's numbers are printed
+NOTHING = 1e-6     # of the work of the dead loads: what live loads may do and count as having done none
 RUPTURE = 1e-3     # of the peak: what "complete rupture" may leave
 LEFT = 1e-2        # the same where the reason says how much
 MAY_BE_UNKNOWN = re.compile(r"negative_|current_stiffness|rigid_modes|mu_")  # nan where it is not known
@@ -53,11 +54,13 @@ def unaccounted(curve, log):
 
 
 def balance(curve, log, deck):
-    """Rows are compared with the largest work so far: just after the start, or fully unloaded, a row's own is none."""
+    """Rows are compared with the largest work so far: just after the start, or fully unloaded, a row's own is none.
+
+    Nor is what a load does by which nothing resists; less than `NOTHING` of the work of the dead loads counts as that.
+    """
     work = np.abs(curve["external_work"] - curve["external_work"][0]).to_numpy()
-    largest = np.maximum(np.maximum.accumulate(work), 1e-2 * work.max())
-    # Equilibria are known to a tolerance, so what they store is known to no more: a slide under no load does no work.
-    error = np.maximum(np.abs(unaccounted(curve, log)) - ROUNDING * np.abs(curve["stored_energy"].to_numpy()), 0)
+    largest = np.maximum.accumulate(work).clip(max(1e-2 * work.max(), NOTHING * abs(curve["external_work"][0])))
+    error = np.abs(unaccounted(curve, log))
     ratio = np.where(error > 0, error / np.where(largest > 0, largest, 1e-300), 0)
     step = int(np.argmax(np.where(np.isnan(ratio), np.inf, ratio)))
     return Finding("work = stored + dissipated + jumps", float(ratio[step]),

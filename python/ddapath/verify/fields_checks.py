@@ -148,10 +148,9 @@ def displacements(steps):
 
 
 def stored_energy(step):
-    """Of blocks, joints, supports and weak springs; loads and what drives the structure have none."""
+    """Of blocks, joints and supports; weak springs, loads and what drives the structure have none."""
     model, points = step.model, step.model.points
     total = 0.5 * (model.volumes * np.einsum("bi,bi->b", step.d[:, 3:], step.stress)).sum()
-    total -= 0.5 * (step.weak_forces * step.d[:, :3]).sum()
     springs = model.springs
     held = (springs["dead"] == 0) & (springs["reference"] == 0)
     total += 0.5 * (step.spring_forces[held]**2 / springs["stiffness"][held]).sum()
