@@ -160,7 +160,10 @@ std::optional<Point> Path::controlled_step(const Move& move) {
       continue;
     }
     if (memory_.largest_displacement > 0 && strays(*candidate)) {
-      shorten("the step strays from its tangent by more than half of all displacement so far", cut);
+      why = "the step strays from its tangent by more than half of all displacement so far";
+      report("rejected", why);
+      ++walker_.effort().rejected;
+      amount *= cut;
       continue;
     }
     if (const auto share = before_peak(*candidate); share && refinements++ < most_refinements) {
@@ -281,12 +284,8 @@ Attempt Path::attempt(const Move& move, double amount) {
   return walker_.attempt(arc);
 }
 
-/// Work of the step that neither storage nor dissipation explains, nor the tolerance of the equilibria, of
-/// which what is stored has a share: quadrature error, or a jump [FL].
-double Path::unaccounted(const Candidate& candidate) const {
-  const double left_open = walker_.parameters().newton.tolerance * candidate.stored;
-  return std::max(0.0, std::abs(missing_work(candidate)) - left_open);
-}
+/// Work of the step that neither storage nor dissipation explains: quadrature error, or a jump [FL].
+double Path::unaccounted(const Candidate& candidate) const { return std::abs(missing_work(candidate)); }
 
 /// Whether a step only opens, closes and slides joints, so that many kinks may lie in it.
 bool Path::only_touches(const Candidate& candidate) const {
@@ -311,9 +310,8 @@ std::string Path::objection(const Candidate& candidate) const {
   const double dissipated = candidate.dissipated - here.dissipated, work = candidate.work - here.work;
   const double missing = unaccounted(candidate);
   constexpr double of_dissipation = 0.1, of_total = 0.02, of_work = 0.01;
-  const bool has_kinks = only_touches(candidate) && walker_.system().joins_by_contact();  // is_coarse judges
-  if (!has_kinks && missing > of_dissipation * std::max(dissipated, of_total * candidate.dissipated) +
-                                  of_work * std::abs(work))
+  if (missing >
+      of_dissipation * std::max(dissipated, of_total * candidate.dissipated) + of_work * std::abs(work))
     return fmt::format("the step jumps: {:.1e} of its work is unaccounted for", missing / std::abs(work));
   const double before = load_of(walker_.state()), after = load_of(candidate.state);
   if (here.dissipated > 0 && dissipated <= 0 && after < before && walker_.leaving().dissipates)

@@ -246,7 +246,7 @@ double System::excess_residual(std::span<const double> r, std::span<const double
   equilibrium_.add_absolute_products(d, terms);
   parallel_for(terms.size(), numbers_at_once,
                [&](std::size_t i) { terms[i] = std::max(0.0, std::abs(r[i]) - rounding * terms[i]); });
-  return relative(std::max(0.0, residual_norm(terms) - weak_forces(d)), d);
+  return relative(residual_norm(terms), d);
 }
 
 double System::weak_forces(std::span<const double> d) const {

@@ -140,8 +140,7 @@ class System {
   double residual_norm(std::span<const double> r) const;
   /// What is left of R beyond rounding, over the force level: each row may keep 4 ε of the absolute products
   /// that it sums up (Equilibrium::add_absolute_products, |f|), by which they cannot cancel better. Stiff
-  /// joints and supports of blocks that move far make that large. Nor does what the weak springs bear count,
-  /// which are no part of the structure.
+  /// joints and supports of blocks that move far make that large.
   double excess_residual(std::span<const double> r, std::span<const double> d, double load_factor) const;
   /// The same at a state.
   double excess_residual(const State& at);

@@ -62,19 +62,15 @@ def pushed(angle, treatment, scene, unit):
 
 
 def block_pushed(mesh, treatment, angle, unit=1.0):
-    """A block of 60 x 20 mm on one of 100 x 50 mm, pressed by 600 N: slides at λ · unit = N tan φ.
-
-    Its blocks, at most 60, hang on weak springs of 1e-13 E t each, which are moved by the slip.
-    """
+    """A block of 60 x 20 mm on one of 100 x 50 mm, pressed by 600 N: slides at λ · unit = N tan φ."""
     scene = {"type": "polygons",
              "regions": [region("lower", "below", rectangle(0, 0, 100, 50)), region("upper", "above", rectangle(20, 50, 80, 70))],
              "boundaries": {"foot": [[0, 0], [100, 0]], "head": [[20, 70], [80, 70]], "flank": [[20, 50], [20, 70]]},
              "subdivision": subdivision(mesh, 10)}
     limit = 600 * math.tan(math.radians(angle)) / unit
-    weak = (1 if mesh == "given" else 60) * 1e-13 * CONCRETE["young_modulus"] * 10 * 0.1 / unit
     scaled = "" if unit == 1 else f"-unit_{unit:g}"
     return Case(f"block_pushed{scaled}-{mesh}-{treatment}-{angle}", pushed(angle, treatment, scene, unit),
-                {"end": (limit, 600e-9 / unit * math.tan(math.radians(angle or 45)) + weak)}, 0)
+                {"end": (limit, 600e-9 / unit * math.tan(math.radians(angle or 45)))}, 0)
 
 
 def pressed(title, scene, law, force):

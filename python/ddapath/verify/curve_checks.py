@@ -56,8 +56,7 @@ def balance(curve, log, deck):
     """Rows are compared with the largest work so far: just after the start, or fully unloaded, a row's own is none."""
     work = np.abs(curve["external_work"] - curve["external_work"][0]).to_numpy()
     largest = np.maximum(np.maximum.accumulate(work), 1e-2 * work.max())
-    # Equilibria are known to a tolerance, so what they store is known to no more: a slide under no load does no work.
-    error = np.maximum(np.abs(unaccounted(curve, log)) - ROUNDING * np.abs(curve["stored_energy"].to_numpy()), 0)
+    error = np.abs(unaccounted(curve, log))
     ratio = np.where(error > 0, error / np.where(largest > 0, largest, 1e-300), 0)
     step = int(np.argmax(np.where(np.isnan(ratio), np.inf, ratio)))
     return Finding("work = stored + dissipated + jumps", float(ratio[step]),

@@ -185,7 +185,7 @@ TEST(Path, SaysWhereTheLoadHasTurnedRound) {
 
 TEST(Path, LoadThatHasTurnedRoundIsNoRupture) {
   OnPath bar(endless_bar_deck(),
-             "{step: {accuracy: 1.0e-30}, newton: {tolerance: 1.0e-30}, control: dissipation, stop: "
+             "{step: {accuracy: 1.0e-30}, control: dissipation, stop: "
              "{load_below: 0}}");  // steps shrink to nothing
   ASSERT_TRUE(bar.path().next());
   turn_load_round(bar.path());
