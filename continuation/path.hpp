@@ -177,6 +177,9 @@ class Path {
   bool creates_energy(const Candidate& beyond) const;
   std::optional<Candidate> try_step(const Move& move, double amount, std::string& why);
   Attempt attempt(const Move& move, double amount);
+  std::optional<Candidate> judged(const Attempt& tried, const std::string& control, std::string& why);
+  bool lies_behind(const Candidate& candidate, const Move& move) const;
+  void reject(const std::string& control, const std::string& why);
   std::string objection(const Candidate& candidate) const;
   bool loses_work(const Candidate& candidate, double most) const;
   double missing_work(const Candidate& candidate) const;

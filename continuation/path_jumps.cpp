@@ -217,8 +217,7 @@ std::optional<Point> Path::increment_step() {
     walker_.effort().relaxation_iterations += found.relaxation_iterations;
     if (!found.settled || is_mechanism(found.settled->state)) {
       why = found.settled ? "what is left is a mechanism" : found.why;
-      ++walker_.effort().rejected;
-      report("rejected", fmt::format("load_increments: {}", why));
+      reject("load_increments", why);
       continue;
     }
     auto point = jump_to(walker_.settled(*found.settled), "load_increments");

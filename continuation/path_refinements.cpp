@@ -67,17 +67,20 @@ std::optional<Point> Path::land(const Candidate& beyond, const Crossing& crossin
   const Landing& landing = crossing.landing;
   const double step = landing.value - walker_.value(landing.gauge);
   const auto equation = make_gauge_control(landing.gauge);
-  const Attempt tried =
-      walker_.attempt(*equation, step, between(walker_.state(), beyond.state, crossing.share));
-  if (!tried.converged) return {};
-  Candidate candidate = walker_.evaluate(tried);
+  const std::string place = fmt::format("{}={:g}", landing.name, landing.value);
+  const std::string attempted = fmt::format("{}, landing on {}", control, place);
+  std::string why;
+  auto candidate =
+      judged(walker_.attempt(*equation, step, between(walker_.state(), beyond.state, crossing.share)),
+             attempted, why);
+  if (!candidate) return {};
   constexpr double round_off = 1e-9;
-  if (!objection(candidate).empty() || candidate.dissipated > beyond.dissipated * (1 + round_off)) {
-    ++walker_.effort().rejected;
+  if (candidate->dissipated > beyond.dissipated * (1 + round_off)) {
+    reject(attempted, "more energy is dissipated than beyond it");
     return {};
   }
-  Point point = keep(std::move(candidate), control);
-  point.landed.push_back(fmt::format("{}={:g}", landing.name, landing.value));
+  Point point = keep(*std::move(candidate), control);
+  point.landed.push_back(place);
   return point;
 }
 
@@ -101,12 +104,11 @@ double Path::share_to_strength(const Candidate& candidate) const {
 std::optional<Point> Path::land_on_strength(const Candidate& beyond, const std::string& control) {
   const double share = share_to_strength(beyond);
   const auto equation = make_event_control(walker_.system(), Initiation::at_once);
-  const Attempt tried = walker_.attempt(*equation, 1, between(walker_.state(), beyond.state, share));
-  if (!tried.converged) return {};
-  Candidate candidate = walker_.evaluate(tried);
-  if (objection(candidate).empty()) return keep(std::move(candidate), control);
-  ++walker_.effort().rejected;
-  return {};
+  std::string why;
+  auto candidate = judged(walker_.attempt(*equation, 1, between(walker_.state(), beyond.state, share)),
+                          control + ", landing on a strength", why);
+  if (!candidate) return {};
+  return keep(*std::move(candidate), control);
 }
 
 /// Lands on zero load: where the last crack of the structure breaks.
@@ -115,16 +117,13 @@ std::optional<Point> Path::rupture() {
   const double rate = walker_.leaving().rate(load_);
   if (load * rate >= 0) return {};
   const auto equation = make_gauge_control(load_);
-  const Attempt tried = walker_.attempt(*equation, -load, walker_.ahead(-load / rate));
-  if (!tried.converged) return {};
-  Candidate candidate = walker_.evaluate(tried);
-  if (!objection(candidate).empty()) {
-    ++walker_.effort().rejected;
-    return {};
-  }
-  if (const auto crossing = first_crossing(candidate))
-    if (auto point = land(candidate, *crossing, "load")) return point;
-  Point point = keep(std::move(candidate), "load");
+  std::string why;
+  auto candidate =
+      judged(walker_.attempt(*equation, -load, walker_.ahead(-load / rate)), "load, landing on rupture", why);
+  if (!candidate) return {};
+  if (const auto crossing = first_crossing(*candidate))
+    if (auto point = land(*candidate, *crossing, "load")) return point;
+  Point point = keep(*std::move(candidate), "load");
   point.landed.push_back("complete rupture");
   return point;
 }

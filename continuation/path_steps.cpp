@@ -254,24 +254,38 @@ std::optional<Point> Path::land_on_turn(double failed, bool on_new_cracks, const
 }
 
 std::optional<Candidate> Path::try_step(const Move& move, double amount, std::string& why) {
-  const Attempt tried = attempt(move, amount);
-  if (!tried.converged) {
-    why = tried.reason;
-    report("rejected", fmt::format("{}: {}", move.control, why));
-    return {};
-  }
-  Candidate candidate = walker_.evaluate(tried);
-  why = objection(candidate);
-  const double ahead = candidate.state.load_factor - walker_.state().load_factor;
-  constexpr double round_off = 1e-9;
-  if (why.empty() && move.to_event && !walker_.leaving().dissipates &&
-      ahead * walker_.leaving().load_factor <
-          -round_off * std::abs(walker_.state().load_factor * walker_.leaving().load_factor))
-    why = "the event lies behind, where cracks close";
-  if (why.empty()) return candidate;
-  ++walker_.effort().rejected;
-  report("rejected", fmt::format("{}: {}", move.control, why));
+  auto candidate = judged(attempt(move, amount), move.control, why);
+  if (!candidate || !lies_behind(*candidate, move)) return candidate;
+  why = "the event lies behind, where cracks close";
+  reject(move.control, why);
   return {};
+}
+
+/// Whether the load has gone back on the way to an event although nothing cracks.
+bool Path::lies_behind(const Candidate& candidate, const Move& move) const {
+  constexpr double round_off = 1e-9;
+  const double ahead = candidate.state.load_factor - walker_.state().load_factor;
+  const double rate = walker_.leaving().load_factor;
+  return move.to_event && !walker_.leaving().dissipates &&
+         ahead * rate < -round_off * std::abs(walker_.state().load_factor * rate);
+}
+
+/// What an attempt has found, if that is the next point of this path; else it is rejected, and `why` tells.
+std::optional<Candidate> Path::judged(const Attempt& tried, const std::string& control, std::string& why) {
+  why = tried.reason;
+  if (tried.converged) {
+    Candidate candidate = walker_.evaluate(tried);
+    why = objection(candidate);
+    if (why.empty()) return candidate;
+  }
+  reject(control, why);
+  return {};
+}
+
+/// Counts a step that is not taken, and tells the log why.
+void Path::reject(const std::string& control, const std::string& why) {
+  ++walker_.effort().rejected;
+  report("rejected", fmt::format("{}: {}", control, why));
 }
 
 Attempt Path::attempt(const Move& move, double amount) {

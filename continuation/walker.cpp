@@ -26,7 +26,6 @@ Attempt Walker::attempt(Control& control, double step, const State& guess) {
   effort_.newton_iterations += out.newton_iterations;
   effort_.reduced_iterations += out.reduced_iterations;
   effort_.multiplier_iterations += out.multiplier_iterations;
-  if (!out.converged) ++effort_.rejected;
   return out;
 }
 
@@ -34,7 +33,6 @@ Attempt Walker::attempt(const ArcLength& arc) {
   Attempt out = arc_length_step(system_, here_.state, arc, parameters_);
   effort_.newton_iterations += out.newton_iterations;
   effort_.multiplier_iterations += out.multiplier_iterations;
-  if (!out.converged) ++effort_.rejected;
   return out;
 }
 

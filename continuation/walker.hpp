@@ -16,7 +16,7 @@ namespace dda {
 /// Counts of a run.
 struct Effort {
   int accepted = 0;
-  int rejected = 0;
+  int rejected = 0;  ///< attempts of the path that were not taken, each with a line in the log
   int rescues = 0;
   int newton_iterations = 0;
   int reduced_iterations = 0;  ///< on the cracked points alone

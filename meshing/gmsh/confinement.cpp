@@ -81,6 +81,9 @@ constexpr const char* calls[] = {"access",
                                  "munmap",
                                  "nanosleep",
                                  "newfstatat",
+#ifdef __SANITIZE_ADDRESS__
+                                 "pipe2",  // by which sanitizers ask whether memory can be read
+#endif
                                  "poll",
                                  "ppoll",
                                  "pread64",

@@ -2,7 +2,9 @@
 // fails on a crash, on more than 10 s of a processor, on an exit code that is not in 0, 2, 3, and on wrong
 // input that leaves something behind.
 //   fuzz check|run|resume|report COUNT [--seed N] [--first N] [--keep FOLDER] [--show] DECK...
+// Interrupted, it says what the mutants so far have come to.
 // A mutant is made of (seed, number) alone: `--first NUMBER` with a count of 1 makes it again.
+#include <dlfcn.h>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/resource.h>
@@ -17,6 +19,7 @@
 #include <fstream>
 #include <map>
 #include <set>
+#include <stdexcept>
 #include <thread>
 #include <utility>
 
@@ -54,6 +57,19 @@ struct Options {
   std::vector<fs::path> decks;
 };
 
+/// Loads what every process would load by itself, which takes longer than to read a small deck: a process
+/// that is forked has it, and finds nothing of it begun.
+void load_modules() {
+  for (const char* module : {DDA_GMSH_MODULE, DDA_GEOS_MODULE, DDA_TRILINOS_MODULE})
+    if (!dlopen(module, RTLD_LAZY | RTLD_LOCAL)) throw std::runtime_error(dlerror());
+}
+
+volatile std::sig_atomic_t is_interrupted = 0;
+
+void stop_when_interrupted() {
+  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { is_interrupted = 1; });
+}
+
 /// How a process ended.
 struct End {
   int code = 0, signal = 0;
@@ -69,6 +85,7 @@ struct End {
 
 [[noreturn]] void become(const std::vector<std::string>& arguments, const fs::path& folder) {
   setpgid(0, 0);
+  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_DFL);
 #ifndef __SANITIZE_ADDRESS__
   const rlimit memory{rlim_t{4} << 30, rlim_t{4} << 30};
   setrlimit(RLIMIT_AS, &memory);
@@ -123,6 +140,7 @@ class Campaign {
       : options_(std::move(options)),
         scratch_(fs::temp_directory_path() / fmt::format("dda_fuzz_{}", getpid())) {
     fs::create_directories(scratch_);
+    load_modules();
     for (const fs::path& deck : options_.decks) add_seed(deck);
     for (const Seed& seed : seeds_)
       for (const auto& [name, text] : seed.files) add_words(text);
@@ -137,7 +155,8 @@ class Campaign {
   std::size_t run() {
     std::map<std::string, std::size_t> ends;
     std::size_t failed = 0;
-    for (std::size_t i = options_.first; i < options_.first + options_.count; ++i) {
+    stop_when_interrupted();
+    for (std::size_t i = options_.first; i < options_.first + options_.count && !is_interrupted; ++i) {
       const End end = try_mutant(i);
       ++ends[end.words()];
       const bool is_right = end.is_right() && !has_no_number() && !has_left_something(end);

@@ -2,90 +2,11 @@
 
 #include <cmath>
 
-#include "continuation/path.hpp"
 #include "continuation/rescue.hpp"
-#include "support/cracked.hpp"
+#include "unit/continuation/on_path.hpp"
 
 namespace dda {
 namespace {
-
-/// The guided bar with one softening interface: u(σ) = σL/E + w_c (1 − σ/ft) after the peak.
-std::string bar_deck(double length) {
-  const auto x = [&](double share) { return std::to_string(share * length); };
-  return "scene:\n  regions:\n"
-         "    - {name: a, material: concrete, vertices: [[0, 0], [" +
-         x(0.5) + ", 0], [" + x(0.5) +
-         ", 100], [0, 100]]}\n"
-         "    - {name: b, material: concrete, vertices: [[" +
-         x(0.5) + ", 0], [" + x(1) + ", 0], [" + x(1) + ", 100], [" + x(0.5) +
-         ", 100]]}\n"
-         "  curves: {crack: [[" +
-         x(0.5) + ", 0], [" + x(0.5) +
-         ", 100]]}\n"
-         "  boundaries: {left: [[0, 0], [0, 100]], right: [[" +
-         x(1) + ", 0], [" + x(1) +
-         ", 100]]}\n"
-         "thickness: 100\nmaterials: {concrete: {type: linear_elastic, young_modulus: 30000, poisson_ratio: "
-         "0}}\n"
-         "interfaces: {crack: {points: midpoint, law: {type: linear_softening, tensile_strength: 3, "
-         "fracture_energy: 0.1}}}\n"
-         "supports:\n  wall: {on: left, fix: x}\n"
-         "  guide_a: {at: [" +
-         x(0.25) + ", 50], fix: y}\n  guide_b: {at: [" + x(0.75) +
-         ", 50], fix: y}\n"
-         "  turn_a: {at: [" +
-         x(0.25) + ", 50], fix: rotation}\n  turn_b: {at: [" + x(0.75) +
-         ", 50], fix: rotation}\n"
-         "stages: [{loads: [{type: edge_traction, on: right, traction: [1, 0]}]}]\n"
-         "gauges: {u: {type: relative_displacement, from: [0, 50], to: [" +
-         x(1) + ", 50]}}\n";
-}
-
-/// The same without a rupture to land on.
-std::string endless_bar_deck() {
-  const std::string law = "linear_softening";
-  std::string out = bar_deck(100);
-  return out.replace(out.find(law), law.size(), "exponential_softening");
-}
-
-/// A structure on its path.
-class OnPath {
- public:
-  OnPath(const std::string& deck, const std::string& path_yaml, std::vector<double> landings = {})
-      : structure_(deck),
-        equilibrium_(structure_.equilibrium()),
-        parameters_(path_schema().read(parse_yaml(path_yaml, "path.yaml"))),
-        system_(equilibrium_, parameters_.linear, parameters_.update),
-        walker_(system_, parameters_),
-        book_{system_.loading().gauges, "", "u"},
-        path_(walker_, parameters_, book_, wanted(landings)) {}
-
-  Path& path() { return path_; }
-  const Walker& walker() const { return walker_; }
-  System& system() { return system_; }
-  double value() const { return walker_.value(book_.gauges.front().functional); }
-
- private:
-  std::vector<Landing> wanted(const std::vector<double>& values) const {
-    std::vector<Landing> out;
-    for (const double value : values) out.push_back({"u", book_.gauges.front().functional, value, false});
-    return out;
-  }
-  Structure structure_;
-  Equilibrium equilibrium_;
-  PathParameters parameters_;
-  System system_;
-  Walker walker_;
-  GaugeBook book_;
-  Path path_;
-};
-
-struct Bar : OnPath {
-  Bar(double length, const std::string& path_yaml, std::vector<double> landings = {})
-      : OnPath(bar_deck(length), path_yaml, std::move(landings)) {}
-  double stress() const { return walker().state().load_factor; }
-  double elongation() const { return value(); }
-};
 
 class PathOfTheBar : public testing::TestWithParam<double> {};
 
@@ -151,19 +72,6 @@ TEST(Path, ControlsThatCannotFollowSaySo) {
   EXPECT_THAT(opening.path().ending().reason, testing::HasSubstr("snaps back"));
 }
 
-/// Increments of which none is tried any more must leave a reason.
-TEST(Path, EveryEarlyStopHasItsReason) {
-  Bar increments(100, "control: load_increments");
-  ASSERT_TRUE(increments.path().next());
-  PathMemory memory = increments.path().memory();
-  memory.step = 1e-5 * increments.stress();
-  increments.path().restore(memory);
-  EXPECT_FALSE(increments.path().next());
-  EXPECT_EQ(increments.path().ending().kind, Ending::Kind::stopped_early);
-  EXPECT_THAT(increments.path().ending().reason,
-              testing::EndsWith("the increments have fallen below 0.0001 of it"));
-}
-
 /// As if a jump had led here from the peak of a load that acts the other way and is twice as large.
 void turn_load_round(Path& path) {
   PathMemory memory = path.memory();
@@ -185,7 +93,7 @@ TEST(Path, SaysWhereTheLoadHasTurnedRound) {
 
 TEST(Path, LoadThatHasTurnedRoundIsNoRupture) {
   OnPath bar(endless_bar_deck(),
-             "{step: {accuracy: 1.0e-30}, newton: {tolerance: 1.0e-30}, control: dissipation, stop: "
+             "{step: {accuracy: 1.0e-30}, control: dissipation, stop: "
              "{load_below: 0}}");  // steps shrink to nothing
   ASSERT_TRUE(bar.path().next());
   turn_load_round(bar.path());
