@@ -161,8 +161,7 @@ std::optional<Point> Path::controlled_step(const Move& move) {
     }
     if (memory_.largest_displacement > 0 && strays(*candidate)) {
       why = "the step strays from its tangent by more than half of all displacement so far";
-      report("rejected", why);
-      ++walker_.effort().rejected;
+      reject(move.control, why);
       amount *= cut;
       continue;
     }
