@@ -149,7 +149,7 @@ std::optional<Point> Path::controlled_step(const Move& move) {
            far * std::max(memory_.largest_displacement, std::abs(displacement_of(candidate.state)));
   };
   double looked_at = 0;
-  bool looked_for_peak = false;
+  Looks looked;
   for (int refinements = 0, looks = 0; amount > smallest;) {
     const auto candidate = try_step(move, amount, why);
     if (!candidate) {
@@ -175,7 +175,8 @@ std::optional<Point> Path::controlled_step(const Move& move) {
       continue;
     }
     if (const auto share = before_hidden_turn(*candidate, amount); share && looks++ < most_looks) {
-      looked_for_peak = looked_for_peak || may_hide_peak(*candidate);
+      looked.for_peak = looked.for_peak || may_hide_peak(*candidate);
+      looked.for_turn = looked.for_turn || may_hide_turns(*candidate);
       looked_at = std::max(looked_at, amount);
       shorten("the step may hide a turn between its ends", *share);
       continue;
@@ -204,11 +205,7 @@ std::optional<Point> Path::controlled_step(const Move& move) {
       continue;
     }
     resize(*candidate, amount, move);
-    if (looked_for_peak) {
-      const bool is_new_peak =
-          load_of(candidate->state) > memory_.peak_load * (1 + parameters_.peak_tolerance);
-      memory_.idle_looks = is_new_peak ? 0 : memory_.idle_looks + 1;
-    }
+    note_looks(looked, *candidate);
     memory_.step = std::max(memory_.step, looked_at);  // what was hidden is behind
     return keep(*candidate, move.control);
   }

@@ -43,17 +43,47 @@ double dissipation_rate(System& system, const State& state, const Tangent& along
   return grows ? sum : 0;
 }
 
+/// What the live loads do along a direction: forces per unit of their factor, and the size of what all do
+/// with them now.
+struct LivePower {
+  double of_forces = 0, size = 0;
+};
+
+LivePower live_power(const System& system, const State& state, const Tangent& along) {
+  const Loading& loading = system.loading();
+  LivePower out;
+  for (std::size_t i = 0; i < loading.reference_work.size(); ++i)
+    out.of_forces += loading.reference_work[i] * along.d[i];
+  out.size = std::abs(state.load_factor * out.of_forces);
+  for (const WorkPair& pair : loading.driven)
+    out.size += std::abs(pair.force.value(state.d, state.load_factor) * along.rate(pair.displacement));
+  return out;
+}
+
 void scale(double factor, std::vector<Vec2>& v) {
   for (Vec2& value : v) value *= factor;
 }
 
+void reverse(Tangent& along) {
+  along.load_factor *= -1;
+  for (double& value : along.d) value *= -1;
+  scale(-1, along.opening);
+  scale(-1, along.multipliers);
+}
+
+/// Towards more energy spent; where none is, as the forces of the live loads push.
 Tangent oriented(System& system, const State& state) {
   const auto scope = system.timings().measure("tangents");
   Tangent out = direction(system, state);
   if (out.d.empty()) return out;
   const double rate = dissipation_rate(system, state, out);
-  out.dissipates = rate != 0;
-  if (!out.dissipates) return out;
+  const LivePower power = live_power(system, state, out);
+  constexpr double rounding = 1e-10;  // left of cracks that stand still while a mechanism turns
+  out.dissipates = std::abs(rate) > rounding * power.size;
+  if (!out.dissipates) {
+    if (power.of_forces < 0) reverse(out);
+    return out;
+  }
   for (double& value : out.d) value /= rate;
   scale(1 / rate, out.opening);
   scale(1 / rate, out.multipliers);
@@ -66,13 +96,6 @@ struct Flag {
   std::size_t point;
   bool History::*side;  ///< loading or sliding
 };
-
-void reverse(Tangent& along) {
-  along.load_factor *= -1;
-  for (double& value : along.d) value *= -1;
-  scale(-1, along.opening);
-  scale(-1, along.multipliers);
-}
 
 /// The rate problem of an equilibrium: which of the points flagged in the history go on loading and sliding.
 ///
