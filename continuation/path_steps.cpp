@@ -143,10 +143,18 @@ std::optional<Point> Path::controlled_step(const Move& move) {
     ++walker_.effort().rejected;
     amount *= share;
   };
-  const auto strays = [&](const Candidate& candidate) {
-    constexpr double far = 0.5;  // of all displacement so far, by which a step may be predicted to change it
-    return std::abs(displacement_of(candidate.state) - displacement_of(walker_.ahead(amount))) >
-           far * std::max(memory_.largest_displacement, std::abs(displacement_of(candidate.state)));
+  const auto strays = [&](const Candidate& candidate) -> std::string {
+    constexpr double far = 0.5;  // of all displacement so far, and of what a step may change the load by
+    const State ahead = walker_.ahead(amount);
+    const double moved = std::abs(displacement_of(candidate.state) - displacement_of(ahead));
+    if (memory_.largest_displacement > 0 &&
+        moved > far * std::max(memory_.largest_displacement, std::abs(displacement_of(candidate.state))))
+      return "the step strays from its tangent by more than half of all displacement so far";
+    const double fallen = load_of(ahead) - load_of(candidate.state);
+    if (walker_.leaving().dissipates && memory_.peak_load > 0 && load_of(candidate.state) > 0 &&
+        fallen > far * parameters_.step.largest * memory_.peak_load)
+      return "the step falls off its tangent by more than half of what the load may change in one";
+    return {};
   };
   double looked_at = 0;
   Looks looked;
@@ -159,8 +167,8 @@ std::optional<Point> Path::controlled_step(const Move& move) {
       amount *= cut;
       continue;
     }
-    if (memory_.largest_displacement > 0 && strays(*candidate)) {
-      why = "the step strays from its tangent by more than half of all displacement so far";
+    if (const std::string far = strays(*candidate); !far.empty()) {
+      why = far;
       report("rejected", why);
       ++walker_.effort().rejected;
       amount *= cut;
