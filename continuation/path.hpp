@@ -91,6 +91,7 @@ struct PathMemory {
   double imbalance = 0;      ///< work − storage − dissipation, jumps left out [FL]
   std::map<std::string, Travel> travels;  ///< of all gauges, and of the load as `load`
   int idle_looks = 0;                     ///< looks for a hidden peak, one after another, that found none
+  int idle_turn_looks = 0;                ///< and for hidden turns of gauges
   bool has_slid = false;                  ///< a contact has changed since the start
   bool is_mechanism = false;              ///< the load has stayed while the structure moved
 };
@@ -194,8 +195,14 @@ class Path {
   std::optional<double> before_turn(const Candidate& candidate) const;
   std::optional<double> before_hidden_turn(const Candidate& candidate, double amount) const;
   bool may_hide_peak(const Candidate& candidate) const;
+  bool turns(const Candidate& candidate) const;
   bool may_hide_turns(const Candidate& candidate) const;
   double size_of_gauge(const NamedGauge& gauge, const Candidate& candidate) const;
+  /// What a step has been taken in parts for.
+  struct Looks {
+    bool for_peak = false, for_turn = false;
+  };
+  void note_looks(const Looks& looks, const Candidate& candidate);
   struct Crossing {
     Landing landing;
     double share;

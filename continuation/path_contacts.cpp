@@ -99,7 +99,8 @@ std::optional<Point> Path::sliding_step() {
   const Move move = sliding_move();
   if (memory_.step == 0 || memory_.step_control != move.control) {
     constexpr double part = 0.25;
-    double amount = is_loaded && std::isfinite(change) ? part * change : 1 / walker_.leaving().load_factor;
+    double amount =
+        is_loaded && std::isfinite(change) ? part * change : 1 / std::abs(walker_.leaving().load_factor);
     if (memory_.has_slid && is_loaded)
       amount = part * std::abs(walker_.state().load_factor / walker_.leaving().load_factor);
     amount = std::max(amount, sliding_amount());

@@ -39,6 +39,9 @@ Course course_of(const Functional& gauge, const Walker& walker, const Candidate&
           walker.leaving().rate(gauge) * dissipated, candidate.arriving.rate(gauge) * dissipated};
 }
 
+/// Looks in a row that may find nothing.
+constexpr int most_idle_looks = 10;
+
 bool is_smooth(const Walker& walker, const Candidate& candidate) {
   return candidate.dissipated > walker.here().dissipated && walker.leaving().dissipates &&
          candidate.arriving.dissipates;
@@ -75,7 +78,6 @@ std::optional<double> Path::before_turn(const Candidate& candidate) const {
 /// Whether the load may have turned above the peak by more than half of its tolerance. So many looks in a row
 /// that found no higher load end them: a plateau has corners in every step.
 bool Path::may_hide_peak(const Candidate& candidate) const {
-  constexpr int most_idle_looks = 10;
   if (memory_.idle_looks >= most_idle_looks) return false;
   const double sign = memory_.direction < 0 ? -1 : 1;
   const Course load = course_of(load_, walker_, candidate);
@@ -87,8 +89,10 @@ bool Path::may_hide_peak(const Candidate& candidate) const {
 
 /// Whether a displacement gauge may have turned back and forward again by more than the depth that is to be
 /// seen. A turn back by d between two ways forward leaves a kink of d and of what the way forward lacks; the
-/// bend of a smooth step at the default accuracy leaves up to two such depths.
+/// bend of a smooth step at the default accuracy leaves up to two such depths. So many looks in a row that
+/// found no turn end them, until the next one.
 bool Path::may_hide_turns(const Candidate& candidate) const {
+  if (memory_.idle_turn_looks >= most_idle_looks) return false;
   constexpr double smooth = 3;
   return std::ranges::any_of(travelling_, [&](const NamedGauge& gauge) {
     if (gauge.dimension != dimension::length) return false;
@@ -96,6 +100,29 @@ bool Path::may_hide_turns(const Candidate& candidate) const {
     const double depth = turn_depth * size_of_gauge(gauge, candidate);
     return course.kink() > smooth * depth && !course.turns() && course.turned_back() > depth;
   });
+}
+
+/// Whether a displacement gauge turns within the step.
+bool Path::turns(const Candidate& candidate) const {
+  if (!is_smooth(walker_, candidate)) return false;
+  constexpr double noticeable = 1e-3;
+  return std::ranges::any_of(travelling_, [&](const NamedGauge& gauge) {
+    if (gauge.dimension != dimension::length) return false;
+    const Course course = course_of(gauge.functional, walker_, candidate);
+    return course.turns() && course.cut_off() > noticeable * turn_depth * size_of_gauge(gauge, candidate);
+  });
+}
+
+/// Counts the looks that found nothing.
+void Path::note_looks(const Looks& looks, const Candidate& candidate) {
+  if (looks.for_peak) {
+    const bool is_new = load_of(candidate.state) > memory_.peak_load * (1 + parameters_.peak_tolerance);
+    memory_.idle_looks = is_new ? 0 : memory_.idle_looks + 1;
+  }
+  if (turns(candidate))
+    memory_.idle_turn_looks = 0;
+  else if (looks.for_turn)
+    ++memory_.idle_turn_looks;
 }
 
 /// Share of the step after which it is to be looked at: the next corner of a law, or half way. Asked for

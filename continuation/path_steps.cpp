@@ -143,13 +143,21 @@ std::optional<Point> Path::controlled_step(const Move& move) {
     ++walker_.effort().rejected;
     amount *= share;
   };
-  const auto strays = [&](const Candidate& candidate) {
-    constexpr double far = 0.5;  // of all displacement so far, by which a step may be predicted to change it
-    return std::abs(displacement_of(candidate.state) - displacement_of(walker_.ahead(amount))) >
-           far * std::max(memory_.largest_displacement, std::abs(displacement_of(candidate.state)));
+  const auto strays = [&](const Candidate& candidate) -> std::string {
+    constexpr double far = 0.5;  // of all displacement so far, and of what a step may change the load by
+    const State ahead = walker_.ahead(amount);
+    const double moved = std::abs(displacement_of(candidate.state) - displacement_of(ahead));
+    if (memory_.largest_displacement > 0 &&
+        moved > far * std::max(memory_.largest_displacement, std::abs(displacement_of(candidate.state))))
+      return "the step strays from its tangent by more than half of all displacement so far";
+    const double fallen = load_of(ahead) - load_of(candidate.state);
+    if (walker_.leaving().dissipates && memory_.peak_load > 0 && load_of(candidate.state) > 0 &&
+        fallen > far * parameters_.step.largest * memory_.peak_load)
+      return "the step falls off its tangent by more than half of what the load may change in one";
+    return {};
   };
   double looked_at = 0;
-  bool looked_for_peak = false;
+  Looks looked;
   for (int refinements = 0, looks = 0; amount > smallest;) {
     const auto candidate = try_step(move, amount, why);
     if (!candidate) {
@@ -159,8 +167,8 @@ std::optional<Point> Path::controlled_step(const Move& move) {
       amount *= cut;
       continue;
     }
-    if (memory_.largest_displacement > 0 && strays(*candidate)) {
-      why = "the step strays from its tangent by more than half of all displacement so far";
+    if (const std::string far = strays(*candidate); !far.empty()) {
+      why = far;
       reject(move.control, why);
       amount *= cut;
       continue;
@@ -174,7 +182,8 @@ std::optional<Point> Path::controlled_step(const Move& move) {
       continue;
     }
     if (const auto share = before_hidden_turn(*candidate, amount); share && looks++ < most_looks) {
-      looked_for_peak = looked_for_peak || may_hide_peak(*candidate);
+      looked.for_peak = looked.for_peak || may_hide_peak(*candidate);
+      looked.for_turn = looked.for_turn || may_hide_turns(*candidate);
       looked_at = std::max(looked_at, amount);
       shorten("the step may hide a turn between its ends", *share);
       continue;
@@ -203,11 +212,7 @@ std::optional<Point> Path::controlled_step(const Move& move) {
       continue;
     }
     resize(*candidate, amount, move);
-    if (looked_for_peak) {
-      const bool is_new_peak =
-          load_of(candidate->state) > memory_.peak_load * (1 + parameters_.peak_tolerance);
-      memory_.idle_looks = is_new_peak ? 0 : memory_.idle_looks + 1;
-    }
+    note_looks(looked, *candidate);
     memory_.step = std::max(memory_.step, looked_at);  // what was hidden is behind
     return keep(*candidate, move.control);
   }

@@ -43,17 +43,47 @@ double dissipation_rate(System& system, const State& state, const Tangent& along
   return grows ? sum : 0;
 }
 
+/// What the live loads do along a direction: forces per unit of their factor, and the size of what all do
+/// with them now.
+struct LivePower {
+  double of_forces = 0, size = 0;
+};
+
+LivePower live_power(const System& system, const State& state, const Tangent& along) {
+  const Loading& loading = system.loading();
+  LivePower out;
+  for (std::size_t i = 0; i < loading.reference_work.size(); ++i)
+    out.of_forces += loading.reference_work[i] * along.d[i];
+  out.size = std::abs(state.load_factor * out.of_forces);
+  for (const WorkPair& pair : loading.driven)
+    out.size += std::abs(pair.force.value(state.d, state.load_factor) * along.rate(pair.displacement));
+  return out;
+}
+
 void scale(double factor, std::vector<Vec2>& v) {
   for (Vec2& value : v) value *= factor;
 }
 
+void reverse(Tangent& along) {
+  along.load_factor *= -1;
+  for (double& value : along.d) value *= -1;
+  scale(-1, along.opening);
+  scale(-1, along.multipliers);
+}
+
+/// Towards more energy spent; where none is, as the forces of the live loads push.
 Tangent oriented(System& system, const State& state) {
   const auto scope = system.timings().measure("tangents");
   Tangent out = direction(system, state);
   if (out.d.empty()) return out;
   const double rate = dissipation_rate(system, state, out);
-  out.dissipates = rate != 0;
-  if (!out.dissipates) return out;
+  const LivePower power = live_power(system, state, out);
+  constexpr double rounding = 1e-10;  // left of cracks that stand still while a mechanism turns
+  out.dissipates = std::abs(rate) > rounding * power.size;
+  if (!out.dissipates) {
+    if (power.of_forces < 0) reverse(out);
+    return out;
+  }
   for (double& value : out.d) value /= rate;
   scale(1 / rate, out.opening);
   scale(1 / rate, out.multipliers);
@@ -67,18 +97,12 @@ struct Flag {
   bool History::*side;  ///< loading or sliding
 };
 
-void reverse(Tangent& along) {
-  along.load_factor *= -1;
-  for (double& value : along.d) value *= -1;
-  scale(-1, along.opening);
-  scale(-1, along.multipliers);
-}
-
 /// The rate problem of an equilibrium: which of the points flagged in the history go on loading and sliding.
 ///
 ///     flagged:  κ̇ ≥ 0 (slip rate ≥ 0);      not flagged, on the surface:  κ̇ ≤ 0
 class RateProblem {
  public:
+  using Set = std::vector<bool>;
   enum class Sense { dissipates, loads };  ///< what orients the direction: energy spent, or the load factor
   RateProblem(System& system, const State& state, Sense sense)
       : system_(system), state_(state), sense_(sense) {
@@ -96,10 +120,13 @@ class RateProblem {
   /// Takes off whatever unloads or sticks until the rest goes on; where something that was taken off would go
   /// on after all, flags are exchanged, if that ends.
   Tangent solve(Tangent found) {
+    const Set refusing = refused(found);
     while (!found.d.empty() && unflag(found)) found = tangent();
     if (found.d.empty() || !worst(found)) return found;
     const std::vector<History> pruned = system_.history();
     if (auto other = exchanged(found)) return *std::move(other);
+    turn(refusing);
+    if (auto other = exchanged(tangent())) return *std::move(other);
     system_.set_history(pruned);
     return found;
   }
@@ -110,14 +137,16 @@ class RateProblem {
   }
 
  private:
-  /// Changes one flag at a time, the one that contradicts its rate most, until none does; nothing when that
-  /// leads back to a set that has been, or takes more changes than twice the flags.
+  /// Changes one flag at a time until none contradicts its rate: of those that lead to a set that has not
+  /// been, the one that contradicts most. Nothing when all have been, or after changes of twice the flags.
   std::optional<Tangent> exchanged(Tangent found) {
-    std::set<std::vector<bool>> seen;
-    while (!found.d.empty() && seen.size() <= 2 * flags_.size() && seen.insert(flags()).second) {
-      const auto wrong = worst(found);
-      if (!wrong) return found;
-      flip(*wrong);
+    std::set<Set> seen;
+    while (!found.d.empty() && seen.size() <= 2 * flags_.size()) {
+      if (!worst(found)) return found;
+      seen.insert(flags());
+      const auto next = worst(found, seen);
+      if (!next) return {};
+      flip(*next);
       found = tangent();
     }
     return {};
@@ -141,8 +170,8 @@ class RateProblem {
     return changed;
   }
 
-  /// The flag that contradicts its rate most.
-  std::optional<std::size_t> worst(const Tangent& along) const {
+  /// The flag that contradicts its rate most, of those whose change leads to none of the sets `seen`.
+  std::optional<std::size_t> worst(const Tangent& along, const std::set<Set>& seen = {}) const {
     constexpr double round_off = 1e-9;
     double fastest = 0;
     for (std::size_t i = 0; i < flags_.size(); ++i) fastest = std::max(fastest, std::abs(rate(i, along)));
@@ -150,15 +179,32 @@ class RateProblem {
     double most = round_off * fastest;
     for (std::size_t i = 0; i < flags_.size(); ++i) {
       const double contradiction = is_set(i) ? -rate(i, along) : rate(i, along);
-      if (contradiction <= most) continue;
+      if (contradiction <= most || seen.contains(flipped(i))) continue;
       most = contradiction;
       out = i;
     }
     return out;
   }
 
-  std::vector<bool> flags() const {
-    std::vector<bool> out;
+  /// The flags that do not go on along a direction.
+  Set refused(const Tangent& along) const {
+    Set out;
+    for (std::size_t i = 0; i < flags_.size(); ++i)
+      out.push_back(!along.d.empty() && is_set(i) && rate(i, along) < 0);
+    return out;
+  }
+  /// Only what refused goes on: where a path turns, that goes on while all else unloads and sticks.
+  void turn(const Set& refusing) {
+    for (std::size_t i = 0; i < flags_.size(); ++i)
+      if (is_set(i) != refusing[i]) flip(i);
+  }
+  Set flipped(std::size_t i) const {
+    Set out = flags();
+    out[i] = !out[i];
+    return out;
+  }
+  Set flags() const {
+    Set out;
     for (std::size_t i = 0; i < flags_.size(); ++i) out.push_back(is_set(i));
     return out;
   }

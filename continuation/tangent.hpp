@@ -10,8 +10,8 @@ namespace dda {
 ///
 ///     K ḋ = λ̇ ∂f/∂λ,  with the tangent of the points that load
 ///
-/// Per unit of dissipated energy when points load, so that its orientation is the one that dissipates; per
-/// unit of load factor when nothing does.
+/// Per unit of dissipated energy, that of friction included, when points load, so that its orientation is the
+/// one that dissipates; per unit of load factor when nothing does, in the direction of the live forces.
 struct Tangent {
   std::vector<double> d;  ///< at Equilibrium::watched(); of the other nodes it may be zero
   double load_factor = 0;

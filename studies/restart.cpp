@@ -126,7 +126,8 @@ void put(RestartData& data, const PathMemory& m) {
   data.numbers["path"] = {
       m.peak_load, m.step,     m.largest_displacement, m.jump_energy, m.last_quantum, m.unaccounted,
       m.driver,    m.leg_peak, m.largest_force,        m.imbalance};
-  data.integers["path.counts"] = {m.direction, m.leg, m.leg_start, m.surplus, m.idle_looks, m.has_slid, m.is_mechanism};
+  data.integers["path.counts"] = {m.direction,  m.leg,      m.leg_start,    m.surplus,
+                                  m.idle_looks, m.has_slid, m.is_mechanism, m.idle_turn_looks};
   data.texts["path.step_control"] = {m.step_control};
   auto& names = data.texts["path.travels"] = {};
   Numbers& travels = data.numbers["path.travels"] = {};
@@ -166,6 +167,7 @@ PathMemory take_path(const RestartData& data) {
           .imbalance = n.at(9),
           .travels = take_travels(data),
           .idle_looks = static_cast<int>(data.integers.at("path.counts").at(4)),
+          .idle_turn_looks = static_cast<int>(data.integers.at("path.counts").at(7)),
           .has_slid = data.integers.at("path.counts").at(5) != 0,
           .is_mechanism = data.integers.at("path.counts").at(6) != 0};
 }

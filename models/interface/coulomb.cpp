@@ -39,6 +39,15 @@ struct SlideLine {
 
 }  // namespace
 
+LineSlide slide_on(const Vec2& at, double slip, double m) {
+  LineSlide out;
+  if (m == 0 || at.x() > 0) return out;
+  const double direction = at.y() < slip ? -1 : 1;
+  out.mean = -direction * m * at.x();
+  out.gradient = -m * at.x() * Vec2(m, direction);
+  return out;
+}
+
 LineSlide slide_along(const Vec2& from, const Vec2& to, double slip, double m) {
   LineSlide out;
   const bool opens = to.x() > 0, closes = from.x() > 0;

@@ -32,6 +32,10 @@ struct LineSlide {
 };
 LineSlide slide_along(const Vec2& from, const Vec2& to, double slip, double m);
 
+/// The same at the start of a step, for what is at its limit and slides on: no energy yet, and its derivative
+/// on the side of sliding.
+LineSlide slide_on(const Vec2& at, double slip, double m);
+
 /// Traction under which a jump slid, as far as both of its ends tell, there being no line between them: their
 /// mean when it slid from its start or ends with less than it began with, else that of its end (it stuck at
 /// first, or turned round), none where that is unknown. So sliding never gains energy.

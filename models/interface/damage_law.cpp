@@ -199,7 +199,7 @@ Spending DamageLaw::spending(const Vec2& q, const History& h, double k) const {
 }
 
 /// ∫ β² k e d(damage s) with the mean e of where the step slides, or of both ends where it sticks; nothing
-/// where that would gain energy.
+/// where that would gain energy. At the start of a step the derivative is that of going on.
 void DamageLaw::add_friction_work(const Vec2& q, const History& h, double k, Spending& out) const {
   const Equivalent at = equivalent(q, k);
   const double reached = kappa(h, k), now = std::max(reached, at.kappa);
@@ -210,8 +210,10 @@ void DamageLaw::add_friction_work(const Vec2& q, const History& h, double k, Spe
   const double mean = slid.energy > 0 ? slid.mean : 0.5 * (before + held.elastic);
   const Vec2 mean_gradient = slid.energy > 0 ? slid.mean_gradient : Vec2(0.5 * held.gradient);
   const double damaged = damage_at(now, k), slip = q.y() - held.elastic;
-  const double slipped = damaged * slip - damage_at(reached, k) * h.slip;
-  if (mean * slipped <= 0) return;
+  const bool starts = q == h.opening;
+  const double slipped = starts ? 0 : damaged * slip - damage_at(reached, k) * h.slip;
+  const double onward = held.slides ? held.elastic : slip;
+  if (mean * (starts ? onward : slipped) <= 0) return;
   out.value += stiffness * mean * slipped;
   Vec2 slipped_gradient = damaged * (Vec2(0, 1) - held.gradient);
   if (is_loading(at.kappa, reached, h.loading))

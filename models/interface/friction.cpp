@@ -44,7 +44,8 @@ class ContactFriction final : public InterfaceLaw {
   }
 
   Spending spending(const Vec2& q, const History& h, double k) const override {
-    const LineSlide slid = slide_along(h.opening, q, h.slip, m_);
+    const LineSlide slid =
+        h.sliding && q == h.opening ? slide_on(q, h.slip, m_) : slide_along(h.opening, q, h.slip, m_);
     return {k * slid.energy, k * slid.gradient};
   }
   History accept(const Vec2& q, const History& h, double k) const override {

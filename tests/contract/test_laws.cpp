@@ -84,6 +84,17 @@ TEST_P(LawContract, SpendingGradientIsDifference) {
   });
 }
 
+TEST_P(LawContract, WhatSlidesOnSpendsFromTheStartOfAStep) {
+  at_accepted_states([](const LawCase& at, const Vec2& q, const History&, const History& after) {
+    if (!after.sliding || !(q.x() < -1e-3 * at.first)) return;
+    const Vec2 step = 1e-6 * at.first * at.law->slip_gradient(q, after, at.k).normalized();
+    History h = after;
+    h.loading = after.loading && at.law->opening_gradient(q, after, at.k).dot(step) > 0;
+    const double spent = at.law->spending(q + step, h, at.k).value;
+    EXPECT_NEAR(at.law->spending(q, h, at.k).gradient.dot(step), spent, 1e-2 * spent) << at.text();
+  });
+}
+
 TEST_P(LawContract, AcceptingAddsWhatIsSpent) {
   at_accepted_states([](const LawCase& at, const Vec2& q, const History& before, const History& after) {
     EXPECT_EQ(after.dissipated, before.dissipated + at.law->spending(q, before, at.k).value);

@@ -15,18 +15,22 @@ import yaml
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 from contact_scenes import ANGLES, MESHES, TREATMENTS, block_pressed, block_pushed, plate_inclined, plate_pressed  # noqa: E402
-from contact_structures import SLENDER, dry_wall, dry_wall_of_bricks, end_notched_flexure, plates_on_beam, slender  # noqa: E402
+from contact_structures import (  # noqa: E402
+    SLENDER, dry_wall, dry_wall_of_bricks, end_notched_flexure, plates_on_beam, slender, wall_of_mortar)
 from matrix_runner import print_rows, run_cases  # noqa: E402
 
 SCENES = (block_pushed, block_pressed, plate_pressed, plates_on_beam, dry_wall, end_notched_flexure)
 COEFFICIENTS = (0.2, 0.4, 0.75, 1.2)
 UNITS = (1e-3, 1e3)
+MORTAR_WALLS = (*((rows, "consistent", 0.3, mu) for rows in (5, 8, 15) for mu in (0.4, 0.75)),
+                *((rows, "consistent", 1.0, 0.75) for rows in (8, 15)), *((rows, "penalty", 0.3, 0.75) for rows in (5, 8, 15)))
 
 
 def all_cases():
     """Every case, those that end soonest first."""
     grid = [(mesh, treatment, angle) for mesh in MESHES for treatment in TREATMENTS for angle in ANGLES]
     cases = [dry_wall_of_bricks(t, mu) for t in TREATMENTS for mu in COEFFICIENTS]
+    cases += [wall_of_mortar(*wall) for wall in MORTAR_WALLS]
     cases += [block_pushed("given", t, a, unit) for t in TREATMENTS for a in ANGLES for unit in (1.0, *UNITS)]
     cases += [scene(*place) for scene in SCENES for place in grid]
     cases += [plate_inclined(*place) for place in grid if place[2] >= 10]

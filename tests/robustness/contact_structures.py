@@ -49,24 +49,26 @@ def slender(mesh, treatment, angle, cells=SLENDER[0]):
             "path": {"stop": {"gauges": {"deflection": columns / 1000}}}}))
 
 
-def brick_rows():
-    """(x0, x1, y0, y1, kind) of floor, 44 bricks in 8 rows of a running bond, and the beam that spreads the loads on top.
+def brick_rows(rows=8, height=60):
+    """(x0, x1, y0, y1, kind) of floor, rows of bricks in a running bond (44 in 8), and the beam that spreads the loads on top.
 
     Neighbours of any side are of different kinds, so that a pair of kinds is a joint and one kind is a brick's inside.
     """
     whole, staggered = [200 * i for i in range(6)], [0] + [100 + 200 * i for i in range(5)] + [1000]
-    out = [(0, 1000, -60, 0, "floor"), (0, 1000, 480, 540, "top")]
-    for row in range(8):
+    top = rows * height
+    out = [(0, 1000, -height, 0, "floor"), (0, 1000, top, top + height, "top")]
+    for row in range(rows):
         edges = staggered if row % 2 == 0 else whole
         kinds = ("a", "b") if row % 2 == 0 else ("c", "d")
-        out += [(a, b, 60 * row, 60 * row + 60, kinds[i % 2]) for i, (a, b) in enumerate(zip(edges, edges[1:]))]
+        out += [(a, b, height * row, height * (row + 1), kinds[i % 2]) for i, (a, b) in enumerate(zip(edges, edges[1:]))]
     return out
 
 
-def wall_joints(treatment, angle):
-    pairs = [("a", "b"), ("c", "d"), ("a", "c"), ("a", "d"), ("b", "c"), ("b", "d"), ("floor", "a"), ("floor", "b"),
-             ("top", "c"), ("top", "d")]
-    return {f"{one}_{other}": {"between": [one, other], **contact(treatment, angle)} for one, other in pairs}
+def wall_joints(joint, last=("c", "d")):
+    """The same joint everywhere; `last` are the kinds of the uppermost row."""
+    pairs = [("a", "b"), ("c", "d"), ("a", "c"), ("a", "d"), ("b", "c"), ("b", "d"), ("floor", "a"), ("floor", "b")]
+    pairs += [("top", kind) for kind in last]
+    return {f"{one}_{other}": {"between": [one, other], **joint} for one, other in pairs}
 
 
 def wall_limit(mesh, treatment, angle):
@@ -91,7 +93,7 @@ def dry_wall(mesh, treatment, angle, name=None):
     brick = {"type": "linear_elastic", "young_modulus": 10, "poisson_ratio": 0.2}
     built = deck(f"Dry wall of 44 bricks, {angle:.6g} degrees", scene, {
         "materials": {kind: brick for kind in ("floor", "a", "b", "c", "d", "top")},
-        "interfaces": wall_joints(treatment, angle), "supports": {"foot": {"on": "foot", "fix": "xy"}},
+        "interfaces": wall_joints(contact(treatment, angle)), "supports": {"foot": {"on": "foot", "fix": "xy"}},
         "stages": [{"name": "pressed", "loads": [{"type": "edge_traction", "on": "head", "traction": [0, -30 / (1000 * 100)]}]},
                    {"name": "pushed", "loads": [{"type": "point_load", **corner, "force": [1, 0]}]}],
         "gauges": {"drift": {"type": "displacement", **corner, "direction": [1, 0]}},
@@ -103,6 +105,34 @@ def dry_wall(mesh, treatment, angle, name=None):
 def dry_wall_of_bricks(treatment, friction):
     """Bricks that are one block each, for a coefficient of friction."""
     return dry_wall("given", treatment, math.degrees(math.atan(friction)), f"tan_{friction}")
+
+
+def wall_of_mortar(rows, treatment, pressure, friction):
+    """A wall of 1 m with joints of mortar, pressed, pushed at the foot of its top beam until that has moved 10 mm.
+
+    What has lost its cohesion slides at N tan φ, or turns about the last contact point of its foot at N · arm / height.
+    """
+    top = 80 * rows
+    scene = {"type": "polygons",
+             "regions": [region("", kind, rectangle(a, c, b, d)) for a, b, c, d, kind in brick_rows(rows, 80)],
+             "boundaries": {"foot": [[0, -80], [1000, -80]], "head": [[0, top + 80], [1000, top + 80]]},
+             "subdivision": {"type": "given"}}
+    law = {"type": "linear_softening", "tensile_strength": 0.2, "cohesion": 0.3, "fracture_energy": 0.01,
+           "shear_fracture_energy": 0.05, "friction_angle": math.degrees(math.atan(friction))}
+    corner = {"at": [0, top], "inside": [0.1, top + 0.1]}
+    brick = {"type": "linear_elastic", "young_modulus": 15000, "poisson_ratio": 0.2}
+    built = deck(f"Wall of mortar joints, {rows} rows", scene, {
+        "materials": {kind: CONCRETE if kind in ("floor", "top") else brick for kind in ("floor", "a", "b", "c", "d", "top")},
+        "interfaces": wall_joints({"treatment": treatment, "law": law}, ("c", "d") if rows % 2 == 0 else ("a", "b")),
+        "supports": {"foot": {"on": "foot", "fix": "xy"}},
+        "stages": [{"name": "pressed", "loads": [{"type": "edge_traction", "on": "head", "traction": [0, -pressure]}]},
+                   {"name": "pushed", "loads": [{"type": "point_load", **corner, "force": [1000, 0]}]}],
+        "gauges": {"drift": {"type": "displacement", **corner, "direction": [1, 0]}},
+        "path": {"stop": {"load_below": 0, "gauges": {"drift": 10}}}, "record": {"fields_every": 0}})
+    built.update(thickness=100)
+    arm = 500 - 50 * (1 - 1 / math.sqrt(3))
+    limit = 100 * pressure * min(friction, arm / top)
+    return Case(f"mortar_wall-{rows}_rows-{treatment}-{pressure}_MPa-tan_{friction}", built, {"end": (limit, 1e-5 * limit)})
 
 
 def flexure_peak(angle):
