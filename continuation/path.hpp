@@ -172,7 +172,7 @@ class Path {
   std::optional<Point> increment_step();
   std::optional<Point> unload_step();
   std::optional<Point> jump_to(Candidate beyond, const std::string& control);
-  std::optional<Point> land_ahead(double amount);
+  std::optional<Point> land_ahead(double amount, bool slides = false);
   std::optional<Point> approach(double amount);
   std::optional<Point> land_on_turn(double failed, bool on_new_cracks, const Move& move);
   bool creates_energy(const Candidate& beyond) const;

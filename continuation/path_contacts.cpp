@@ -92,7 +92,7 @@ std::optional<Point> Path::sliding_step() {
   if (!std::isfinite(change) && is_loaded) {
     if (!std::isfinite(goal)) return linear_for_good();
     constexpr double beyond = 1.001;
-    if (auto point = land_ahead(beyond * goal)) return point;
+    if (auto point = land_ahead(beyond * goal, true)) return point;
   }
   if (std::isfinite(change) && walker_.here().dissipated == 0 && !memory_.has_slid)
     if (auto point = first_slip(change)) return point;

@@ -98,10 +98,12 @@ std::optional<Point> Path::approach(double amount) {
 /// release finds what follows.
 bool Path::can_slide() const { return !releases_at_once_ && walker_.system().has_contacts(); }
 
-/// Lands on a wanted value that lies before an event predicted `amount` ahead.
-std::optional<Point> Path::land_ahead(double amount) {
+/// Lands on a wanted value that lies before an event predicted `amount` ahead, up to which nothing is
+/// dissipated unless joints slide.
+std::optional<Point> Path::land_ahead(double amount, bool slides) {
   Candidate predicted = walker_.here();
   predicted.state = walker_.ahead(amount);
+  if (slides) predicted.dissipated = std::numeric_limits<double>::infinity();
   const auto crossing = first_crossing(predicted);
   return crossing ? land(predicted, *crossing, "event") : std::nullopt;
 }
@@ -336,7 +338,7 @@ std::string Path::objection(const Candidate& candidate) const {
                                 of_work * std::abs(work)))
     return fmt::format("the step jumps: {:.1e} of its work is unaccounted for",
                        std::abs(missing_work(candidate) / work));
-  const double before = load_of(walker_.state()), after = load_of(candidate.state);
+  const double before = std::abs(load_of(walker_.state())), after = std::abs(load_of(candidate.state));
   if (here.dissipated > 0 && dissipated <= 0 && after < before && walker_.leaving().dissipates)
     return "the step retraces the unloading branch";
   return {};
