@@ -49,13 +49,17 @@ std::optional<int> iterate(CrackedPoints& points, const State& guess, const Cont
 /// bodies only touch what the weak springs bear.
 void refine(System& system, CrackedPoints& points, Reduced& found, const ContactSettings& settings) {
   constexpr int most = 3;
-  bool is_done = !points.only_touch();
-  for (int i = 0; i < most && !(is_done && system.excess_residual(found.state) <= settings.tolerance); ++i) {
-    is_done = true;
+  double excess = system.excess_residual(found.state);
+  const bool once = points.only_touch();
+  for (int i = 0; i < most && (excess > settings.tolerance || (once && i == 0)); ++i) {
     points.refine();
     if (!points.walk(settings.max_iterations, 1)) return;
-    found.state.d = points.state().d;
-    found.state.load_factor = points.state().load_factor;
+    State next = points.state();
+    next.multipliers = found.state.multipliers;
+    const double left = system.excess_residual(next);
+    if (left > std::max(excess, settings.tolerance)) return;
+    excess = left;
+    found.state = std::move(next);
   }
 }
 

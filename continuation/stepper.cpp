@@ -101,7 +101,7 @@ Attempt controlled_step(System& system, const State& start, Control& control, do
   if (const auto whole = finished(system, control, step, foreseen, parameters.newton)) out = *whole;
   const bool contacts_first = touches && cracked <= few_points;
   if (!out.converged && contacts_first) out = contact_step(system, start, control, step, guess, parameters);
-  if (!out.converged && !only_touches) {
+  if (!out.converged) {
     system.set_multipliers(start.multipliers);
     out = loca_step(system, start, control, step, foreseen, parameters);
   }
