@@ -111,18 +111,24 @@ std::optional<Point> Path::land_on_strength(const Candidate& beyond, const std::
   return keep(*std::move(candidate), control);
 }
 
-/// Lands on zero load: where the last crack of the structure breaks.
+/// Lands on zero load: where the last crack of the structure breaks. Unloading ends there, too, and spends
+/// next to nothing of what the tangent predicts, but for the friction of what slides back.
 std::optional<Point> Path::rupture() {
   const double load = load_.value(walker_.state().d, walker_.state().load_factor);
   const double rate = walker_.leaving().rate(load_);
   if (load * rate >= 0) return {};
+  const std::string attempted = "load, landing on rupture";
   const auto equation = make_gauge_control(load_);
+  const double ahead = -load / rate;
   std::string why;
-  auto candidate =
-      judged(walker_.attempt(*equation, -load, walker_.ahead(-load / rate)), "load, landing on rupture", why);
+  auto candidate = judged(walker_.attempt(*equation, -load, walker_.ahead(ahead)), attempted, why);
   if (!candidate) return {};
-  if (const auto crossing = first_crossing(*candidate))
-    if (auto point = land(*candidate, *crossing, "load")) return point;
+  constexpr double least = 0.01;
+  if (walker_.leaving().dissipates && candidate->dissipated - walker_.here().dissipated < least * ahead) {
+    reject(attempted, "the load falls to nothing by unloading");
+    return {};
+  }
+  if (const auto crossing = first_crossing(*candidate)) return land(*candidate, *crossing, "load");
   Point point = keep(*std::move(candidate), "load");
   point.landed.push_back("complete rupture");
   return point;
