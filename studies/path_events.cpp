@@ -42,12 +42,30 @@ bool is_jump(const Point& point) {
          point.control == "sequentially_linear";
 }
 
+/// Marks what lies at the last row, and is an event only if the path goes on from it.
+constexpr const char* pending = "pending";
+
 }  // namespace
+
+Json passed_events(const Json& list) {
+  Json out = Json::array();
+  for (const Json& event : list)
+    if (!event.contains(pending)) out.push_back(event);
+  return out;
+}
 
 PathEvents::PathEvents(const Measures& measures, const Walker& start, int step, Json known)
     : measures_(measures), list_(std::move(known)) {
+  for (Json& event : list_) event.erase(pending);
   before_ = station(start, step);
   largest_.assign(before_.values.size(), 0);
+  remember_sizes(before_);
+}
+
+void PathEvents::remember_sizes(const CsvTable& curve) {
+  for (std::size_t i = 0; i < largest_.size(); ++i)
+    for (const double value : curve.numbers(i == 0 ? "load" : measures_.names()[i - 1].name))
+      largest_[i] = std::max(largest_[i], std::abs(value));
   remember_sizes(before_);
 }
 
@@ -117,7 +135,7 @@ std::set<EventKind> PathEvents::add(const Point& point, const Walker& walker, bo
   if (find_extremum(0, now, is_jump(point), is_last)) out.insert(EventKind::limit_point);
   for (const std::size_t gauge : measures_.displacements())
     if (find_extremum(1 + gauge, now, is_jump(point), is_last)) out.insert(EventKind::turning_point);
-  if (!is_last && find_bifurcation(now, point)) out.insert(EventKind::bifurcation);
+  if (find_bifurcation(now, point, is_last)) out.insert(EventKind::bifurcation);
   if (!point.landed.empty()) out.insert(EventKind::landing);
   if (point.control == "release") out.insert(EventKind::release);
   if (is_last) out.insert(EventKind::end);
@@ -150,17 +168,18 @@ bool PathEvents::find_extremum(std::size_t quantity, const Station& now, bool is
     found = true;
   }
   const bool moves = std::abs(change) > round_off * largest_[quantity];
-  if (!is_last && moves && arrives * now.out[quantity] < 0) {
+  if (moves && arrives * now.out[quantity] < 0) {
     Json event = extremum(quantity, arrives > 0);
     event["located"] = "at_step";
     event["uncertainty"] = 0.0;
+    if (is_last) event[pending] = true;
     list_event(std::move(event), now);
-    found = true;
+    found |= !is_last;
   }
   return found;
 }
 
-bool PathEvents::find_bifurcation(const Station& now, const Point& point) {
+bool PathEvents::find_bifurcation(const Station& now, const Point& point, bool is_last) {
   if (!now.surplus || !before_.surplus || *now.surplus == *before_.surplus) return false;
   const bool may_be_even =
       now.num_negative == now.num_negative_work && before_.num_negative == before_.num_negative_work;
@@ -176,8 +195,9 @@ bool PathEvents::find_bifurcation(const Station& now, const Point& point) {
                          : is_exact   ? 0.0
                                       : std::abs(now.values[0] - before_.values[0]) / largest_[0];
   if (point.switched) event["switched"] = true;
+  if (is_last) event[pending] = true;
   list_event(std::move(event), now);
-  return true;
+  return !is_last;
 }
 
 void PathEvents::list_event(Json event, const Station& at) {

@@ -32,10 +32,12 @@ class PathEvents {
   /// `known` are the events of the run that is continued.
   PathEvents(const Measures& measures, const Walker& start, int step, nlohmann::ordered_json known);
 
+  /// Of a run that is continued the sizes of the quantities so far, which events are measured by.
+  void remember_sizes(const CsvTable& curve);
   /// Adds what lies between the last point and this one, and tells what happens at it.
   std::set<EventKind> add(const Point& point, const Walker& walker, bool is_last);
   /// One object per event: kind, step, load, load_factor, dissipated_energy, gauges, …; in the order of the
-  /// path.
+  /// path. Those at the last row are pending (passed_events).
   const nlohmann::ordered_json& list() const { return list_; }
 
  private:
@@ -51,7 +53,7 @@ class PathEvents {
   Station station(const Walker& walker, int step) const;
   void remember_sizes(const Station& at);
   bool find_extremum(std::size_t quantity, const Station& now, bool is_jump, bool is_last);
-  bool find_bifurcation(const Station& now, const Point& point);
+  bool find_bifurcation(const Station& now, const Point& point, bool is_last);
   bool is_smooth(const Station& now) const;
   /// The quantities in a share of the step that ends here.
   Station between(const Station& now, double share) const;
@@ -63,5 +65,9 @@ class PathEvents {
   std::vector<double> largest_;  ///< magnitude of each quantity so far
   nlohmann::ordered_json list_;
 };
+
+/// The list without what is at its end, where it is not known how the path goes on; a run that is continued
+/// takes it for events.
+nlohmann::ordered_json passed_events(const nlohmann::ordered_json& list);
 
 }  // namespace dda

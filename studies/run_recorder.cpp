@@ -8,6 +8,7 @@
 #include "framework/output/provenance.hpp"
 #include "studies/coarse_zones.hpp"
 #include "studies/model_tables.hpp"
+#include "studies/path_peak.hpp"
 #include "studies/pictures.hpp"
 #include "studies/profile.hpp"
 #include "studies/restart.hpp"
@@ -81,6 +82,7 @@ RunRecorder::RunRecorder(const RunFolder& folder, Simulation& simulation, const 
     const std::vector<int> steps = results_.steps();
     last_stored_ = steps.empty() ? -1 : steps.back();
     last_ = measures_.measure(simulation.walker(), memory_.last_step, "resumed", 0);
+    events_.remember_sizes(read_csv(folder.file("curve.csv")));
     log_.info("resumed", {{"step", memory_.last_step}});
   } else {
     start();
@@ -257,8 +259,10 @@ nlohmann::ordered_json RunRecorder::finish(const Ending& ending) {
     if (deck_.deck.record.stiffness) write_stiffness();
   }
   log_.info("ended", {{"status", status_of(ending)}, {"reason", ending.reason}});
+  const CsvTable curve = read_csv(folder_.file("curve.csv"));
+  memory_.events = with_peak(passed_events(memory_.events), peak_of(memory_, measures_), curve);
   out = summarise(simulation_, memory_, measures_, ending);
-  out["stability"] = stability_counts(read_csv(folder_.file("curve.csv")));
+  out["stability"] = stability_counts(curve);
   out["interfaces"] = interfaces_.summary(fields_, here());
   out["notices"] = notices_;
   if (!torn_.empty()) out["torn_out"] = to_json(simulation_, torn_);

@@ -18,13 +18,6 @@ Json gauges_at(const Measurement& at, const Measures& measures) {
   return out;
 }
 
-Json peak_of(const RunMemory& memory, const Measures& measures) {
-  const Measurement& peak = memory.peak;
-  Json out{{"step", peak.step}, {"load_factor", peak.load_factor}, {"load", peak.load}};
-  out["gauges"] = gauges_at(peak, measures);
-  return out;
-}
-
 /// JSON knows no infinity: nlohmann-json writes it as null.
 Json to_json(const MatrixQuality& quality) {
   return {{"condition", quality.condition},
@@ -68,6 +61,13 @@ double energy_balance_error(const Measurement& start, const Measurement& end, do
   if (work == 0) return 0;
   const double stored = end.stored - start.stored, dissipated = end.dissipated - start.dissipated;
   return std::abs(work - stored - dissipated - jump_energy) / std::abs(work);
+}
+
+Json peak_of(const RunMemory& memory, const Measures& measures) {
+  const Measurement& peak = memory.peak;
+  Json out{{"step", peak.step}, {"load_factor", peak.load_factor}, {"load", peak.load}};
+  out["gauges"] = gauges_at(peak, measures);
+  return out;
 }
 
 Json stiffness_quality(const Simulation& simulation) {

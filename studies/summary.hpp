@@ -17,6 +17,9 @@ int exit_code_of(const Ending& ending);
 /// path.
 double energy_balance_error(const Measurement& start, const Measurement& end, double jump_energy);
 
+/// Step, load factor, load and gauges of the largest load.
+nlohmann::ordered_json peak_of(const RunMemory& memory, const Measures& measures);
+
 /// The content of summary.json, but for the log's notices.
 nlohmann::ordered_json summarise(const Simulation& simulation, const RunMemory& memory,
                                  const Measures& measures, const Ending& ending);

@@ -44,15 +44,46 @@ folders() {
   exists runs/softening-bar-2/summary.json
 }
 
+same_events() {
+  /usr/bin/python3 - "$1" "$2" <<'PYTHON' || complain "$1 and $2 have other events"
+import json, sys
+one, other = (json.load(open(f"{folder}/summary.json")) for folder in sys.argv[1:])
+for key in ("events", "small_extrema", "peak"):
+    assert one.get(key) == other.get(key), [key, one.get(key), other.get(key)]
+PYTHON
+}
+
 resume_after_steps() {
   expect 0 "whole beam" "$program" run "$beam" --folder beam --quiet
   for steps in 3 17 31; do
     expect 0 "first part" "$program" run "$beam" --folder part$steps --quiet --set path.stop.after_steps=$steps
     expect 0 "second part" "$program" resume part$steps --quiet --set path.stop.after_steps=0
     same beam/curve.csv part$steps/curve.csv
+    same_events beam part$steps
   done
   expect 0 "resume of a finished run" "$program" resume beam --quiet
   said "goal_reached"
+}
+
+# Of a path that falls from its peak by a release the row before is the largest limit point, wherever it was resumed.
+peak_before_release() {
+  local law='interfaces.any.law={type: mohr_coulomb, tensile_strength: 3, cohesion: 3, friction_angle: 0}'
+  expect 0 "whole release" "$program" run "$beam" --folder released --quiet --set "$law" --set path.stop.after_steps=24
+  for steps in 1 2 3 12; do
+    expect 0 "first part" "$program" run "$beam" --folder released$steps --quiet --set "$law" --set path.stop.after_steps=$steps
+    expect 0 "second part" "$program" resume released$steps --quiet --set path.stop.after_steps=24
+    same_events released released$steps
+  done
+  /usr/bin/python3 - <<'PYTHON' || complain "the peak before a release is not the largest limit point"
+import csv, json
+whole = json.load(open("released/summary.json"))
+rows = list(csv.DictReader(open("released/curve.csv")))
+limits = [event for event in whole["events"] if event["kind"] == "limit_point"]
+top = max(limits, key=lambda event: event["load"])
+assert top["load"] == whole["peak"]["load"] == max(float(row["load"]) for row in rows), (top, whole["peak"])
+assert rows[top["step"] + 1]["control"] == "release", rows[top["step"] + 1]
+assert [event["extremum"] for event in limits].count("maximum") == 1, limits
+PYTHON
 }
 
 # Killed between the last restart file and summary.json: the goal must be seen before a step is taken.
@@ -194,6 +225,6 @@ comparing() {
   exists overlay.svg
 }
 
-for part in ${PARTS:-whole_run condition eigenvalues folders resume_after_steps resume_without_summary limits resume_under_another_control interrupted no_place_to_write command_line comparing}
+for part in ${PARTS:-whole_run condition eigenvalues folders resume_after_steps peak_before_release resume_without_summary limits resume_under_another_control interrupted no_place_to_write command_line comparing}
 do $part; done
 exit $failed
