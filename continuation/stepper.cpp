@@ -7,6 +7,7 @@
 
 #include "continuation/contact_step.hpp"
 #include "continuation/reduced.hpp"
+#include "continuation/settling.hpp"
 #include "continuation/trilinos_module.hpp"
 
 namespace dda {
@@ -59,7 +60,8 @@ Attempt contact_step(System& system, const State& start, const Control& control,
                            .from = &start,
                            .most_points = system.joins_by_contact() ? most_touching : most_cracked,
                            .tolerance = parameters.newton.tolerance};
-  for (; out.multiplier_iterations <= parameters.multipliers.max_iterations; ++out.multiplier_iterations) {
+  Settling settling(parameters.multipliers);
+  for (;; ++out.multiplier_iterations) {
     auto found = solve_contacts(system, control, step, out.state, settings);
     if (found) out.reason = missed(system, control, step, found->state, parameters.newton.tolerance);
     if (settings.tries_newton && (!found || !out.reason.empty())) {
@@ -78,10 +80,13 @@ Attempt contact_step(System& system, const State& start, const Control& control,
     if (system.iterates_multipliers()) out.gap = system.relative_gap(*laws);
     out.converged = out.gap <= parameters.multipliers.tolerance;
     if (out.converged) return out;
+    if (out.multiplier_iterations >= parameters.multipliers.max_iterations ||
+        settling.is_out_of_reach(out.gap, system.active_set(*laws)))
+      break;
     system.set_multipliers(system.next_multipliers(*laws));
   }
   out.reason = fmt::format("the multipliers did not settle in {} iterations (relative gap {:.1e})",
-                           parameters.multipliers.max_iterations, out.gap);
+                           out.multiplier_iterations, out.gap);
   return out;
 }
 

@@ -16,6 +16,7 @@
 #include "continuation/loca/group.hpp"
 #include "continuation/loca/parameter_list.hpp"
 #include "continuation/loca/status_test.hpp"
+#include "continuation/settling.hpp"
 #include "continuation/trilinos_session.hpp"
 
 namespace dda {
@@ -92,17 +93,20 @@ class SingleStep final : public LOCA::Stepper {
 
   /// Carries the springs' forces over into the multipliers and solves again until no gap is left.
   void close_gaps(const MultiplierParameters& parameters, Attempt& out) {
+    Settling settling(parameters);
     for (;;) {
       const State at = equilibrium_group().state();
       const auto laws = system_.laws_at(at.d, at.load_factor);
       out.gap = system_.relative_gap(*laws);
       if (out.gap <= parameters.tolerance) return;
-      if (out.multiplier_iterations++ >= parameters.max_iterations) {
+      if (out.multiplier_iterations >= parameters.max_iterations ||
+          settling.is_out_of_reach(out.gap, system_.active_set(*laws))) {
         out.reason = fmt::format("the multipliers did not settle in {} iterations (relative gap {:.1e})",
-                                 parameters.max_iterations, out.gap);
+                                 out.multiplier_iterations, out.gap);
         out.converged = false;
         return;
       }
+      ++out.multiplier_iterations;
       system_.set_multipliers(system_.next_multipliers(*laws));
       solverPtr->reset(curGroupPtr->getX());
       out.converged = solverPtr->solve() == NOX::StatusTest::Converged;
