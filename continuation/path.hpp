@@ -174,6 +174,13 @@ class Path {
   std::optional<Point> jump_to(Candidate beyond, const std::string& control);
   std::optional<Point> land_ahead(double amount, bool slides = false);
   std::optional<Point> approach(double amount);
+  /// What the try of a step before has left unaccounted for.
+  struct Snap {
+    double natural = 0;  ///< size of the first try
+    double amount = 0;   ///< of the one before; 0 when there was none
+    double lost = 0;     ///< by it [FL]
+  };
+  std::optional<Point> snap(const Candidate& beyond, const Move& move, double amount, Snap& snap);
   std::optional<Point> land_on_turn(double failed, bool on_new_cracks, const Move& move);
   bool creates_energy(const Candidate& beyond) const;
   std::optional<Candidate> try_step(const Move& move, double amount, std::string& why);
@@ -260,6 +267,7 @@ class Path {
   double size_ = 0;                     ///< of the structure [L]
   Standstill standstill_;
   mutable std::string unsound_;  ///< what the last candidate of this step was refused for, beside equilibrium
+  std::optional<Candidate> jumped_;  ///< an equilibrium that the last try found, refused as a jump
   PathMemory memory_;
   Ending ending_;
   std::function<bool()> interrupted_;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "continuation/advice.hpp"
 #include "continuation/path.hpp"
@@ -159,12 +160,15 @@ std::optional<Point> Path::controlled_step(const Move& move) {
     return {};
   };
   double looked_at = 0;
+  Snap snaps{.natural = natural};
   Looks looked;
   for (int refinements = 0, looks = 0; amount > smallest;) {
     const auto candidate = try_step(move, amount, why);
     if (!candidate) {
       if (load_of(walker_.ahead(amount / cut)) <= 0)
         if (auto point = rupture()) return point;
+      if (jumped_)
+        if (auto point = snap(*jumped_, move, amount, snaps)) return point;
       if (auto point = land_on_turn(amount, amount <= few_cuts * natural, move)) return point;
       amount *= cut;
       continue;
@@ -191,6 +195,7 @@ std::optional<Point> Path::controlled_step(const Move& move) {
       continue;
     }
     if (is_coarse(*candidate) && refinements++ < most_refinements) {
+      if (auto point = snap(*candidate, move, amount, snaps)) return point;
       shorten("the step leaves too much energy unaccounted for", 0.5);
       continue;
     }
@@ -259,6 +264,25 @@ std::optional<Point> Path::land_on_turn(double failed, bool on_new_cracks, const
   return point;
 }
 
+/// Accepts what a step has jumped to where joints snap: most of what such a jump leaves unaccounted for is
+/// left however short the step is, as two of its sizes tell, while that of a kink vanishes with it. How much
+/// of the energy that it sets free friction takes on the way is not known.
+std::optional<Point> Path::snap(const Candidate& beyond, const Move& move, double amount, Snap& snap) {
+  constexpr double most = 0.7;
+  const double lost = missing_work(beyond);
+  const Snap before = std::exchange(snap, {snap.natural, amount, lost});
+  if (before.amount == 0 || !only_touches(beyond)) return {};
+  const double left = lost - (before.lost - lost) * amount / (before.amount - amount);
+  if (!(left / lost > most)) return {};
+  const double spent = beyond.dissipated - walker_.here().dissipated;
+  auto point = jump_to(beyond, move.control);
+  if (!point) return {};
+  memory_.step = snap.natural * unit_of(move);
+  report("snapped",
+         fmt::format("joints held by friction snap: {:.3e} spent by it and set free", spent + lost));
+  return point;
+}
+
 std::optional<Candidate> Path::try_step(const Move& move, double amount, std::string& why) {
   auto candidate = judged(attempt(move, amount), move.control, why);
   if (!candidate || !lies_behind(*candidate, move)) return candidate;
@@ -279,10 +303,12 @@ bool Path::lies_behind(const Candidate& candidate, const Move& move) const {
 /// What an attempt has found, if that is the next point of this path; else it is rejected, and `why` tells.
 std::optional<Candidate> Path::judged(const Attempt& tried, const std::string& control, std::string& why) {
   why = tried.reason;
+  jumped_.reset();
   if (tried.converged) {
     Candidate candidate = walker_.evaluate(tried);
     why = objection(candidate);
     if (why.empty()) return candidate;
+    if (unsound_.empty()) jumped_ = std::move(candidate);
   }
   reject(control, why);
   return {};

@@ -176,7 +176,7 @@ class Walk {
       if (!end || end->length >= rest) {
         if (!std::isfinite(rest)) return {};  // a ray: nothing holds what moves
         x_ += rest * along;
-        return corrected();
+        return problem_.corrects ? corrected() : std::optional(x_);
       }
       x_ += end->length * along;
       tau_ += direction_ * end->length;
@@ -265,16 +265,33 @@ std::optional<Vector> walk_from(const ContactProblem& problem, const Vector& sta
 }
 
 std::optional<Vector> walk_proximally(ContactProblem problem, Vector start) {
-  constexpr double firm = 0.1, more = 10, most = 1;
-  constexpr int most_walks = 30;
+  constexpr double firm = 0.1, more = 10, most = 1, at_rest = 0.1;
+  constexpr int most_walks = 150;
   const double wanted = problem.residual_share;
   double& share = problem.residual_share;
   share = std::max(firm, more * wanted);
+  const Eigen::Index last = start.size() - 1;
+  double moved = 0, moved_then = 0;
+  int patience = 1, stays = 0;
+  bool is_trial = false;
   for (int walks = 0; walks < most_walks && share <= most; ++walks) {
+    problem.corrects = share <= wanted;
     const auto found = walk_from(problem, start);
-    if (found && share <= wanted) return found;
-    if (found) start = *found;
-    share = found ? std::max(wanted, share / more) : more * share;
+    if (!found) {
+      if (is_trial) patience *= 2;
+      moved_then = moved;
+      stays = 0;
+      is_trial = false;
+      share *= more;
+      continue;
+    }
+    if (share <= wanted) return found;
+    moved = (*found - start).head(last).lpNorm<Eigen::Infinity>();
+    start = *found;
+    is_trial = ++stays >= patience || moved <= at_rest * moved_then;
+    if (!is_trial) continue;
+    share = std::max(wanted, share / more);
+    stays = 0;
   }
   return {};
 }

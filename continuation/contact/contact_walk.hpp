@@ -31,6 +31,7 @@ struct ContactProblem {
   Eigen::MatrixXd couplings;     ///< C, (2 · points + 1) × 2 · points
   double accuracy = 0;           ///< of F that counts as none [L]
   double residual_share = 1e-7;  ///< ε
+  bool corrects = true;          ///< whether it is taken off again
 };
 
 /// Solves it by walking from piece to piece: with x₀ and F(x₀) = r the solutions of F(x) = τ r are followed
@@ -46,7 +47,8 @@ struct ContactProblem {
 std::optional<Eigen::VectorXd> walk_from(const ContactProblem& problem, const Eigen::VectorXd& start);
 /// Where such a walk wanders, as among the many states in which bricks are wedged by strong friction: with
 /// more residual stiffness it ends soon, and from there with less again, the end of each walk being the
-/// centre of the next (proximal point method).
+/// centre of the next (proximal point method). Where less wanders, the same again, twice as often each time or
+/// until what moves is nearly at rest, as in viscous motion.
 std::optional<Eigen::VectorXd> walk_proximally(ContactProblem problem, Eigen::VectorXd start);
 std::optional<Eigen::VectorXd> walk_covered(const ContactProblem& problem);
 

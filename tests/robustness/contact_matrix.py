@@ -20,7 +20,7 @@ from contact_structures import (  # noqa: E402
 from matrix_runner import print_rows, run_cases  # noqa: E402
 
 SCENES = (block_pushed, block_pressed, plate_pressed, plates_on_beam, dry_wall, end_notched_flexure)
-COEFFICIENTS = (0.2, 0.4, 0.75, 1.2)
+COEFFICIENTS = (0.2, 0.4, 0.75, 1.2, 1.5)
 UNITS = (1e-3, 1e3)
 MORTAR_WALLS = (*((rows, "consistent", 0.3, mu) for rows in (5, 8, 15) for mu in (0.4, 0.75)),
                 *((rows, "consistent", 1.0, 0.75) for rows in (8, 15)), *((rows, "penalty", 0.3, 0.75) for rows in (5, 8, 15)))

@@ -71,6 +71,9 @@ def wall_joints(joint, last=("c", "d")):
     return {f"{one}_{other}": {"between": [one, other], **joint} for one, other in pairs}
 
 
+WEDGING = 55  # degrees of friction beyond which bricks hold each other until they snap
+
+
 def wall_limit(mesh, treatment, angle):
     """μN, or rocking about the last contact point of the foot: a Gauss point, or the corner for multipliers.
 
@@ -99,7 +102,8 @@ def dry_wall(mesh, treatment, angle, name=None):
         "gauges": {"drift": {"type": "displacement", **corner, "direction": [1, 0]}},
         "path": {"stop": {"gauges": {"drift": 4}}}})
     built.update(thickness=100, units={"length": "mm", "force": "kN"})
-    return Case(f"dry_wall-{mesh}-{treatment}-{name or angle}", built, {"end": wall_limit(mesh, treatment, angle)}, 0)
+    snaps = angle > WEDGING
+    return Case(f"dry_wall-{mesh}-{treatment}-{name or angle}", built, {"end": wall_limit(mesh, treatment, angle)}, None if snaps else 0)
 
 
 def dry_wall_of_bricks(treatment, friction):
