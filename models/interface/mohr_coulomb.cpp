@@ -97,6 +97,15 @@ class MohrCoulomb final : public InterfaceLaw {
     out.sliding = held.at_limit;
     return out;
   }
+  /// Of what is released: tension up to ft while only cohesion is lost, none afterwards.
+  std::optional<Contact> contact(const History& h, double k) const override {
+    if (h.phase == 0 || h.share > 0) return {};
+    return Contact{.closed = k,
+                   .open = h.phase == 1 ? k : 0,
+                   .friction = k,
+                   .coefficient = residual_,
+                   .slip = h.slip};
+  }
   double stored(const Vec2& q, const History& h, double k) const override {
     const Vec2 t = respond(q, h, k).traction;
     if (h.phase < 2 || h.share == 0) return t.squaredNorm() / (2 * k);
