@@ -103,8 +103,8 @@ double Path::amount_to_event() const {
   return is_far ? std::numeric_limits<double>::infinity() : amount;
 }
 
-/// Whether joints may slide, open or close although nothing cracks. Where strength may yet be lost at once the
-/// release finds what follows.
+/// Whether joints may slide, open or close although nothing cracks. Where strength may yet be lost at once
+/// the release finds what follows.
 bool Path::can_slide() const {
   return walker_.system().has_contacts() && !(releases_at_once_ && std::isfinite(amount_to_event()));
 }

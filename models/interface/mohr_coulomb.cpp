@@ -100,11 +100,8 @@ class MohrCoulomb final : public InterfaceLaw {
   /// Of what is released: tension up to ft while only cohesion is lost, none afterwards.
   std::optional<Contact> contact(const History& h, double k) const override {
     if (h.phase == 0 || h.share > 0) return {};
-    return Contact{.closed = k,
-                   .open = h.phase == 1 ? k : 0,
-                   .friction = k,
-                   .coefficient = residual_,
-                   .slip = h.slip};
+    return Contact{
+        .closed = k, .open = h.phase == 1 ? k : 0, .friction = k, .coefficient = residual_, .slip = h.slip};
   }
   double stored(const Vec2& q, const History& h, double k) const override {
     const Vec2 t = respond(q, h, k).traction;
