@@ -124,8 +124,9 @@ class MohrCoulomb final : public InterfaceLaw {
     }
     out.share = share;
     out.loading = false;
-    constexpr double far = 10;  // behind q, so that friction starts at its limit
-    if (share == 0) out.slip = q.y() - (out.held.y() < 0 ? -far : far) * std::abs(q.y());
+    constexpr double far = 10;  // behind q, so that what slides bears its friction from the start
+    const double behind = out.phase == 1 ? std::copysign(far * q.y(), out.held.y()) : 0;
+    if (share == 0) out.slip = q.y() - behind;
     return out;
   }
   Vec2 held_direction(const Vec2& q, const History& h) const override {

@@ -115,14 +115,15 @@ class SlidingDam(unittest.TestCase):
 class BrittleFoundation(unittest.TestCase):
     """What is released at once and leaves friction: once all is broken the dam slides under the same thrust."""
 
-    def slides(self, strength, angle=30, **foundation):
-        law = {"type": "mohr_coulomb", "tensile_strength": strength, "cohesion": strength, "friction_angle": angle}
+    def slides(self, strength, angle=30, bond=None, **foundation):
+        """Its peak in units of the load that friction bears; `bond` are parameters of the law beside these."""
+        law = {"type": "mohr_coulomb", "tensile_strength": strength, "cohesion": strength, "friction_angle": angle, **(bond or {})}
         settings = {f"interfaces.foundation.{key}": value for key, value in {"law": law, **foundation}.items()}
         with tempfile.TemporaryDirectory() as scratch:
             run = ddapath.run(DECK, settings, folder=Path(scratch) / "dam")
             last, peak = run.curve.iloc[-1], run.curve["load_factor"].max()
             refused = [finding for finding in ddapath.verify.verify(run.folder) if not finding.holds]
-            thrust = WEIGHT * math.tan(math.radians(angle))
+            thrust = WEIGHT * math.tan(math.radians(law.get("residual_friction_angle", angle)))
             self.assertEqual(run.status, "goal_reached")
             self.assertAlmostEqual(last["load_factor"] * THRUST / thrust, 1, delta=1e-7)
             self.assertAlmostEqual(last["heel_slides"], SLIDING, places=7)
@@ -145,6 +146,10 @@ class BrittleFoundation(unittest.TestCase):
 
     def test_points_at_vertices(self):
         self.slides(1.5, points="vertices")
+
+    def test_joints_that_close_while_they_are_released(self):
+        bond = {"tensile_strength": 0.168, "residual_friction_angle": 25}
+        self.slides(0.56, 35, bond, treatment={"type": "penalty", "factor": 10})
 
 
 if __name__ == "__main__":
