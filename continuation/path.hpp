@@ -160,6 +160,7 @@ class Path {
   Move sliding_move();
   double amount_to_landing() const;
   void note_mechanism(Point& point, const State& before);
+  double amount_to_event() const;
   bool can_slide() const;
   std::optional<Point> controlled_step(const Move& move);
   std::optional<Point> sequential_step(const std::string& control, double quantum);

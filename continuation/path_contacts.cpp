@@ -90,9 +90,11 @@ std::optional<Point> Path::sliding_step() {
   const double change = next_contact_change(walker_), goal = amount_to_landing();
   const bool is_loaded = walker_.here().stored > 0;
   if (!std::isfinite(change) && is_loaded) {
-    if (!std::isfinite(goal)) return linear_for_good();
+    const bool may_release = releases_at_once_ && std::isfinite(next_event(walker_));
+    if (!std::isfinite(goal) && !may_release) return linear_for_good();
     constexpr double beyond = 1.001;
-    if (auto point = land_ahead(beyond * goal, true)) return point;
+    if (std::isfinite(goal))
+      if (auto point = land_ahead(beyond * goal, true)) return point;
   }
   if (std::isfinite(change) && walker_.here().dissipated == 0 && !memory_.has_slid)
     if (auto point = first_slip(change)) return point;

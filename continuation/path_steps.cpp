@@ -48,7 +48,7 @@ std::optional<Point> Path::take_step() {
 }
 
 std::optional<Point> Path::event_step() {
-  const double amount = next_event(walker_);
+  const double amount = amount_to_event();
   if (!std::isfinite(amount)) return can_slide() ? sliding_step() : linear_step();
   driver_->obstacle(walker_.leaving());  // fixes the direction of a prescribed gauge on the elastic branch
   if (auto point = land_ahead(amount)) return point;
@@ -95,9 +95,20 @@ std::optional<Point> Path::approach(double amount) {
   return {};
 }
 
-/// Whether joints may slide, open or close although nothing cracks. Where strength is lost at once the
-/// release finds what follows.
-bool Path::can_slide() const { return !releases_at_once_ && walker_.system().has_contacts(); }
+/// Load factor beyond the present one at which the next point reaches its strength; infinite where none does,
+/// and where strength is lost at once also where what slides and turns goes on as a mechanism long before.
+double Path::amount_to_event() const {
+  const double amount = next_event(walker_);
+  const bool is_far = releases_at_once_ && std::isfinite(amount) && walker_.system().has_contacts() &&
+                      is_mechanism(walker_.ahead(amount));
+  return is_far ? std::numeric_limits<double>::infinity() : amount;
+}
+
+/// Whether joints may slide, open or close although nothing cracks. Where strength may yet be lost at once
+/// the release finds what follows.
+bool Path::can_slide() const {
+  return walker_.system().has_contacts() && !(releases_at_once_ && std::isfinite(amount_to_event()));
+}
 
 /// Lands on a wanted value that lies before an event predicted `amount` ahead, up to which nothing is
 /// dissipated unless joints slide.

@@ -97,6 +97,12 @@ class MohrCoulomb final : public InterfaceLaw {
     out.sliding = held.at_limit;
     return out;
   }
+  /// Of what is released: tension up to ft while only cohesion is lost, none afterwards.
+  std::optional<Contact> contact(const History& h, double k) const override {
+    if (h.phase == 0 || h.share > 0) return {};
+    return Contact{
+        .closed = k, .open = h.phase == 1 ? k : 0, .friction = k, .coefficient = residual_, .slip = h.slip};
+  }
   double stored(const Vec2& q, const History& h, double k) const override {
     const Vec2 t = respond(q, h, k).traction;
     if (h.phase < 2 || h.share == 0) return t.squaredNorm() / (2 * k);
@@ -118,8 +124,9 @@ class MohrCoulomb final : public InterfaceLaw {
     }
     out.share = share;
     out.loading = false;
-    constexpr double far = 10;  // behind q, so that friction starts at its limit
-    if (share == 0) out.slip = q.y() - (out.held.y() < 0 ? -far : far) * std::abs(q.y());
+    constexpr double far = 10;  // behind q, so that what slides bears its friction from the start
+    const double behind = out.phase == 1 ? std::copysign(far * q.y(), out.held.y()) : 0;
+    if (share == 0) out.slip = q.y() - behind;
     return out;
   }
   Vec2 held_direction(const Vec2& q, const History& h) const override {

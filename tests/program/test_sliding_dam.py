@@ -1,5 +1,7 @@
 """A dam that slides by half a metre hardly opens: curve, summary, fields, figures and report tell both apart.
 
+So does one whose foundation has to break first, and whose broken joints carry on by friction alone.
+
     test_sliding_dam.py        with PYTHONPATH=python, and DDA naming the program
 """
 
@@ -16,6 +18,7 @@ from pathlib import Path
 import numpy as np
 
 import ddapath
+import ddapath.verify
 
 DECK = Path(__file__).resolve().parent / "sliding_dam.yaml"
 WEIGHT = 0.024 * 50 * (40 + 5) / 2  # [MN], of a metre of the dam
@@ -107,6 +110,46 @@ class SlidingDam(unittest.TestCase):
         self.assertAlmostEqual(opening.max(), foundation["widest"]["opening"], places=9)
         self.assertAlmostEqual(sliding.max(), foundation["farthest"]["sliding"], places=6)
         self.assertAlmostEqual(sliding.min(), SLIDING, delta=LITTLE)
+
+
+class BrittleFoundation(unittest.TestCase):
+    """What is released at once and leaves friction: once all is broken the dam slides under the same thrust."""
+
+    def slides(self, strength, angle=30, bond=None, **foundation):
+        """Its peak in units of the load that friction bears; `bond` are parameters of the law beside these."""
+        law = {"type": "mohr_coulomb", "tensile_strength": strength, "cohesion": strength, "friction_angle": angle, **(bond or {})}
+        settings = {f"interfaces.foundation.{key}": value for key, value in {"law": law, **foundation}.items()}
+        with tempfile.TemporaryDirectory() as scratch:
+            run = ddapath.run(DECK, settings, folder=Path(scratch) / "dam")
+            last, peak = run.curve.iloc[-1], run.curve["load_factor"].max()
+            refused = [finding for finding in ddapath.verify.verify(run.folder) if not finding.holds]
+            thrust = WEIGHT * math.tan(math.radians(law.get("residual_friction_angle", angle)))
+            self.assertEqual(run.status, "goal_reached")
+            self.assertAlmostEqual(last["load_factor"] * THRUST / thrust, 1, delta=1e-7)
+            self.assertAlmostEqual(last["heel_slides"], SLIDING, places=7)
+            self.assertAlmostEqual(last["external_work"] / (thrust * SLIDING), 1, delta=0.05)
+            self.assertLess(run.summary["energy_balance_error"], 1e-3)
+            self.assertEqual(refused, [])
+            return peak / last["load_factor"]
+
+    def test_weak_bond(self):
+        self.assertGreater(self.slides(0.5), 1.2)
+
+    def test_strong_bond(self):
+        self.assertGreater(self.slides(3), 1.5)
+
+    def test_little_friction(self):
+        self.slides(1.5, angle=20)
+
+    def test_springs(self):
+        self.slides(1.5, treatment={"type": "penalty"})
+
+    def test_points_at_vertices(self):
+        self.slides(1.5, points="vertices")
+
+    def test_joints_that_close_while_they_are_released(self):
+        bond = {"tensile_strength": 0.168, "residual_friction_angle": 25}
+        self.slides(0.56, 35, bond, treatment={"type": "penalty", "factor": 10})
 
 
 if __name__ == "__main__":

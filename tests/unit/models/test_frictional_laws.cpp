@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -120,6 +121,38 @@ TEST_F(MohrCoulomb, SlidingIsReleasedToResidualFriction) {
     h = after({ft / k, q.y()}, law_->accept({ft / k, q.y()}, h, k), 0);
     EXPECT_EQ(h.phase, 2);
     EXPECT_EQ(traction({ft / k, q.y()}, h).norm(), 0);
+  }
+}
+
+/// A joint torn open that closes before the release ends begins without friction and bears what slides on.
+TEST_F(MohrCoulomb, TensionReleasedUnderPressureEndsWithoutAJump) {
+  const Vec2 torn(ft / k, -0.004), closed(-0.05, -0.01);
+  const History nearly = after(closed, after(torn, law_->accept(torn, {}, k), 0.5), 1e-9);
+  const History h = law_->release(closed, nearly, k, 0);
+  EXPECT_LT((traction(closed, h) - traction(closed, nearly)).norm(), 1e-8);
+  const double slid = 1e-4;
+  EXPECT_NEAR(traction(closed - Vec2(0, slid), h).y(), -k * slid, 1e-10);
+  EXPECT_NEAR(traction(closed + Vec2(0, slid), h).y(), k * slid, 1e-10);
+}
+
+/// Of what is released in full: the joint that the law itself is, wherever it is opened, closed and slid.
+TEST_F(MohrCoulomb, LeavesTheContactThatItResponds) {
+  const Vec2 shear(-0.04, (c + 4 * tan_) / k), tension(ft / k, 0.004);
+  for (const Vec2& failed : {shear, tension}) {
+    const History begun = law_->accept(failed, {}, k), partly = after(failed, begun, 0.5);
+    EXPECT_FALSE(law_->contact(begun, k));
+    EXPECT_FALSE(law_->contact(partly, k));
+    const History h = after(failed, partly, 0);
+    const auto contact = law_->contact(h, k);
+    ASSERT_TRUE(contact);
+    for (const double normal : {-0.3, -0.02, 0.01})
+      for (const double sliding : {-0.2, -0.001, 0.001, 0.2}) {
+        const Vec2 q(normal, h.slip + sliding), t = traction(q, h);
+        const double limit = contact->coefficient * std::max(-normal, 0.0);
+        EXPECT_NEAR(t.x(), (normal < 0 ? contact->closed : contact->open) * normal, 1e-12);
+        EXPECT_NEAR(t.y(), contact->shear * q.y() + contact->friction * std::clamp(sliding, -limit, limit),
+                    1e-12);
+      }
   }
 }
 
