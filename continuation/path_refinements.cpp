@@ -19,6 +19,24 @@ State between(const State& a, const State& b, double share) {
   return out;
 }
 
+/// Whether what was to crack unloads instead: of what is spent along the tangent, more than half by points
+/// that at the candidate neither load nor have broken.
+bool unloads(const Walker& walker, const Candidate& candidate) {
+  const System& system = walker.system();
+  const LawValues laws = system.laws(walker.state().d, walker.state().load_factor);
+  double all = 0, unloaded = 0;
+  for (std::size_t p = 0; p < laws.opening.size(); ++p) {
+    const History &before = system.history()[p], &after = candidate.history[p];
+    if (!before.loading) continue;
+    const InterfacePoint& point = system.equilibrium().point(p);
+    const Spending spending = point.law->spending(laws.opening[p], before, point.stiffness);
+    const double rate = point.weight * spending.gradient.dot(walker.leaving().opening[p]);
+    all += rate;
+    if (!after.loading && !point.law->is_broken(after, point.stiffness)) unloaded += rate;
+  }
+  return unloaded > 0.5 * all;
+}
+
 }  // namespace
 
 /// Share of the step at which the limit point is to be sought, when the step crosses it and the peak is not
@@ -111,8 +129,8 @@ std::optional<Point> Path::land_on_strength(const Candidate& beyond, const std::
   return keep(*std::move(candidate), control);
 }
 
-/// Lands on zero load: where the last crack of the structure breaks. Unloading ends there, too, and spends
-/// next to nothing of what the tangent predicts, but for the friction of what slides back.
+/// Lands on zero load: where the last crack of the structure breaks. Unloading ends there, too, and what
+/// slides back dissipates.
 std::optional<Point> Path::rupture() {
   const double load = load_.value(walker_.state().d, walker_.state().load_factor);
   const double rate = walker_.leaving().rate(load_);
@@ -123,8 +141,7 @@ std::optional<Point> Path::rupture() {
   std::string why;
   auto candidate = judged(walker_.attempt(*equation, -load, walker_.ahead(ahead)), attempted, why);
   if (!candidate) return {};
-  constexpr double least = 0.01;
-  if (walker_.leaving().dissipates && candidate->dissipated - walker_.here().dissipated < least * ahead) {
+  if (walker_.leaving().dissipates && unloads(walker_, *candidate)) {
     reject(attempted, "the load falls to nothing by unloading");
     return {};
   }

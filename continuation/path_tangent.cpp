@@ -93,6 +93,25 @@ Vec2 System::with_multiplier(std::size_t p, const Vec2& g) const {
   return g + t.cwiseQuotient(point.trial_stiffness()) - t.cwiseQuotient(own_stiffness(point));
 }
 
+/// What is more than D q where q = g + C t, C = P⁻¹ − P̄⁻¹: (1 − D C)⁻¹ t = (1 + D̄ C) t, C of which opens the
+/// point itself.
+std::vector<Vec2> System::opened_by(std::size_t p, const Vec2& t) {
+  const InterfacePoint& point = equilibrium_.point(p);
+  const bool is_iterated = physical_ && point.multiplier == Multiplier::iterated;
+  const auto opened = [&](const Vec2& by) {
+    return Vec2(by.cwiseQuotient(point.trial_stiffness()) - by.cwiseQuotient(own_stiffness(point)));
+  };
+  const Vec2 carried = is_iterated ? Vec2(t + path_tangent_[p] * opened(t)) : t;
+  std::vector<double> tractions(2 * equilibrium_.num_active(), 0.0), d(equilibrium_.num_unknowns(), 0.0);
+  Eigen::Map<Vec2>(tractions.data() + 2 * p) = -carried;
+  equilibrium_.scatter_add(tractions, d);
+  path_linear().solve_watched(std::vector<double>(d), d);
+  std::vector<Vec2> out(equilibrium_.num_active());
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = opening_rate(i, d);
+  if (is_iterated) out[p] += opened(carried);
+  return out;
+}
+
 std::vector<Vec2> System::multiplier_rates(std::span<const double> d) const {
   std::vector<Vec2> out(multipliers_.size());
   for (std::size_t p = 0; p < out.size(); ++p) out[p] = opening_rate(p, d) - equilibrium_.opening(p, d);

@@ -98,6 +98,9 @@ class System {
   Vec2 opening_rate(std::size_t p, std::span<const double> d) const {
     return with_multiplier(p, equilibrium_.opening(p, d));
   }
+  /// q̇ of all points where one of them carries a traction `t` more than its tangent says, under the path
+  /// tangent in use.
+  std::vector<Vec2> opened_by(std::size_t p, const Vec2& t);
   /// Rates of the multipliers for the same movement; empty when none is iterated.
   std::vector<Vec2> multiplier_rates(std::span<const double> d) const;
   /// What the finite p̄ leaves open when d moves by `d` and the joints by `carried` beside: P̄⁻¹ D̄ (g +

@@ -2,7 +2,8 @@
 
 #include <cmath>
 #include <optional>
-#include <set>
+
+#include "continuation/contact/rate_walk.hpp"
 
 namespace dda {
 namespace {
@@ -118,16 +119,15 @@ class RateProblem {
   }
 
   /// Takes off whatever unloads or sticks until the rest goes on; where something that was taken off would go
-  /// on after all, flags are exchanged, if that ends.
+  /// on after all, walks from hinge to hinge (rate_walk.hpp).
   Tangent solve(Tangent found) {
-    const Set refusing = refused(found);
+    const Tangent arriving = found;
     while (!found.d.empty() && unflag(found)) found = tangent();
-    if (found.d.empty() || !worst(found)) return found;
+    if (found.d.empty() || is_settled(found)) return found;
     const std::vector<History> pruned = system_.history();
-    if (auto other = exchanged(found)) return *std::move(other);
-    turn(refusing);
-    if (auto other = exchanged(tangent())) return *std::move(other);
+    if (auto other = walked(arriving)) return *std::move(other);
     system_.set_history(pruned);
+    found.keeps_equilibrium = false;
     return found;
   }
   Tangent tangent() const {
@@ -137,19 +137,77 @@ class RateProblem {
   }
 
  private:
-  /// Changes one flag at a time until none contradicts its rate: of those that lead to a set that has not
-  /// been, the one that contradicts most. Nothing when all have been, or after changes of twice the flags.
-  std::optional<Tangent> exchanged(Tangent found) {
-    std::set<Set> seen;
-    while (!found.d.empty() && seen.size() <= 2 * flags_.size()) {
-      if (!worst(found)) return found;
-      seen.insert(flags());
-      const auto next = worst(found, seen);
-      if (!next) return {};
-      flip(*next);
-      found = tangent();
+  /// Of the directions to which walks lead the one that cracks, and is nearer to that which led here.
+  std::optional<Tangent> walked(const Tangent& arriving) {
+    std::optional<Tangent> best;
+    std::vector<History> flags;
+    set(Set(flags_.size(), false));
+    const auto rates = hinged_rates();
+    if (!rates) return {};
+    for (const double direction : {1.0, -1.0}) {
+      const auto ray = follow_hinges(*rates, direction);
+      if (!ray) continue;
+      set(ray->goes_on);
+      Tangent found = tangent();
+      if (found.d.empty() || !is_settled(found)) continue;
+      if (best && !is_better(found, *best, arriving)) continue;
+      best = std::move(found);
+      flags = system_.history();
     }
-    return {};
+    if (best) system_.set_history(std::move(flags));
+    return best;
+  }
+
+  bool is_better(const Tangent& one, const Tangent& other, const Tangent& arriving) const {
+    if (one.dissipates != other.dissipates) return one.dissipates;
+    return nearness(one, arriving) > nearness(other, arriving);
+  }
+
+  /// Cosine between two directions, in the openings of the points flagged.
+  double nearness(const Tangent& one, const Tangent& other) const {
+    double product = 0, square = 0, square_of_other = 0;
+    for (const Flag& flag : flags_) {
+      const Vec2 &a = one.opening[flag.point], &b = other.opening[flag.point];
+      product += a.dot(b);
+      square += a.squaredNorm();
+      square_of_other += b.squaredNorm();
+    }
+    return product / std::sqrt(square * square_of_other);
+  }
+
+  /// The hinges of the structure in which no flag is set; nothing when that is singular.
+  std::optional<HingedRates> hinged_rates() {
+    const Tangent elastic = direction(system_, state_);
+    if (elastic.d.empty()) return {};
+    const auto n = static_cast<Eigen::Index>(flags_.size());
+    HingedRates out{Eigen::MatrixXd(n, n), Eigen::VectorXd(n)};
+    const std::vector<Vec2> tractions = traction_rates();
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const auto at = static_cast<std::size_t>(j);
+      out.per_load[j] = rate(at, elastic);
+      const std::vector<Vec2> opening = system_.opened_by(flags_[at].point, tractions[at]);
+      for (Eigen::Index i = 0; i < n; ++i) {
+        const auto row = static_cast<std::size_t>(i);
+        out.couplings(i, j) = -gradients_[row].dot(opening[flags_[row].point]);
+      }
+    }
+    return out;
+  }
+
+  /// a of t = D q + a ⟨g · q⟩ for each flag, D that of no flag: ∂t/∂q of the flag beyond D is a gᵀ.
+  std::vector<Vec2> traction_rates() const {
+    std::vector<Vec2> out;
+    const auto laws = system_.laws_at(state_.d, state_.load_factor);
+    for (std::size_t i = 0; i < flags_.size(); ++i) {
+      const std::size_t p = flags_[i].point;
+      const InterfacePoint& point = system_.equilibrium().point(p);
+      History flagged = system_.history()[p];
+      flagged.*flags_[i].side = true;
+      const Mat2 with = point.law->respond(laws->opening[p], flagged, point.stiffness).tangent;
+      const Vec2& g = gradients_[i];
+      out.push_back(g.isZero(0) ? Vec2(Vec2::Zero()) : Vec2((with - laws->tangent[p]) * g / g.squaredNorm()));
+    }
+    return out;
   }
 
   void add(const Flag& flag, const Vec2& gradient) {
@@ -170,48 +228,21 @@ class RateProblem {
     return changed;
   }
 
-  /// The flag that contradicts its rate most, of those whose change leads to none of the sets `seen`.
-  std::optional<std::size_t> worst(const Tangent& along, const std::set<Set>& seen = {}) const {
+  /// Whether all flags go on along a direction and nothing else does.
+  bool is_settled(const Tangent& along) const {
     constexpr double round_off = 1e-9;
-    double fastest = 0;
-    for (std::size_t i = 0; i < flags_.size(); ++i) fastest = std::max(fastest, std::abs(rate(i, along)));
-    std::optional<std::size_t> out;
-    double most = round_off * fastest;
+    double fastest = 0, most = 0;
     for (std::size_t i = 0; i < flags_.size(); ++i) {
-      const double contradiction = is_set(i) ? -rate(i, along) : rate(i, along);
-      if (contradiction <= most || seen.contains(flipped(i))) continue;
-      most = contradiction;
-      out = i;
+      const double now = rate(i, along);
+      fastest = std::max(fastest, std::abs(now));
+      most = std::max(most, is_set(i) ? -now : now);
     }
-    return out;
+    return most <= round_off * fastest;
   }
 
-  /// The flags that do not go on along a direction.
-  Set refused(const Tangent& along) const {
-    Set out;
-    for (std::size_t i = 0; i < flags_.size(); ++i)
-      out.push_back(!along.d.empty() && is_set(i) && rate(i, along) < 0);
-    return out;
-  }
-  /// Only what refused goes on: where a path turns, that goes on while all else unloads and sticks.
-  void turn(const Set& refusing) {
-    for (std::size_t i = 0; i < flags_.size(); ++i)
-      if (is_set(i) != refusing[i]) flip(i);
-  }
-  Set flipped(std::size_t i) const {
-    Set out = flags();
-    out[i] = !out[i];
-    return out;
-  }
-  Set flags() const {
-    Set out;
-    for (std::size_t i = 0; i < flags_.size(); ++i) out.push_back(is_set(i));
-    return out;
-  }
-  void flip(std::size_t i) {
+  void set(const Set& goes_on) {
     std::vector<History> history = system_.history();
-    bool& flag = history[flags_[i].point].*flags_[i].side;
-    flag = !flag;
+    for (std::size_t i = 0; i < flags_.size(); ++i) history[flags_[i].point].*flags_[i].side = goes_on[i];
     system_.set_history(std::move(history));
   }
 
