@@ -58,6 +58,21 @@ double next_contact_change(const Walker& walker) {
   return nearest;
 }
 
+/// Load factor beyond the present one at which the next point reaches its strength; infinite where none does,
+/// and where strength is lost at once also where what slides and turns goes on as a mechanism long before.
+double Path::amount_to_event() const {
+  const double amount = next_event(walker_);
+  const bool is_far = releases_at_once_ && std::isfinite(amount) && walker_.system().has_contacts() &&
+                      is_mechanism(walker_.ahead(amount));
+  return is_far ? std::numeric_limits<double>::infinity() : amount;
+}
+
+/// Whether joints may slide, open or close although nothing cracks. Where strength may yet be lost at once
+/// the release finds what follows.
+bool Path::can_slide() const {
+  return walker_.system().has_contacts() && !(releases_at_once_ && std::isfinite(amount_to_event()));
+}
+
 /// The control of a structure that slides: the driver's own where it prescribes a gauge, else the
 /// displacement on which the load works, which goes on where the load does not.
 Move Path::sliding_move() {

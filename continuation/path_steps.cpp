@@ -95,21 +95,6 @@ std::optional<Point> Path::approach(double amount) {
   return {};
 }
 
-/// Load factor beyond the present one at which the next point reaches its strength; infinite where none does,
-/// and where strength is lost at once also where what slides and turns goes on as a mechanism long before.
-double Path::amount_to_event() const {
-  const double amount = next_event(walker_);
-  const bool is_far = releases_at_once_ && std::isfinite(amount) && walker_.system().has_contacts() &&
-                      is_mechanism(walker_.ahead(amount));
-  return is_far ? std::numeric_limits<double>::infinity() : amount;
-}
-
-/// Whether joints may slide, open or close although nothing cracks. Where strength may yet be lost at once
-/// the release finds what follows.
-bool Path::can_slide() const {
-  return walker_.system().has_contacts() && !(releases_at_once_ && std::isfinite(amount_to_event()));
-}
-
 /// Lands on a wanted value that lies before an event predicted `amount` ahead, up to which nothing is
 /// dissipated unless joints slide.
 std::optional<Point> Path::land_ahead(double amount, bool slides) {

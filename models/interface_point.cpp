@@ -197,6 +197,7 @@ class PointMaker {
     if (treatment.multiplier() == Multiplier::unknown) ++out.num_nodes;
     for (std::size_t i = 0; i < places.size(); ++i) {
       const auto& [xi, share] = places[i];
+      const bool is_separate = laws[i].law->contact({}, k).has_value();
       InterfacePoint point{.first = side.first,
                            .second = side.second,
                            .x = side.start + xi * edge,
@@ -210,7 +211,7 @@ class PointMaker {
                            .multiplier = treatment.multiplier(),
                            .node = node,
                            .column = static_cast<int>(2 * i),
-                           .perturbation = treatment.perturbation(),
+                           .perturbation = treatment.perturbation(is_separate),
                            .physical_stiffness = std::max(k, treatment.physical_stiffness(faces)),
                            .spring_unit = spring_unit(faces),
                            .strength_factor = laws[i].factor};

@@ -34,7 +34,8 @@ class Walk {
     disturb(residual(x_, problem_.residual_share).lpNorm<Eigen::Infinity>());
     read_pieces();
     tau_ = 1;
-    return follow(residual(x_, problem_.residual_share), most_near * size() + few);
+    const std::size_t most = problem_.corrects ? most_near * size() : size() / 2;
+    return follow(residual(x_, problem_.residual_share), most + few);
   }
 
   std::optional<Vector> covered() {

@@ -7,7 +7,7 @@ namespace {
 
 struct LagrangeParameters {
   double factor = 10;
-  double perturbation = 1e-7;
+  double perturbation = 1e-7, contact_perturbation = 1e-3;
 };
 
 /// Lagrange multipliers: the joint is closed exactly, the multiplier m of a point being two more unknowns.
@@ -18,21 +18,27 @@ struct LagrangeParameters {
 /// K is symmetric and indefinite, with a zero (−δ W P) on the diagonal for every bond. Two points on each
 /// side of a quadrilateral or Voronoi block are more equations than unknowns: some multipliers are redundant,
 /// and δ picks the smallest of them; the gap it leaves is δ P⁻¹ t, and rounding leaves about 1e-16/δ of them.
-/// The run reports their number. P only scales m and carries softening. Source: Pearce et al. (2000), eq. 6;
+/// The run reports their number. Bodies that only touch are pressed together by many points, which rigid ones
+/// and strong friction can wedge without limit: they get a larger δ, still a gap of 1e-4 of what the blocks
+/// themselves give. P only scales m and carries softening. Source: Pearce et al. (2000), eq. 6;
 /// models/README.md.
 class Lagrange final : public SpringJoint {
  public:
-  explicit Lagrange(const LagrangeParameters& p) : SpringJoint(p.factor), perturbation_(p.perturbation) {}
+  explicit Lagrange(const LagrangeParameters& p)
+      : SpringJoint(p.factor), perturbation_(p.perturbation), contact_perturbation_(p.contact_perturbation) {}
 
   Multiplier multiplier() const override { return Multiplier::unknown; }
-  double perturbation() const override { return perturbation_; }
+  double perturbation(bool is_separate) const override {
+    return is_separate ? contact_perturbation_ : perturbation_;
+  }
   double physical_stiffness(const SideFaces& side) const override {
-    constexpr double closed = 1e6;  // stiff enough to be a tie, soft enough for eigenvalues to keep their digits
+    constexpr double closed =
+        1e6;  // stiff enough to be a tie, soft enough for eigenvalues to keep their digits
     return std::max(stiffness(side), closed * spring_unit(side));
   }
 
  private:
-  double perturbation_;
+  double perturbation_, contact_perturbation_;
 };
 
 Schema<LagrangeParameters> schema() {
@@ -49,7 +55,12 @@ Schema<LagrangeParameters> schema() {
           {.fallback = 1e-7,
            .bounds = above(0) & at_most(1e-3),
            .text = "Gap left in a joint, relative to that of springs of this stiffness; determines redundant "
-                   "multipliers."});
+                   "multipliers."})
+      .number("contact_perturbation", &P::contact_perturbation,
+              {.fallback = 1e-3,
+               .bounds = above(0) & at_most(1e-3),
+               .text = "The same where bodies only touch (law `friction`): rigid points that are pressed "
+                       "together may be wedged by strong friction."});
 }
 
 std::unique_ptr<Treatment> make(const LagrangeParameters& p) { return std::make_unique<Lagrange>(p); }

@@ -53,8 +53,9 @@ class Treatment {
   virtual PointRows rows(const SideFaces& side, const Mat26& first, const Mat26& second,
                          const Vec2& p) const = 0;
   virtual Multiplier multiplier() const { return Multiplier::none; }
-  /// δ of the block −δ P that keeps redundant multipliers determined; 0 without unknown multipliers.
-  virtual double perturbation() const { return 0; }
+  /// δ of the block −δ P that keeps redundant multipliers determined, of bodies that were bonded or only
+  /// touch; 0 without unknown multipliers.
+  virtual double perturbation(bool /*is_separate*/) const { return 0; }
   /// Stiffness p̄ of the joint in the physical tangent [F/L³]: that of the trial spring unless it only carries
   /// a multiplier.
   virtual double physical_stiffness(const SideFaces& side) const { return stiffness(side); }

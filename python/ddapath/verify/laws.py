@@ -32,6 +32,7 @@ def tangent(degrees):
 class Bonded:
     """A bond; also the base of what cannot crack: t = P q."""
     can_crack = False
+    is_separate = False
     shear_weight = 1.0
 
     def traction(self, q, trial):
@@ -63,6 +64,7 @@ class Elastic(Bonded):
 class Friction(Bonded):
     """Contact of separate bodies: t_n ≤ 0, |t_s| ≤ −t_n tan φ."""
     can_crack = True
+    is_separate = True
 
     def __init__(self, law):
         self.slope = tangent(law.get("friction_angle", 0))
@@ -84,6 +86,7 @@ class MohrCoulomb(Friction):
 
     What is being released still carries a part of its strength: until it is done the envelope of the bond holds.
     """
+    is_separate = False
 
     def __init__(self, law):
         self.strength, self.cohesion = law["tensile_strength"], law["cohesion"]

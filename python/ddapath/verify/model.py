@@ -63,10 +63,12 @@ def interface_of(name, deck):
     entry = deck["interfaces"][name]
     treatment = entry["treatment"]
     kind = treatment if isinstance(treatment, str) else treatment["type"]
-    number = 1e-7 if isinstance(treatment, str) else treatment.get("perturbation", 1e-7)
+    given = {} if isinstance(treatment, str) else treatment
+    law = laws.make(entry["law"])
+    number = given.get("contact_perturbation", 1e-3) if law.is_separate else given.get("perturbation", 1e-7)
     points = entry.get("points") or ("vertices" if kind in WITH_MULTIPLIERS else "gauss")
     field = entry.get("field") or {}
-    return Interface(name, laws.make(entry["law"]), kind, points, number if kind == "lagrange" else 0.0,
+    return Interface(name, law, kind, points, number if kind == "lagrange" else 0.0,
                      field.get("energy_exponent", 2.0))
 
 
