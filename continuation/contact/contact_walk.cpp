@@ -23,10 +23,7 @@ double tie_breaker(std::size_t index) {
 class Walk {
  public:
   explicit Walk(const ContactProblem& problem)
-      : problem_(problem),
-        pieces_(size(), ContactPiece::stuck),
-        grows_(size(), false),
-        centre_(Vector::Zero(2 * count())) {}
+      : problem_(problem), pieces_(size(), ContactPiece::stuck), centre_(Vector::Zero(2 * count())) {}
 
   std::optional<Vector> from(const Vector& start) {
     x_ = start;
@@ -39,9 +36,6 @@ class Walk {
   }
 
   std::optional<Vector> covered() {
-    holds_growth_ = true;
-    for (std::size_t i = 0; i < size(); ++i)
-      grows_[i] = problem_.points[i].growth && problem_.points[i].growth->grows;
     for (std::size_t i = 0; i < size(); ++i)
       if (const auto& contact = problem_.points[i].contact)
         pieces_[i] = contact->coefficient > 0 ? ContactPiece::stuck : ContactPiece::forward;
@@ -64,22 +58,11 @@ class Walk {
   Eigen::Index count() const { return static_cast<Eigen::Index>(size()); }
   Vec2 opening(const Vector& x, std::size_t i) const { return x.segment<2>(place(i)); }
 
-  /// h of a point whose damage may grow.
-  static double excess(const ContactProblem::Growth& growth, const Vec2& q) {
-    return growth.gradient.dot(q) - growth.threshold;
-  }
-
   /// Traction and tangent of a point on its piece, its residual stiffness included.
   Response respond(std::size_t i, const Vec2& q, double share) const {
     const ContactProblem::Point& point = problem_.points[i];
-    Response out = point.contact ? response_on(*point.contact, pieces_[i], q) : Response{};
-    out.traction += point.traction + point.tangent * q;
-    out.tangent += point.tangent;
-    if (grows_[i]) {
-      out.traction += excess(*point.growth, q) * point.growth->traction;
-      out.tangent += point.growth->traction * point.growth->gradient.transpose();
-    }
-    if (!point.contact) return out;
+    if (!point.contact) return {point.traction + point.tangent * q, point.tangent};
+    Response out = response_on(*point.contact, pieces_[i], q);
     const Mat2 trial = point.trial.asDiagonal();
     const Vec2 opened = trial * q - out.traction - trial * centre_.segment<2>(place(i));
     out.traction += share * opened;
@@ -110,16 +93,6 @@ class Walk {
     Vector out = problem_.constant + problem_.couplings * z;
     out.head(last) += x.head(last) - x[last] * problem_.live;
     out[last] += problem_.control.dot(x);
-    for (std::size_t i = 0; i < size(); ++i)
-      if (grows_[i])
-        out[last] += problem_.points[i].growth->spent * excess(*problem_.points[i].growth, opening(x, i));
-    return out;
-  }
-
-  /// What the control asks of the opening of a point.
-  Vec2 control_of(std::size_t i) const {
-    Vec2 out = problem_.control.segment<2>(place(i));
-    if (grows_[i]) out += problem_.points[i].growth->spent * problem_.points[i].growth->gradient;
     return out;
   }
 
@@ -131,13 +104,11 @@ class Walk {
   /// ∂F/∂x: the unit matrix but for the points that are not as in the base, the load factor and the control.
   bool factor() {
     std::vector<Mat2> changes;
-    std::vector<Vec2> controls;
     std::vector<Eigen::Index> places;
     for (std::size_t i = 0; i < size(); ++i) {
       const Mat2 change = change_of(i);
-      if (change.isZero(0) && !grows_[i]) continue;
+      if (change.isZero(0)) continue;
       changes.push_back(change);
-      controls.push_back(control_of(i));
       places.insert(places.end(), {place(i), place(i) + 1});
     }
     const Eigen::Index last = 2 * count();
@@ -148,7 +119,7 @@ class Walk {
       auto pair = columns.middleCols<2>(place(a));
       pair.noalias() = problem_.couplings.middleCols<2>(at) * changes[a];
       pair.middleRows<2>(at) += Mat2::Identity();
-      pair.row(last) += controls[a].transpose();
+      pair.row(last) += problem_.control.segment<2>(at).transpose();
     }
     columns.rightCols(1) << -problem_.live, problem_.control[last];
     return inverse_.factor(std::move(columns), std::move(places), problem_.control);
@@ -159,18 +130,15 @@ class Walk {
     Vector z(2 * count());
     for (std::size_t i = 0; i < size(); ++i) z.segment<2>(place(i)) = change_of(i) * opening(v, i);
     Vector out = v + problem_.couplings * z;
-    for (std::size_t i = 0; i < size(); ++i) out[2 * count()] += control_of(i).dot(opening(v, i));
+    out[2 * count()] += problem_.control.dot(v);
     return out;
   }
 
   void read_pieces() { read_pieces_at(x_); }
   void read_pieces_at(const Vector& x) {
-    for (std::size_t i = 0; i < size(); ++i) read_piece(i, opening(x, i));
-  }
-  void read_piece(std::size_t i, const Vec2& q) {
-    const ContactProblem::Point& point = problem_.points[i];
-    if (point.contact) pieces_[i] = piece_at(*point.contact, q, point.slides);
-    grows_[i] = point.growth && excess(*point.growth, q) > 0;
+    for (std::size_t i = 0; i < size(); ++i)
+      if (const auto& contact = problem_.points[i].contact)
+        pieces_[i] = piece_at(*contact, opening(x, i), problem_.points[i].slides);
   }
 
   /// Off all corners by next to nothing, so that no two points cross theirs at once: by a small part of what
@@ -213,7 +181,7 @@ class Walk {
       }
       x_ += end->length * along;
       tau_ += direction_ * end->length;
-      if (!cross(*end, right)) return {};
+      if (!cross(end->point, end->to, right)) return {};
     }
     return {};
   }
@@ -228,34 +196,18 @@ class Walk {
     double length;
     std::size_t point;
     ContactPiece to;
-    bool of_growth = false;  ///< damage begins or stops to grow; the piece stays
   };
   std::optional<NextEnd> next_end(const Vector& along) const {
     std::optional<NextEnd> out;
     for (std::size_t i = 0; i < size(); ++i) {
-      if (const auto length = to_growth(i, along); length && (!out || *length < out->length))
-        out = NextEnd{*length, i, pieces_[i], true};
       const auto& contact = problem_.points[i].contact;
       if (!contact) continue;
       const auto end = end_of_piece(*contact, pieces_[i], opening(x_, i), along.segment<2>(place(i)));
       if (!end || (out && end->length >= out->length)) continue;
-      if (static_cast<int>(i) == last_ && !last_was_growth_ && end->to == left_ &&
-          is_here(i, end->length, along))
-        continue;
+      if (static_cast<int>(i) == last_ && end->to == left_ && is_here(i, end->length, along)) continue;
       out = NextEnd{end->length, i, end->to};
     }
     return out;
-  }
-  /// Length to where the damage of a point begins or stops to grow; nothing where it has just done so.
-  std::optional<double> to_growth(std::size_t i, const Vector& along) const {
-    const auto& growth = problem_.points[i].growth;
-    if (!growth || holds_growth_) return {};
-    const double sign = grows_[i] ? -1 : 1;
-    const double rate = sign * growth->gradient.dot(opening(along, i));
-    if (!(rate > 0)) return {};
-    const double length = std::max(0.0, -sign * excess(*growth, opening(x_, i)) / rate);
-    if (static_cast<int>(i) == last_ && last_was_growth_ && is_here(i, length, along)) return {};
-    return length;
   }
   /// Whether a corner is no farther than rounding.
   bool is_here(std::size_t i, double length, const Vector& along) const {
@@ -263,21 +215,14 @@ class Walk {
     return length * opening(along, i).norm() <= round_off * opening(x_, i).norm();
   }
 
-  bool cross(const NextEnd& end, const Vector& right) {
-    const std::size_t i = end.point;
+  bool cross(std::size_t i, ContactPiece to, const Vector& right) {
     const ContactProblem::Point& point = problem_.points[i];
-    const PieceChange change =
-        end.of_growth ? growth_change(i) : change_between(*point.contact, pieces_[i], end.to);
-    const double share = point.contact ? problem_.residual_share : 0;
-    Vector u = problem_.couplings.middleCols<2>(place(i)) * ((1 - share) * point.weight * change.u);
-    if (end.of_growth) u[2 * count()] += (grows_[i] ? -1 : 1) * point.growth->spent;
+    const PieceChange change = change_between(*point.contact, pieces_[i], to);
+    const Vector u = problem_.couplings.middleCols<2>(place(i)) *
+                     ((1 - problem_.residual_share) * point.weight * change.u);
     last_ = static_cast<int>(i);
-    last_was_growth_ = end.of_growth;
     left_ = pieces_[i];
-    if (end.of_growth)
-      grows_[i] = !grows_[i];
-    else
-      pieces_[i] = end.to;
+    pieces_[i] = to;
     const double ratio = inverse_.add(u, place(i), change.v);
     if (ratio < 0) direction_ = -direction_;
     constexpr double singular = 1e-11;
@@ -285,11 +230,6 @@ class Walk {
     if (std::abs(ratio) < singular || inverse_.num_changes() >= most_changes) return refactor(right);
     inverse_.update(way_);
     return way_.allFinite();
-  }
-
-  PieceChange growth_change(std::size_t i) const {
-    const ContactProblem::Growth& growth = *problem_.points[i].growth;
-    return {(grows_[i] ? -1.0 : 1.0) * growth.traction, growth.gradient};
   }
 
   /// Proximal corrections on the pieces that were found, until the equations hold as they are.
@@ -311,14 +251,11 @@ class Walk {
 
   const ContactProblem& problem_;
   std::vector<ContactPiece> pieces_;
-  std::vector<bool> grows_;
   Vector centre_;  ///< w that the residual stiffness pulls to
   Vector x_, way_;
   double tau_ = 1, direction_ = -1;
   ChangingInverse inverse_;
-  int last_ = -1;  ///< point that crossed last
-  bool last_was_growth_ = false;
-  bool holds_growth_ = false;                ///< what grows goes on, what rests stays
+  int last_ = -1;                            ///< point that crossed last
   ContactPiece left_ = ContactPiece::stuck;  ///< the piece it came from
 };
 

@@ -8,32 +8,20 @@
 
 namespace dda {
 
-/// Equilibrium of some points under one control, linear but for contact, friction and damage that grows or
-/// rests:
+/// Equilibrium of some points under one control, linear but for contact and friction:
 ///
-///     F(x) = (q − λ q_ref, g · x + Σ e_p ⟨h_p⟩) + c + C z,    x = (q, λ),    z_p = W (t_p(q_p) − D_base (q_p
-///     − m_p))
+///     F(x) = (q − λ q_ref, g · x) + c + C z,    x = (q, λ),    z_p = W (t_p(q_p) − D_base (q_p − m_p))
 ///
-/// size 2 · points + 1. A point with a `contact` has its pieces, any other the linear traction given; one
-/// with a `growth` has a ⟨h⟩ more, h = g · q − θ.
+/// size 2 · points + 1. A point with a `contact` has its pieces, any other the linear traction given.
 struct ContactProblem {
-  /// Damage that grows where h = g · q − θ > 0.
-  struct Growth {
-    Vec2 gradient = Vec2::Zero();  ///< g
-    double threshold = 0;          ///< θ [L]
-    Vec2 traction = Vec2::Zero();  ///< a [F/L³]
-    double spent = 0;              ///< e, in units of the control
-    bool grows = false;            ///< where the problem has been made
-  };
   struct Point {
     double weight = 0;
     Vec2 trial = Vec2::Zero();       ///< diag P
     Mat2 base = Mat2::Zero();        ///< D_base
     Vec2 multiplier = Vec2::Zero();  ///< m
     std::optional<Contact> contact;
-    bool slides = false;  ///< which side is meant at the limit of friction
-    std::optional<Growth> growth = {};
-    Vec2 traction = Vec2::Zero();  ///< at q = 0, beside that of the contact
+    bool slides = false;           ///< which side is meant at the limit of friction
+    Vec2 traction = Vec2::Zero();  ///< at q = 0, without contact
     Mat2 tangent = Mat2::Zero();   ///< without contact
   };
   std::vector<Point> points;

@@ -298,80 +298,30 @@ ContactProblem CrackedPoints::linearised() const {
   const double spent = control_.spends ? spent_ - spending_.dot(q_) : 0;
   out.constant[n] += unit * ((control_.gauge ? gauge_dead_ : 0) + spent - control_.target);
   out.accuracy = 1e-3 * good * size_now;
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    out.points.push_back(point_of(i));
-    if (control_.spends) take_off_growth(i, unit, out);
-  }
+  for (std::size_t i = 0; i < points_.size(); ++i) out.points.push_back(point_of(i));
   return out;
 }
 
-/// What growing damage spends is not in the linear part of the control.
-void CrackedPoints::take_off_growth(std::size_t i, double unit, ContactProblem& problem) const {
-  auto& growth = problem.points[i].growth;
-  if (!growth) return;
-  growth->spent *= unit;
-  if (!growth->grows) return;
-  const Vec2 q = pair(q_, i);
-  const auto at = 2 * static_cast<Eigen::Index>(i);
-  problem.control.segment<2>(at) -= growth->spent * growth->gradient;
-  problem.constant[size()] += growth->spent * growth->threshold;
-}
-
-/// A point as contact with the damage that it has at its q, and that may grow; linear by its tangent while it
-/// is intact.
+/// A point as contact where the damage stays at its q, else linear by its tangent.
 ContactProblem::Point CrackedPoints::point_of(std::size_t i) const {
   const std::size_t p = points_[i];
   const InterfacePoint& point = system_.equilibrium().point(p);
   const History& h = system_.history()[p];
   const Vec2 q = pair(q_, i);
+  const Response now = system_.respond(p, q);
   ContactProblem::Point out{.weight = point.weight,
                             .trial = point.trial_stiffness(),
                             .base = linear_.base()[p],
                             .multiplier = multiplier(i),
                             .contact = point.law->contact(h, point.stiffness),
-                            .slides = h.sliding};
-  if (out.contact && point.law->contact({}, point.stiffness)) return out;
-  add_growth(i, out);
-  if (out.contact) return out;
-  const Response now = out.growth ? point.law->respond_frozen(q, h, point.stiffness) : system_.respond(p, q);
-  out.traction += now.traction - now.tangent * q;
-  out.tangent = now.tangent;
+                            .slides = h.sliding,
+                            .traction = now.traction - now.tangent * q,
+                            .tangent = now.tangent};
+  const bool is_damaged = out.contact && !point.law->contact({}, point.stiffness);
+  if (is_damaged &&
+      point.law->equivalent_opening(q, h, point.stiffness) > point.law->kappa(h, point.stiffness))
+    out.contact.reset();
   return out;
-}
-
-/// Damage that has grown from κ to κ' at q, and may grow on or not at all:
-///
-///     t ≈ t(q; κ') + a (⟨h⟩ − (κ' − κ)),     h = q_eq + g · (q − q_now) − κ
-///
-/// a and what growing spends are those of a point on its surface: q, moved along g as far as that.
-void CrackedPoints::add_growth(std::size_t i, ContactProblem::Point& out) const {
-  const std::size_t p = points_[i];
-  const InterfacePoint& point = system_.equilibrium().point(p);
-  const History& h = system_.history()[p];
-  const Vec2 q = pair(q_, i);
-  const double k = point.stiffness, before = point.law->kappa(h, k);
-  const double reached = point.law->equivalent_opening(q, h, k), now = std::max(before, reached);
-  const Vec2 g = point.law->opening_gradient(q, h, k);
-  if (g.isZero(0) || !std::isfinite(before)) return;
-  const Vec2 along = g / g.squaredNorm();
-  const Vec2 at = q + (now - reached) * along;
-  History rests = h;
-  rests.kappa = now;
-  rests.loading = false;
-  const auto damaged = now > before ? point.law->contact(rests, k) : out.contact;
-  rests.kappa = point.law->equivalent_opening(at, h, k);
-  History grows = rests;
-  grows.loading = true;
-  const Vec2 rate =
-      (point.law->respond(at, grows, k).tangent - point.law->respond(at, rests, k).tangent) * along;
-  if (rate.isZero(0) || (now > before && !damaged)) return;
-  out.contact = damaged;
-  out.traction = -(now - before) * rate;
-  out.growth = ContactProblem::Growth{
-      .gradient = g, .threshold = g.dot(q) - (reached - before), .traction = rate, .grows = reached > before};
-  if (!control_.spends) return;
-  const Vec2 spent = point.law->spending(at, grows, k).gradient - point.law->spending(at, rests, k).gradient;
-  out.growth->spent = point.weight * spent.dot(along);
 }
 
 }  // namespace dda

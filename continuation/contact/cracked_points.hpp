@@ -62,8 +62,6 @@ class CrackedPoints {
   double slope(const Vector& dq) const;
   ContactProblem linearised() const;
   ContactProblem::Point point_of(std::size_t i) const;
-  void add_growth(std::size_t i, ContactProblem::Point& out) const;
-  void take_off_growth(std::size_t i, double unit, ContactProblem& problem) const;
 
   const System& system_;
   LinearSystem& linear_;
