@@ -45,12 +45,20 @@ class Tableau {
   std::optional<RateRay> walk(double direction) {
     constexpr Index most = 20, few = 50;
     Index driving = n_;
+    std::vector<Variable> first_basis;
+    Variable first_driving;
     for (Index pivots = 0; pivots < most * n_ + few; ++pivots) {
       const Index first = blocking(driving);
       if (first < 0) return ray(driving, direction);
       const Variable leaving = basic_[first];
       pivot(first, driving);
       driving = place_of({leaving.hinge, leaving.kind == Kind::rests ? Kind::goes_on : Kind::rests});
+      if (pivots == 0) {
+        first_basis = basic_;
+        first_driving = other_[driving];
+      } else if (other_[driving] == first_driving && basic_ == first_basis) {
+        return {};  // round a closed line
+      }
     }
     return {};
   }
@@ -118,7 +126,7 @@ class Tableau {
 }  // namespace
 
 std::optional<RateRay> follow_hinges(const HingedRates& rates, double direction) {
-  constexpr int most_trials = 8;
+  constexpr int most_trials = 24;
   for (int trial = 0; trial < most_trials; ++trial)
     if (auto ray = Tableau(rates, direction, trial).walk(direction)) return ray;
   return {};

@@ -32,7 +32,8 @@ struct RateRay {
 /// Its solutions are a line of straight pieces without branches, along which one hinge after another starts
 /// and stops while the load rises and falls; far away both of its ends are rays of the problem without p
 /// (Lemke's pivoting). So the two directions find two different rays: where a path has come to an end of its
-/// straight piece, one that goes on and one that goes back. Nothing when rounding lets the walk circle.
+/// straight piece, one that goes on and one that goes back. Where that line is closed another p is tried;
+/// nothing when it is for many.
 std::optional<RateRay> follow_hinges(const HingedRates& rates, double direction);
 
 }  // namespace dda

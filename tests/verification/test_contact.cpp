@@ -41,6 +41,7 @@ const std::vector<std::string> treatments_of_joints{"consistent", "{type: penalt
 
 /// Compliance 1/k that the treatment itself adds, blocks of equal modulus [L³/F].
 double own_compliance(const std::string& treatment) {
+  if (treatment == "lagrange") return 1e-3 * height / (10 * young);
   return treatment.find("penalty") == std::string::npos ? 0 : height / (50 * young);
 }
 
