@@ -173,8 +173,7 @@ std::optional<Point> Path::release_by_jump() {
 
 /// The largest of some steps of the displacement on which the load works that ends in an equilibrium, what is
 /// beyond its strength there released at once: a path through contacts that change is not found by its
-/// tangent. Where the path ends because no rates keep the equilibrium, also the smallest of some falls of the
-/// load.
+/// tangent.
 std::optional<Point> Path::driven_step() {
   constexpr double largest = 0.02, smallest = 1e-4;  // of the displacement so far
   if (memory_.largest_displacement == 0) return {};
@@ -188,18 +187,6 @@ std::optional<Point> Path::driven_step() {
     if (!point) continue;
     ++walker_.effort().rescues;
     report("rescued", fmt::format("the displacement of the load was raised by {:.1e} of its largest", share));
-    return point;
-  }
-  if (walker_.leaving().keeps_equilibrium) return {};
-  for (const double share : {0.99, 0.97, 0.9, 0.75, 0.5}) {
-    const double load_factor = share * start.load_factor;
-    const auto found = release_at_load(walker_.system(), start, parameters_, load_factor);
-    if (!found || is_mechanism(found->state)) continue;
-    auto point = jump_to(walker_.settled(*found), "load");
-    if (!point) continue;
-    ++walker_.effort().rescues;
-    report("rescued",
-           fmt::format("no rates keep the equilibrium; the load fell to {:g} of what it was", share));
     return point;
   }
   return {};

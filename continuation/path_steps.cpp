@@ -222,8 +222,6 @@ std::optional<Point> Path::controlled_step(const Move& move) {
   if (auto point = rupture()) return point;
   if (driver_->may_be_rescued())
     if (auto point = sequential_step("sequentially_linear", memory_.last_quantum)) return point;
-  if (driver_->may_be_rescued() && !walker_.leaving().keeps_equilibrium)
-    if (auto point = driven_step()) return point;
   if (const std::string turned = turning_point(); !turned.empty())
     return end(Ending::Kind::stopped_early, turned);
   constexpr double hardly_any = 1e-3;
@@ -232,9 +230,10 @@ std::optional<Point> Path::controlled_step(const Move& move) {
                fmt::format("complete rupture: what is left is a mechanism ({:.1e} of the peak)", left));
   if (!walker_.leaving().keeps_equilibrium) {
     unsound_.clear();  // what was refused on the way is not why
-    return end(Ending::Kind::stopped_early,
-               "the path ends here: no rates keep the equilibrium, whichever points crack, unload, slide and "
-               "hold; the structure would go on dynamically");
+    return end(
+        Ending::Kind::stopped_early,
+        "the path ends here: no rates were found that keep the equilibrium, whichever points crack, unload, "
+        "slide and hold; the structure would go on dynamically");
   }
   return end(Ending::Kind::stopped_early,
              fmt::format("{} control found no next equilibrium: {}; {}", move.control, why, what_to_try));

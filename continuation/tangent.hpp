@@ -16,8 +16,8 @@ struct Tangent {
   std::vector<double> d;  ///< at Equilibrium::watched(); of the other nodes it may be zero
   double load_factor = 0;
   bool dissipates = false;  ///< a crack grows
-  /// False where no rates keep the equilibrium, whichever points grow, unload, slide and hold: some that rest
-  /// along it would go on.
+  /// False where no rates were found that keep the equilibrium, whichever points grow, unload, slide and
+  /// hold: some that rest along it would go on.
   bool keeps_equilibrium = true;
   std::vector<Vec2> multipliers;  ///< rates of iterated multipliers, else empty
   std::vector<Vec2> opening;      ///< q̇ of every active point

@@ -1,5 +1,6 @@
 #include "continuation/contact/rate_walk.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace dda {
@@ -45,20 +46,13 @@ class Tableau {
   std::optional<RateRay> walk(double direction) {
     constexpr Index most = 20, few = 50;
     Index driving = n_;
-    std::vector<Variable> first_basis;
-    Variable first_driving;
     for (Index pivots = 0; pivots < most * n_ + few; ++pivots) {
       const Index first = blocking(driving);
       if (first < 0) return ray(driving, direction);
       const Variable leaving = basic_[first];
       pivot(first, driving);
       driving = place_of({leaving.hinge, leaving.kind == Kind::rests ? Kind::goes_on : Kind::rests});
-      if (pivots == 0) {
-        first_basis = basic_;
-        first_driving = other_[driving];
-      } else if (other_[driving] == first_driving && basic_ == first_basis) {
-        return {};  // round a closed line
-      }
+      if (is_back(driving)) return {};
     }
     return {};
   }
@@ -70,6 +64,12 @@ class Tableau {
     Kind kind = Kind::rests;
     friend bool operator==(const Variable&, const Variable&) = default;
   };
+
+  /// Whether the walk has come round to the piece on which all hinges rest and from which it set out.
+  bool is_back(Index driving) const {
+    return other_[driving].kind == Kind::rests &&
+           std::ranges::none_of(basic_, [](const Variable& v) { return v.kind == Kind::goes_on; });
+  }
 
   /// The row whose variable comes to nothing first while another one grows; −1 when none does.
   Index blocking(Index driving) const {
@@ -126,7 +126,7 @@ class Tableau {
 }  // namespace
 
 std::optional<RateRay> follow_hinges(const HingedRates& rates, double direction) {
-  constexpr int most_trials = 24;
+  constexpr int most_trials = 32;
   for (int trial = 0; trial < most_trials; ++trial)
     if (auto ray = Tableau(rates, direction, trial).walk(direction)) return ray;
   return {};

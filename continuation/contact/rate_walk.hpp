@@ -32,8 +32,9 @@ struct RateRay {
 /// Its solutions are a line of straight pieces without branches, along which one hinge after another starts
 /// and stops while the load rises and falls; far away both of its ends are rays of the problem without p
 /// (Lemke's pivoting). So the two directions find two different rays: where a path has come to an end of its
-/// straight piece, one that goes on and one that goes back. Where that line is closed another p is tried;
-/// nothing when it is for many.
+/// straight piece, one that goes on and one that goes back. The line may also be closed, which tells
+/// nothing: then other p are tried. Nothing when all of them circle, as they do where there is no ray at all;
+/// that there is none is not proven by it.
 std::optional<RateRay> follow_hinges(const HingedRates& rates, double direction);
 
 }  // namespace dda

@@ -49,7 +49,7 @@ TEST(RateWalk, FindsDirectionsWhateverSoftensAndSlides) {
   int found = 0, all = 0;
   for (const double softening : {0.0, 0.5, 1.5, 4.0})
     for (const double friction : {0.0, 0.1, 0.3})
-      for (int i = 0; i < 40; ++i) {
+      for (int i = 0; i < 20; ++i) {
         const HingedRates rates = random_rates(random, 30, softening, friction);
         const auto up = follow_hinges(rates, 1), down = follow_hinges(rates, -1);
         for (const auto& ray : {up, down})
