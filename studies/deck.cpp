@@ -30,7 +30,9 @@ Schema<EigenvalueParameters> eigenvalue_schema() {
                                 {"landing", EventKind::landing},
                                 {"release", EventKind::release},
                                 {"end", EventKind::end}}),
-            {.fallback = {{}}, .text = "Events at which they are computed as well."})
+            {.fallback = {{}},
+             .text = "Events at which they are computed as well. A peak that a jump follows is known only when "
+                     "it has passed, and is none of them."})
       .boolean("mass", &P::mass,
                {.fallback = true,
                 .text = "K φ = μ M φ with the mass of density 1, which no unit of length changes; else K φ = "
