@@ -59,8 +59,14 @@ double Path::load_of(const State& state) const {
   return (memory_.direction < 0 ? -1 : 1) * load_.value(state.d, state.load_factor);
 }
 
-/// A load below this is none: the tolerance of the equilibria leaves as much of the other forces.
-double Path::smallest_load() const { return walker_.parameters().newton.tolerance * memory_.largest_force; }
+/// A load below this is none: the tolerances of the equilibria leave as much of the other forces.
+double Path::smallest_load() const {
+  constexpr double margin = 10;
+  if (!parameters_.load_gauge.empty()) return 0;
+  const StepperParameters& kept = walker_.parameters();
+  const double gap = walker_.system().iterates_multipliers() ? kept.multipliers.tolerance : 0;
+  return margin * (kept.newton.tolerance + gap) * memory_.largest_force;
+}
 
 double Path::displacement_of(const State& state) const {
   return displacement_.value(state.d, state.load_factor);
@@ -101,9 +107,10 @@ Point Path::keep(Candidate candidate, const std::string& control) {
   out.multiplier_iterations = candidate.multiplier_iterations;
   out.gap = candidate.gap;
   const double load = load_.value(candidate.state.d, candidate.state.load_factor);
-  if (memory_.direction == 0 && load != 0) memory_.direction = load > 0 ? 1 : -1;
   memory_.largest_force = std::max(memory_.largest_force, holding_of(walker_.system(), candidate.state).load);
-  if (const double here = load_of(candidate.state); here > memory_.peak_load) {
+  const bool is_loaded = std::abs(load) > smallest_load();
+  if (memory_.direction == 0 && is_loaded) memory_.direction = load > 0 ? 1 : -1;
+  if (const double here = load_of(candidate.state); is_loaded && here > memory_.peak_load) {
     memory_.peak_load = here;
     out.is_highest = true;
   }

@@ -47,8 +47,8 @@ std::string Path::reached(const Landing& goal) const {
   double side = goal.value - travel.from;
   if (std::abs(side) <= on_it) side = -way;
   if (side == 0 || (now - goal.value) * std::copysign(1, side) < -on_it) return {};
-  if (std::abs(now - goal.value) <= on_it) return fmt::format("{} reached {:g}", goal.name, goal.value);
-  return fmt::format("{} reached {:g} and stands at {:g}", goal.name, goal.value, now);
+  if (std::abs(now - goal.value) <= on_it) return fmt::format("{} reached {}", goal.name, goal.value);
+  return fmt::format("{} reached {} and stands at {}", goal.name, goal.value, now);
 }
 
 /// Whether no load is left of a structure that has cracked.

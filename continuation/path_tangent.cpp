@@ -121,7 +121,8 @@ std::vector<Vec2> System::multiplier_rates(std::span<const double> d) const {
 std::vector<Vec2> System::left_open(std::span<const double> d, std::span<const Vec2> carried) const {
   std::vector<Vec2> out(multipliers_.size(), Vec2::Zero());
   for (std::size_t p = 0; p < out.size(); ++p)
-    if (const InterfacePoint& point = equilibrium_.point(p); point.multiplier == Multiplier::iterated)
+    if (const InterfacePoint& point = equilibrium_.point(p);
+        point.multiplier == Multiplier::iterated && point.perturbation == 0)
       out[p] =
           (path_tangent_[p] * (equilibrium_.opening(p, d) + carried[p])).cwiseQuotient(own_stiffness(point));
   return out;

@@ -79,7 +79,7 @@ std::vector<Vec2> System::next_multipliers(const LawValues& laws) const {
   std::vector<Vec2> out = multipliers_;
   for (std::size_t p = 0; p < out.size(); ++p)
     if (const InterfacePoint& point = equilibrium_.point(p); point.multiplier == Multiplier::iterated)
-      out[p] = laws.traction[p].cwiseQuotient(point.trial_stiffness());
+      out[p] = laws.traction[p].cwiseQuotient((1 + point.perturbation) * point.trial_stiffness());
   return out;
 }
 
@@ -89,7 +89,8 @@ double System::relative_gap(const LawValues& laws) const {
   for (std::size_t p = 0; p < next.size(); ++p) {
     gap = std::max(gap, (next[p] - multipliers_[p]).norm());
     const InterfacePoint& point = equilibrium_.point(p);
-    const double carried = point.trial_stiffness().cwiseProduct(multipliers_[p]).norm();
+    const double carried =
+        (1 + point.perturbation) * point.trial_stiffness().cwiseProduct(multipliers_[p]).norm();
     unit = std::max(unit, std::max(laws.traction[p].norm(), carried) / point.spring_unit);
   }
   return unit > 0 ? gap / unit : 0;
@@ -237,13 +238,13 @@ double System::residual_norm(std::span<const double> r) const {
 }
 
 std::vector<double> System::rounding_of_forces(std::span<const double> d, double load_factor) const {
-  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
   std::vector<double> out(d.size());
   parallel_for(out.size(), numbers_at_once, [&](std::size_t i) {
     out[i] = std::abs(loading_->dead[i]) + std::abs(load_factor * loading_->reference[i]);
   });
   equilibrium_.add_absolute_products(d, out);
-  parallel_for(out.size(), numbers_at_once, [&](std::size_t i) { out[i] *= rounding; });
+  parallel_for(out.size(), numbers_at_once,
+               [&](std::size_t i) { out[i] *= equilibrium_.rounding_of_sums()[i / block_unknowns]; });
   return out;
 }
 

@@ -74,9 +74,10 @@ class System {
   bool iterates_multipliers() const { return !multipliers_.empty(); }
   const std::vector<Vec2>& multipliers() const { return multipliers_; }
   void set_multipliers(const std::vector<Vec2>& m);
-  /// P⁻¹ t of the iterated points: what their multipliers are to become, m of the others.
+  /// P⁻¹ t/(1 + δ) of the iterated points: what their multipliers are to become, m of the others.
   std::vector<Vec2> next_multipliers(const LawValues& laws) const;
-  /// Largest |P⁻¹ t − m| in units of the largest t/(E/h), the shortening of a block under its traction.
+  /// Largest |P⁻¹ t/(1 + δ) − m| in units of the largest t/(E/h), the shortening of a block under its
+  /// traction.
   double relative_gap(const LawValues& laws) const;
 
   /// The stiffness by which the path goes on: K, but with the physical stiffness p̄ of joints whose k is only
@@ -104,7 +105,7 @@ class System {
   /// Rates of the multipliers for the same movement; empty when none is iterated.
   std::vector<Vec2> multiplier_rates(std::span<const double> d) const;
   /// What the finite p̄ leaves open when d moves by `d` and the joints by `carried` beside: P̄⁻¹ D̄ (g +
-  /// carried) of the iterated points, none of the others.
+  /// carried) of the iterated points, none of the others and of those whose stiffness p̄ is their own (δ > 0).
   std::vector<Vec2> left_open(std::span<const double> d, std::span<const Vec2> carried) const;
   /// force ← force − Bᵀ W D̄ carried.
   void subtract_carried(std::span<const Vec2> carried, std::span<double> force) const;
@@ -141,15 +142,15 @@ class System {
 
   /// ‖R‖ with moments and stress resultants divided by the blocks' size [F].
   double residual_norm(std::span<const double> r) const;
-  /// What is left of R beyond rounding, over the force level: each row may keep 4 ε of the absolute products
-  /// that it sums up (Equilibrium::add_absolute_products, |f|), by which they cannot cancel better. Stiff
-  /// joints and supports of blocks that move far make that large. The smaller of two: with the weak springs,
-  /// and without them, the structure's own equations.
+  /// What is left of R beyond rounding, over the force level: each row may keep (4 + √n) ε of the absolute
+  /// products that it sums up (Equilibrium::add_absolute_products, |f|), by which they cannot cancel better.
+  /// Stiff joints and supports of blocks that move far make that large. The smaller of two: with the weak
+  /// springs, and without them, the structure's own equations.
   double excess_residual(std::span<const double> r, std::span<const double> d, double load_factor) const;
   /// The same at a state.
   double excess_residual(const State& at);
-  /// What rounding leaves of the work on a step: Σ 4 ε |f|ᵢ |Δdᵢ|, with the absolute products |f| at its end
-  /// [FL].
+  /// What rounding leaves of the work on a step: Σ (4 + √n) ε |f|ᵢ |Δdᵢ|, with the absolute products |f| at
+  /// its end [FL].
   double rounding_of_work(const State& from, const State& to) const;
   /// Σ |force| of the weak springs of all blocks [F].
   double weak_forces(std::span<const double> d) const;

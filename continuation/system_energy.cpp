@@ -23,8 +23,8 @@ double System::stored(const State& state, const LawValues& laws) const {
     const InterfacePoint& point = equilibrium_.point(p);
     const double energy = point.law->stored(laws.opening[p], history_[p], point.stiffness);
     if (point.multiplier != Multiplier::iterated) return point.weight * energy;
-    return point.weight *
-           (energy - 0.5 * multipliers_[p].dot(point.trial_stiffness().cwiseProduct(multipliers_[p])));
+    const Vec2 carried = (1 + point.perturbation) * point.trial_stiffness().cwiseProduct(multipliers_[p]);
+    return point.weight * (energy - 0.5 * multipliers_[p].dot(carried));
   });
   return equilibrium_.passive_energy(state.d) + of_joints;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "framework/threads.hpp"
 #include "models/loading.hpp"
@@ -105,6 +106,16 @@ void Equilibrium::assemble(const Body& body, const ModelParameters& model,
   }
   held_stiffness_ = body.largest_modulus() * body.thickness;
   hold_unused_unknowns();
+  estimate_rounding();
+}
+
+void Equilibrium::estimate_rounding() {
+  constexpr double few = 4;
+  std::vector<double> joined(num_nodes(), 0.0);
+  for (const InterfacePoint& point : set_.points)
+    point.for_each_part([&](BlockId node, const Mat26&) { ++joined[node.value()]; });
+  for (const double n : joined)
+    rounding_of_sums_.push_back((few + std::sqrt(n)) * std::numeric_limits<double>::epsilon());
 }
 
 /// A node has room for three multipliers; what no point uses gets a diagonal of its own.

@@ -100,6 +100,9 @@ class Equilibrium {
   /// out += |K0| |d| + Σ W |B|ᵀ D0 |B| |d|: of all products that K0 d sums up, those included which cancel in
   /// K0 itself by the symmetry of a block.
   void add_absolute_products(std::span<const double> d, std::span<double> out) const;
+  /// What rounding may leave of a row of K0 d, in units of these products, by node: (4 + √n) ε where n points
+  /// are joined to a block, their products being summed one after another.
+  const std::vector<double>& rounding_of_sums() const { return rounding_of_sums_; }
   /// out −= Kʷ d: what the weak springs bear.
   void subtract_weak_forces(std::span<const double> d, std::span<double> out) const;
   /// Energy stored in blocks, bonds and supports, weak springs being no part of the structure: all but the
@@ -119,6 +122,7 @@ class Equilibrium {
   void assemble(const Body& body, const ModelParameters& model, const std::vector<Spring>& springs);
   void add_spring(const Spring& spring);
   void hold_unused_unknowns();
+  void estimate_rounding();
   /// What a point adds to twice the passive energy.
   double twice_passive_energy(std::size_t p, std::span<const double> d) const;
 
@@ -130,7 +134,7 @@ class Equilibrium {
   std::vector<std::size_t> held_;  ///< unknowns of nodes that no multiplier uses
   BlockMatrix intact_;
   std::vector<Loading> stages_;
-  std::vector<double> block_size_;
+  std::vector<double> block_size_, rounding_of_sums_;
   std::vector<Mat3> strain_stiffness_;
 };
 

@@ -212,7 +212,7 @@ class PointMaker {
                            .node = node,
                            .column = static_cast<int>(2 * i),
                            .perturbation = treatment.perturbation(is_separate),
-                           .physical_stiffness = std::max(k, treatment.physical_stiffness(faces)),
+                           .physical_stiffness = physical_stiffness(treatment, faces, k, is_separate),
                            .spring_unit = spring_unit(faces),
                            .strength_factor = laws[i].factor};
       point.rows = treatment.rows(faces, displacement_rows(point.x - centre),
@@ -221,6 +221,16 @@ class PointMaker {
       if (interface.field) out.laws.push_back(std::move(laws[i].law));
     }
     out.has_fields = out.has_fields || interface.field.has_value();
+  }
+
+  /// p̄, at most what the multipliers' own compliance δ/((1 + δ) k) leaves of it where bodies only touch.
+  static double physical_stiffness(const Treatment& treatment, const SideFaces& faces, double k,
+                                   bool is_separate) {
+    const double own = treatment.physical_stiffness(faces),
+                 perturbation = treatment.perturbation(is_separate);
+    const double largest = is_separate && perturbation > 0 ? k * (1 + perturbation) / perturbation
+                                                           : std::numeric_limits<double>::infinity();
+    return std::max(k, std::min(own, largest));
   }
 
   /// The treatment's k, raised where a steep law needs it.

@@ -32,7 +32,7 @@ struct InterfacePoint {
   Multiplier multiplier = Multiplier::none;
   BlockId node{0};                ///< of unknown multipliers; behind the blocks
   int column = 0;                 ///< of m in the node's six unknowns
-  double perturbation = 0;        ///< δ of unknown multipliers
+  double perturbation = 0;        ///< δ of multipliers, t = (1 + δ) P m
   double physical_stiffness = 0;  ///< p̄ [F/L³]
   double spring_unit = 0;         ///< E/(centroid distance) [F/L³]
   double strength_factor = 1;     ///< of its interface's random field

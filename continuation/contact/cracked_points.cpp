@@ -12,7 +12,7 @@ namespace {
 auto pair(Eigen::VectorXd& v, std::size_t i) { return v.segment<2>(2 * static_cast<Eigen::Index>(i)); }
 auto pair(const Eigen::VectorXd& v, std::size_t i) { return v.segment<2>(2 * static_cast<Eigen::Index>(i)); }
 
-/// Of the openings that the loads alone make: by so much the equations may be missed.
+/// By so much the equations may be missed, of the size of the openings or of what the points carry.
 constexpr double good = 1e-11;
 
 }  // namespace
@@ -162,8 +162,13 @@ double CrackedPoints::opening_scale() const {
   return std::clamp(q_.lpNorm<Eigen::Infinity>(), loads, far * loads);
 }
 
+double CrackedPoints::wanted_accuracy() const {
+  constexpr double least = 1e-3;
+  return good * std::clamp(carried_, least * opening_scale(), opening_scale());
+}
+
 bool CrackedPoints::is_solved() const {
-  return gap().lpNorm<Eigen::Infinity>() <= good * opening_scale() &&
+  return gap().lpNorm<Eigen::Infinity>() <= wanted_accuracy() &&
          std::abs(value() - control_.target) <= std::max(good * control_.scale, rounding_of_value());
 }
 
@@ -179,7 +184,7 @@ double CrackedPoints::rounding_of_value() const {
 void CrackedPoints::evaluate() {
   z_ = Vector::Zero(size());
   change_.assign(points_.size(), Mat2::Zero());
-  spent_ = 0;
+  spent_ = carried_ = 0;
   spending_ = Vector::Zero(size());
   active_.clear();
   for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -187,6 +192,7 @@ void CrackedPoints::evaluate() {
     const InterfacePoint& point = system_.equilibrium().point(p);
     const Vec2 q = pair(q_, i), jump = q - multiplier(i);
     const Response now = system_.respond(p, q);
+    carried_ = std::max(carried_, now.traction.norm() / point.spring_unit);
     if (control_.spends) {
       const Spending spending = point.law->spending(q, system_.history()[p], point.stiffness);
       spent_ += point.weight * spending.value;

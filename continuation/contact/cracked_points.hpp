@@ -47,6 +47,9 @@ class CrackedPoints {
   /// What openings are compared with: those that the loads alone make, or what has opened up to a hundred
   /// times as much. What floats away on a singular matrix must not be the measure of its own error.
   double opening_scale() const;
+  /// By how much q may miss its equation [L]: what the points carry counts, t/(E/h), by which equilibrium is
+  /// judged, where joints open much further than they are pressed together.
+  double wanted_accuracy() const;
   bool is_solved() const;
   void evaluate();
   std::size_t pieces() const;
@@ -74,6 +77,7 @@ class CrackedPoints {
   Vector z_origin_;             ///< z₀
   Vector q_, z_, difference_, spending_;
   double load_factor_ = 0, spent_ = 0;
+  double carried_ = 0;               ///< largest t/(E/h) of the points [L]
   double scale_ = 0;                 ///< size of the openings of the loads alone and of the guess [L]
   std::vector<Mat2> change_;         ///< E
   std::vector<std::size_t> active_;  ///< places in points_ with z or E

@@ -6,23 +6,30 @@ namespace {
 struct AugmentedLagrangianParameters {
   double factor = 1000;
   double physical_factor = 1e6;
+  double contact_factor = 1e4;
 };
 
 /// Augmented Lagrangian: a soft spring whose force is carried over into a multiplier until the gap is closed.
 ///
-///     q = g + m,   solve, m ← P⁻¹ t(q; h), solve again ... until |P⁻¹ t − m| is small
+///     q = g + m,   solve, m ← P⁻¹ t(q; h)/(1 + δ), solve again ... until m stays
 ///
-/// For a bond or a closed contact that is Λ ← Λ + p_c g, Λ = P m; for a softening point m ends as its
+/// For a bond (δ = 0) that is Λ ← Λ + p_c g, Λ = P m, and no gap is left; for a softening point m ends as its
 /// traction. The system keeps its size and its low stiffness p_c; the path's own tangent takes the high one,
 /// D̄ = (D⁻¹ − P⁻¹ + P̄⁻¹)⁻¹. A gap shrinks by k_body/(k_body + p_c) in each iteration.
-/// Source: Pearce et al. (2000), eqs 7-9; models/README.md.
+///
+/// Bodies that only touch are pressed together by many points, which rigid ones and strong friction can wedge
+/// without limit: their springs end at the stiffness p_c + p_t given, δ = p_c/p_t, a compliance of 1e-4 of
+/// what the blocks themselves have. Source: Pearce et al. (2000), eqs 7-9; models/README.md.
 class AugmentedLagrangian final : public SpringJoint {
  public:
   explicit AugmentedLagrangian(const AugmentedLagrangianParameters& p)
-      : SpringJoint(p.factor), physical_factor_(std::max(p.factor, p.physical_factor)) {}
+      : SpringJoint(p.factor),
+        physical_factor_(std::max(p.factor, p.physical_factor)),
+        contact_perturbation_(p.factor / p.contact_factor) {}
 
   double physical_stiffness(const SideFaces& side) const override { return physical_factor_ * unit(side); }
   Multiplier multiplier() const override { return Multiplier::iterated; }
+  double perturbation(bool is_separate) const override { return is_separate ? contact_perturbation_ : 0; }
 
  protected:
   /// A side shorter than its blocks has little weight against them: without its own scale its gap would close
@@ -32,7 +39,7 @@ class AugmentedLagrangian final : public SpringJoint {
   }
 
  private:
-  double physical_factor_;
+  double physical_factor_, contact_perturbation_;
 };
 
 Schema<AugmentedLagrangianParameters> schema() {
@@ -50,7 +57,13 @@ Schema<AugmentedLagrangianParameters> schema() {
           {.fallback = 1e6,
            .bounds = above(0),
            .text =
-               "Stiffness of the joint in the tangent of the path, in the same units; at least `factor`."});
+               "Stiffness of the joint in the tangent of the path, in the same units; at least `factor`."})
+      .number(
+          "contact_factor", &P::contact_factor,
+          {.fallback = 1e4,
+           .bounds = above(0),
+           .text = "Stiffness p_t with which joints of bodies that only touch (law `friction`) end beyond "
+                   "p_c, in the same units: rigid ones may be wedged by strong friction."});
 }
 
 std::unique_ptr<Treatment> make(const AugmentedLagrangianParameters& p) {

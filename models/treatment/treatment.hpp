@@ -38,7 +38,7 @@ enum class Multiplier { none, unknown, iterated };
 ///     penalty               q = g                g the jump of displacement in (n, s) [L]
 ///     consistent            q = g + P⁻¹ {σ}n     {σ}n = w_i σ_i n + w_j σ_j n
 ///     lagrange              q = g + m            m unknown, −½ ∫ m·P m added to the energy
-///     augmented_lagrangian  q = g + m            m ← P⁻¹ t(q) until it stays
+///     augmented_lagrangian  q = g + m            m ← P⁻¹ t(q)/(1 + δ) until it stays
 ///     P = k diag(1, β²)
 ///
 /// A law never knows which treatment called it. Source: models/README.md.
@@ -53,8 +53,8 @@ class Treatment {
   virtual PointRows rows(const SideFaces& side, const Mat26& first, const Mat26& second,
                          const Vec2& p) const = 0;
   virtual Multiplier multiplier() const { return Multiplier::none; }
-  /// δ of the block −δ P that keeps redundant multipliers determined, of bodies that were bonded or only
-  /// touch; 0 without unknown multipliers.
+  /// δ of multipliers, t = (1 + δ) P m: what they leave open of a joint that holds, g = δ m. Keeps redundant
+  /// ones determined, and those of bodies that only touch (`is_separate`) from being wedged; 0 without.
   virtual double perturbation(bool /*is_separate*/) const { return 0; }
   /// Stiffness p̄ of the joint in the physical tangent [F/L³]: that of the trial spring unless it only carries
   /// a multiplier.

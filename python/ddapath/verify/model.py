@@ -59,16 +59,24 @@ class Interface:
         return self.law.can_crack or self.treatment == "augmented_lagrangian"
 
 
+def perturbation_of(kind, given, is_separate):
+    """δ of a joint's multipliers, t = (1 + δ) P m; bodies that only touch have their own."""
+    if kind == "lagrange":
+        return given.get("contact_perturbation", 1e-3) if is_separate else given.get("perturbation", 1e-7)
+    if kind == "augmented_lagrangian" and is_separate:
+        return given.get("factor", 1000.0) / given.get("contact_factor", 1e4)
+    return 0.0
+
+
 def interface_of(name, deck):
     entry = deck["interfaces"][name]
     treatment = entry["treatment"]
     kind = treatment if isinstance(treatment, str) else treatment["type"]
     given = {} if isinstance(treatment, str) else treatment
     law = laws.make(entry["law"])
-    number = given.get("contact_perturbation", 1e-3) if law.is_separate else given.get("perturbation", 1e-7)
     points = entry.get("points") or ("vertices" if kind in WITH_MULTIPLIERS else "gauss")
     field = entry.get("field") or {}
-    return Interface(name, law, kind, points, number if kind == "lagrange" else 0.0,
+    return Interface(name, law, kind, points, perturbation_of(kind, given, law.is_separate),
                      field.get("energy_exponent", 2.0))
 
 

@@ -66,13 +66,13 @@ class Step:
         """m of unknown multipliers is P⁻¹ t/(1 + δ); of iterated ones what the stored opening w = g + m − P⁻¹ t says."""
         points = self.model.points
         unknown, iterated = (self.model.points.kind == kind for kind in ("lagrange", "augmented_lagrangian"))
-        carried = self.traction / points.trial
-        self.multiplier = np.where(unknown[:, None], carried / (1 + points.perturbation[:, None]), 0)
+        carried, due = self.traction / points.trial, self.traction / points.trial / (1 + points.perturbation[:, None])
+        self.multiplier = np.where(unknown[:, None], due, 0)
         if iterated.any():
             opening = np.zeros_like(carried)
             opening[points.active] = self.fields.points[["opening_n", "opening_s"]].to_numpy()
             self.multiplier[iterated] = (opening + carried - self.jump)[iterated]
-        self.gap = np.where(iterated[:, None], carried - self.multiplier, 0)
+        self.gap = np.where(iterated[:, None], due - self.multiplier, 0)
         self.trial = self.trial + self.multiplier
 
     def points_of(self, number):
