@@ -105,7 +105,11 @@ Attempt controlled_step(System& system, const State& start, Control& control, do
   Attempt out;
   if (const auto whole = finished(system, control, step, foreseen, parameters.newton)) out = *whole;
   const bool contacts_first = touches && cracked <= few_points;
-  if (!out.converged && contacts_first) out = contact_step(system, start, control, step, guess, parameters);
+  std::string of_contacts;
+  if (!out.converged && contacts_first) {
+    out = contact_step(system, start, control, step, guess, parameters);
+    of_contacts = out.reason;
+  }
   if (!out.converged) {
     system.set_multipliers(start.multipliers);
     out = loca_step(system, start, control, step, foreseen, parameters);
@@ -115,9 +119,12 @@ Attempt controlled_step(System& system, const State& start, Control& control, do
   const auto is_walked = [&] { return touches || num_changed(system, guess) <= few_points; };
   if (!out.converged && !contacts_first && is_walked()) {
     system.set_multipliers(start.multipliers);
-    if (const Attempt found = contact_step(system, start, control, step, guess, parameters); found.converged)
-      out = found;
+    const Attempt found = contact_step(system, start, control, step, guess, parameters);
+    of_contacts = found.reason;
+    if (found.converged) out = found;
   }
+  if (!out.converged && touches && !of_contacts.empty())
+    out.reason = fmt::format("{} (Newton's method: {})", of_contacts, out.reason);
   if (reduced) out.reduced_iterations += reduced->iterations;
   system.set_frozen(false);
   return out;
