@@ -134,7 +134,7 @@ std::optional<Point> Path::land_on_strength(const Candidate& beyond, const std::
 std::optional<Point> Path::rupture() {
   const double load = load_.value(walker_.state().d, walker_.state().load_factor);
   const double rate = walker_.leaving().rate(load_);
-  if (load * rate >= 0 || std::abs(load) <= smallest_load()) return {};
+  if (load * rate >= 0 || memory_.peak_load <= smallest_load()) return {};
   const std::string attempted = "load, landing on rupture";
   const auto equation = make_gauge_control(load_);
   const double ahead = -load / rate;

@@ -164,7 +164,8 @@ double CrackedPoints::opening_scale() const {
 
 double CrackedPoints::wanted_accuracy() const {
   constexpr double least = 1e-3;
-  return good * std::clamp(carried_, least * opening_scale(), opening_scale());
+  const double opened = opening_scale();
+  return good * (system_.joins_by_contact() ? std::clamp(carried_, least * opened, opened) : opened);
 }
 
 bool CrackedPoints::is_solved() const {

@@ -47,8 +47,8 @@ class CrackedPoints {
   /// What openings are compared with: those that the loads alone make, or what has opened up to a hundred
   /// times as much. What floats away on a singular matrix must not be the measure of its own error.
   double opening_scale() const;
-  /// By how much q may miss its equation [L]: what the points carry counts, t/(E/h), by which equilibrium is
-  /// judged, where joints open much further than they are pressed together.
+  /// By how much q may miss its equation [L]. Where bodies touch that were never bonded, what the points carry
+  /// counts, t/(E/h), by which equilibrium is judged: joints may open much further than they are pressed together.
   double wanted_accuracy() const;
   bool is_solved() const;
   void evaluate();

@@ -119,10 +119,22 @@ std::size_t size_of(hid_t set, const std::string& name) {
   return static_cast<std::size_t>(checked(H5Sget_simple_extent_npoints(space), name));
 }
 
+/// Throws where a damaged file declares more numbers than could ever have been in it, however well packed.
+void check_size(hid_t file, const std::string& name, double bytes) {
+  constexpr double densest = 1100;  // of deflate
+  hsize_t stored = 0;
+  checked(H5Fget_filesize(file, &stored), name);
+  if (bytes > densest * static_cast<double>(stored))
+    throw Hdf5Error(
+        fmt::format("{}: {:.3g} bytes declared in a file of {}: it is damaged", name, bytes, stored));
+}
+
 template <class Value>
 std::vector<Value> read_array(hid_t file, const std::string& name, hid_t type) {
   const Handle set = open_array(file, name);
-  std::vector<Value> values(size_of(set, name));
+  const std::size_t size = size_of(set, name);
+  check_size(file, name, static_cast<double>(size) * sizeof(Value));
+  std::vector<Value> values(size);
   if (!values.empty()) checked(H5Dread(set, type, H5S_ALL, H5S_ALL, transfer(), values.data()), name);
   return values;
 }

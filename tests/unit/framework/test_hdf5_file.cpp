@@ -1,4 +1,5 @@
 #include <gmock/gmock.h>
+#include <hdf5.h>
 
 #include "framework/output/hdf5_file.hpp"
 #include "framework/output/run_folder.hpp"
@@ -41,6 +42,19 @@ TEST(Hdf5File, SaysWhatIsMissing) {
   EXPECT_THROW(file.numbers("/x"), Hdf5Error);
   EXPECT_THROW(file.text_attribute("/", "x"), Hdf5Error);
   EXPECT_THROW(Hdf5File::from_bytes("no"), Hdf5Error);
+}
+
+TEST(Hdf5File, RefusesArraysThatCannotBeInIt) {
+  const Scratch scratch;
+  const auto path = small_file(scratch);
+  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  const hsize_t extent = hsize_t{1} << 60, chunk = 1 << 10;
+  const hid_t space = H5Screate_simple(1, &extent, nullptr), layout = H5Pcreate(H5P_DATASET_CREATE);
+  H5Pset_chunk(layout, 1, &chunk);
+  const hid_t set = H5Dcreate2(file, "huge", H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, layout, H5P_DEFAULT);
+  EXPECT_GE(set, 0);
+  H5Dclose(set), H5Pclose(layout), H5Sclose(space), H5Fclose(file);
+  EXPECT_THROW(Hdf5File::open(path, Hdf5File::Access::read).numbers("/huge"), Hdf5Error);
 }
 
 TEST(Hdf5File, AppendingReachesTheDiskOnClosingOnly) {
