@@ -92,6 +92,12 @@ Tangent oriented(System& system, const State& state) {
   return out;
 }
 
+/// Whether a direction just found leads back: energy is spent while the load falls off a structure that is
+/// stable under it, which could bear more. What had slid or cracked under the load slides back without it.
+bool leads_back(System& system, const Tangent& along) {
+  return along.dissipates && along.load_factor < 0 && negative_eigenvalues(system).of_stiffness == 0;
+}
+
 /// A flag of a point that stands on its damage surface or at its limit of friction.
 struct Flag {
   std::size_t point;
@@ -119,15 +125,18 @@ class RateProblem {
   }
 
   /// Takes off whatever unloads or sticks until the rest goes on; where something that was taken off would go
-  /// on after all, walks from hinge to hinge (rate_walk.hpp).
-  Tangent solve(Tangent found) {
-    const Tangent arriving = found;
-    while (!found.d.empty() && unflag(found)) found = tangent();
-    if (found.d.empty() || is_settled(found)) return found;
-    const std::vector<History> pruned = system_.history();
-    if (auto other = walked(arriving)) return *std::move(other);
-    system_.set_history(pruned);
-    found.keeps_equilibrium = false;
+  /// on after all, or the path would turn back, walks from hinge to hinge (rate_walk.hpp).
+  Tangent solve(Tangent arriving) {
+    Tangent found = pruned(arriving);
+    if (found.d.empty()) return found;
+    const bool keeps = is_settled(found), turns = leads_back(system_, found);
+    if (keeps && !turns) return found;
+    const std::vector<History> flags = system_.history();
+    const auto other = walked(arriving);
+    if (other && !(keeps && other->leads_back)) return other->tangent;
+    system_.set_history(flags);
+    found = tangent();
+    found.keeps_equilibrium = keeps;
     return found;
   }
   Tangent tangent() const {
@@ -137,9 +146,21 @@ class RateProblem {
   }
 
  private:
-  /// Of the directions to which walks lead the one that cracks, and is nearer to that which led here.
-  std::optional<Tangent> walked(const Tangent& arriving) {
-    std::optional<Tangent> best;
+  /// A consistent direction.
+  struct Way {
+    Tangent tangent;
+    bool leads_back = false;
+  };
+
+  Tangent pruned(Tangent found) {
+    while (!found.d.empty() && unflag(found)) found = tangent();
+    return found;
+  }
+
+  /// Of the directions to which walks lead one that does not lead back, cracks, and is nearer to that which
+  /// led here.
+  std::optional<Way> walked(const Tangent& arriving) {
+    std::optional<Way> best;
     std::vector<History> flags;
     set(Set(flags_.size(), false));
     const auto rates = hinged_rates();
@@ -148,8 +169,9 @@ class RateProblem {
       const auto ray = follow_hinges(*rates, direction);
       if (!ray) continue;
       set(ray->goes_on);
-      Tangent found = tangent();
-      if (found.d.empty() || !is_settled(found)) continue;
+      Way found{tangent()};
+      if (found.tangent.d.empty() || !is_settled(found.tangent)) continue;
+      found.leads_back = leads_back(system_, found.tangent);
       if (best && !is_better(found, *best, arriving)) continue;
       best = std::move(found);
       flags = system_.history();
@@ -158,9 +180,10 @@ class RateProblem {
     return best;
   }
 
-  bool is_better(const Tangent& one, const Tangent& other, const Tangent& arriving) const {
-    if (one.dissipates != other.dissipates) return one.dissipates;
-    return nearness(one, arriving) > nearness(other, arriving);
+  bool is_better(const Way& one, const Way& other, const Tangent& arriving) const {
+    if (one.leads_back != other.leads_back) return other.leads_back;
+    if (one.tangent.dissipates != other.tangent.dissipates) return one.tangent.dissipates;
+    return nearness(one.tangent, arriving) > nearness(other.tangent, arriving);
   }
 
   /// Cosine between two directions, in the openings of the points flagged.
@@ -254,6 +277,13 @@ class RateProblem {
 };
 
 }  // namespace
+
+NegativeEigenvalues negative_eigenvalues(System& system) {
+  NegativeEigenvalues out = system.path_linear().negative_eigenvalues();
+  for (auto* count : {&out.of_stiffness, &out.of_symmetric_part})
+    if (*count) **count -= static_cast<int>(system.equilibrium().num_unknown_multipliers());
+  return out;
+}
 
 Tangent arriving_tangent(System& system, const State& state) { return oriented(system, state); }
 

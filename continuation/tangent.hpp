@@ -26,13 +26,17 @@ struct Tangent {
   double rate(const Functional& gauge) const { return gauge.value(d, load_factor) - gauge.constant; }
 };
 
+/// Of the path's tangent in use, one for every unknown multiplier of the saddle point taken off.
+NegativeEigenvalues negative_eigenvalues(System& system);
+
 /// The direction with the points flagged in the system's history as loading: that of the step that led here.
 /// An empty direction when the tangent is singular.
 Tangent arriving_tangent(System& system, const State& state);
 
 /// The direction in which the path goes on: points that would unload or stick are taken off the set, and
 /// unflagged in the history, until all that are left load and slide; what was taken off and would go on after
-/// all is put back. Starts from the arriving tangent of the same state.
+/// all is put back. One along which the load falls off a structure that is stable under it is taken only
+/// where there is no other. Starts from the arriving tangent of the same state.
 Tangent leaving_tangent(System& system, const State& state, Tangent arriving);
 
 /// The direction in which a stage begins, its load growing: what the stages before have cracked goes on only

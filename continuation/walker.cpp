@@ -59,12 +59,9 @@ void Walker::fill_arriving(Candidate& candidate) {
   candidate.arriving = arriving_tangent(system_, candidate.state);
   if (!parameters_.stability || candidate.arriving.d.empty()) return;
   const auto scope = system_.timings().measure("stability");
-  const NegativeEigenvalues found = system_.path_linear().negative_eigenvalues();
+  const NegativeEigenvalues found = negative_eigenvalues(system_);
   candidate.num_negative = found.of_stiffness;
   candidate.num_negative_work = found.of_symmetric_part;
-  // Every unknown multiplier makes the saddle point one more.
-  for (auto* count : {&candidate.num_negative, &candidate.num_negative_work})
-    if (*count) **count -= static_cast<int>(system_.equilibrium().num_unknown_multipliers());
 }
 
 Candidate Walker::evaluate(const Attempt& attempt) {
