@@ -29,9 +29,10 @@ double tangent_of(double degrees) { return std::tan(degrees * std::numbers::pi /
 /// While a point is released (share a from 1 to 0) it is elastic within limits that shrink, and slides or
 /// opens at them; s is its slip, w what it has opened by:
 ///
-///     phase 1:  t_n = k q_n ≤ ft,                          |t_s| ≤ a ⟨c − t_n tan φ⟩ + (1 − a) tan φ_r
-///     ⟨−t_n⟩ phase 2:  t_n = min(k ⟨q_n − w⟩, a t_n,held) − k ⟨−q_n⟩,  |t_s| ≤ a |t_s,held| + (1 − a) tan
-///     φ_r ⟨−t_n⟩ t_s = k e,   e = q_s − s within the limit
+///     phase 1:  t_n = k q_n ≤ ft,   |t_s| ≤ a ⟨c − t_n tan φ⟩ + (1 − a) tan φ_r ⟨−t_n⟩
+///     phase 2:  t_n = min(k ⟨q_n − w⟩, a t_n,held) − k ⟨−q_n⟩
+///               |t_s| ≤ a |t_s,held| + (1 − a) tan φ_r ⟨−t_n⟩
+///     both:     t_s = k e,   e = q_s − s within the limit
 ///
 /// With a = 0 these are contact and friction. Where t_n reaches ft in phase 1 phase 2 begins. Spent is
 /// traction times what slides and opens, ∫ t · dw ≥ 0, exact on the line of a step on which openings and
