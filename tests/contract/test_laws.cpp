@@ -114,8 +114,8 @@ TEST_P(LawContract, AcceptingLeavesTractionEnergyAndDamageSurface) {
   });
 }
 
-/// Forward differences from an accepted state, on each side of the surfaces that it lies on. What fails at once
-/// and what is being released is left by a release, not by a tangent.
+/// Forward differences from an accepted state, on each side of the surfaces that it lies on. What fails at
+/// once and what is being released is left by a release, not by a tangent.
 TEST_P(LawContract, FlagsChooseTheSideOfTheSurface) {
   int surfaces = 0;
   at_accepted_states([&](const LawCase& at, const Vec2& q, const History&, const History& accepted) {
