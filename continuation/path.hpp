@@ -159,6 +159,8 @@ class Path {
   std::optional<Point> linear_for_good();
   Move sliding_move();
   double amount_to_landing() const;
+  bool moves_freely() const;
+  double standing_load(double load) const;
   void note_mechanism(Point& point, const State& before);
   double amount_to_event() const;
   bool can_slide() const;

@@ -11,6 +11,9 @@
 namespace dda {
 namespace {
 
+/// Share of its displacement by which a mechanism moves on while the load stays.
+constexpr double mechanism_way = 0.1;
+
 /// How many joints slide and how many are apart.
 struct ContactCount {
   int slide = 0, open = 0;
@@ -96,6 +99,20 @@ double Path::amount_to_landing() const {
   return nearest;
 }
 
+/// Whether the structure moves on by as much as makes a mechanism while its load stays.
+bool Path::moves_freely() const {
+  const double moved = std::abs(displacement_rate(walker_.leaving())),
+               along = mechanism_way * std::abs(displacement_of(walker_.state()));
+  return moved > 0 &&
+         std::abs(walker_.leaving().rate(load_)) * along / moved <= standing_load(load_of(walker_.state()));
+}
+
+/// By how much a load may change that stays.
+double Path::standing_load(double load) const {
+  constexpr double same = 1e-6;
+  return std::max(same * std::abs(load), smallest_load());
+}
+
 /// Nothing cracks, but joints slide, open or close. The first change of a contact is landed on; from there
 /// the path is followed until a wanted value or a mechanism. Where no contact will change any more the
 /// response is linear for good.
@@ -106,7 +123,7 @@ std::optional<Point> Path::sliding_step() {
   const bool is_loaded = walker_.here().stored > 0;
   if (!std::isfinite(change) && is_loaded) {
     const bool may_release = releases_at_once_ && std::isfinite(next_event(walker_));
-    if (!std::isfinite(goal) && !may_release) return linear_for_good();
+    if (!std::isfinite(goal) && !may_release && !moves_freely()) return linear_for_good();
     constexpr double beyond = 1.001;
     if (std::isfinite(goal))
       if (auto point = land_ahead(beyond * goal, true)) return point;
@@ -158,12 +175,9 @@ std::optional<Point> Path::linear_for_good() {
 
 /// A mechanism moves on while the load stays.
 void Path::note_mechanism(Point& point, const State& before) {
-  constexpr double same_load = 1e-6, moved = 0.1;
   const double load = load_of(walker_.state()), change = std::abs(load - load_of(before));
   const double along = std::abs(displacement_of(walker_.state()) - displacement_of(before));
-  if (change > std::max(same_load * std::abs(load), smallest_load()) ||
-      along < moved * std::abs(displacement_of(before)))
-    return;
+  if (change > standing_load(load) || along < mechanism_way * std::abs(displacement_of(before))) return;
   const ContactCount count = count_contacts(walker_);
   const std::string text =
       fmt::format("{} as a mechanism at a load factor of {:.9g}: {} points slide, {} are open",

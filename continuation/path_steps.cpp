@@ -70,8 +70,10 @@ std::optional<Point> Path::event_step() {
     if (auto point = can_slide() ? sliding_step() : approach(amount)) return point;
     ending_ = {};  // no finer way was found: the event itself stands
   }
-  if (const auto crossing = first_crossing(*candidate))
+  if (const auto crossing = first_crossing(*candidate)) {
     if (auto point = land(*candidate, *crossing, "event")) return point;
+    if (auto point = approach(crossing->share * amount)) return point;
+  }
   memory_.step = 0;
   return keep(*candidate, move.control);
 }

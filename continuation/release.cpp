@@ -75,7 +75,9 @@ class Release {
   }
 
   /// What a pending point still bears of what it loses.
-  double share(std::size_t p) const { return before_[p].share > 0 ? before_[p].share : 1; }
+  double share(std::size_t p) const {
+    return before_[p].share > 0 && !before_[p].loading ? before_[p].share : 1;
+  }
 
   /// The equilibrium when `gone` of what is being lost at the start of the piece has gone.
   std::optional<Settled> at_share(HeldEquilibrium& equilibrium, double gone, const State& guess) {
@@ -91,16 +93,16 @@ class Release {
     return Settled{*found, system_.next_history(found->d, found->load_factor)};
   }
 
-  /// Share of the way to `end` at which another point reaches its strength first; 1 when none does.
+  /// Share of the way to `end` at which another point reaches its strength first, or one that is losing its
+  /// cohesion that in tension; 1 when none does.
   double first_crossing(const State& end) const {
     const auto laws = system_.laws_at(end.d, end.load_factor);
     constexpr double round_off = 1e-12;
     double first = 1;
     for (std::size_t p = 0; p < before_.size(); ++p) {
-      if (std::ranges::find(pending_, p) != pending_.end()) continue;
       const InterfacePoint& point = system_.equilibrium().point(p);
-      first = std::min(first, share_to_kappa({*point.law, before_[p], point.stiffness}, openings_[p],
-                                             laws->opening[p], round_off));
+      first = std::min(first, share_to_kappa({*point.law, system_.history()[p], point.stiffness},
+                                             openings_[p], laws->opening[p], round_off));
     }
     return first;
   }

@@ -41,12 +41,12 @@ std::vector<Numbers> shapes(const Numbers& flat, std::size_t count) {
 }
 
 /// Numbers that a point's history is written as.
-constexpr std::size_t history_numbers = 14;
+constexpr std::size_t history_numbers = 17;
 
 void append(const History& h, Numbers& to) {
   to.insert(to.end(), {h.kappa, double(h.loading), double(h.sliding), double(h.phase), h.share, h.slip,
                        h.mixity, h.dissipated, h.opening.x(), h.opening.y(), h.traction.x(), h.traction.y(),
-                       h.held.x(), h.held.y()});
+                       h.held.x(), h.held.y(), h.limit.x(), h.limit.y(), h.opened});
 }
 
 History history_from(const double* n) {
@@ -60,7 +60,9 @@ History history_from(const double* n) {
           .dissipated = n[7],
           .opening = {n[8], n[9]},
           .traction = {n[10], n[11]},
-          .held = {n[12], n[13]}};
+          .held = {n[12], n[13]},
+          .limit = {n[14], n[15]},
+          .opened = n[16]};
 }
 
 void put(RestartData& data, const std::string& name, const StoredState& at) {

@@ -79,11 +79,20 @@ LineSlide slide_along(const Vec2& from, const Vec2& to, double slip, double m) {
   return out;
 }
 
-SlidingTraction sliding_traction(double before, double now, double slipped, bool slid_before) {
-  const bool on = before * slipped >= 0 && now * slipped >= 0;
-  if (on && (slid_before || std::abs(now) < std::abs(before))) return {0.5 * (before + now), 0.5};
-  if (now * slipped > 0) return {now, 1};
-  return {};
+LimitedSlide slide_under(const Course& limit, const Course& trial) {
+  LimitedSlide out;
+  const double d = trial.to < 0 ? -1 : 1;
+  const double before = d * trial.from - limit.from, reached = d * trial.to - limit.to;
+  const double slid = reached - std::max(before, 0.0);
+  if (slid <= 0 || reached <= 0) return out;
+  const double change = limit.to - limit.from, way = reached - before;
+  const double onset = before < 0 ? -before / way : 0, per_reached = before < 0 ? before / (way * way) : 0;
+  const double mean = 0.5 * (limit.from + onset * change + limit.to);
+  const double along = mean + 0.5 * slid * change * per_reached;
+  out.energy = mean * slid;
+  out.per_trial = d * along;
+  out.per_limit = 0.5 * slid * (1 + onset) - along;
+  return out;
 }
 
 }  // namespace dda

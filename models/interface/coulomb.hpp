@@ -36,14 +36,23 @@ LineSlide slide_along(const Vec2& from, const Vec2& to, double slip, double m);
 /// on the side of sliding.
 LineSlide slide_on(const Vec2& at, double slip, double m);
 
-/// Traction under which a jump slid, as far as both of its ends tell, there being no line between them: their
-/// mean when it slid from its start or ends with less than it began with, else that of its end (it stuck at
-/// first, or turned round), none where that is unknown. So sliding never gains energy.
-struct SlidingTraction {
-  double mean = 0;     ///< [F/L²]
-  double per_now = 0;  ///< its derivative with respect to the traction at the end
+/// Sliding on the straight line of a step under a limit L that changes by itself, straight as well: x is what
+/// the spring would bear if nothing slid on, d the sign of its end.
+///
+///     g(θ) = d x − L              beyond the limit where positive, linear in θ
+///     θ*                          onset of sliding: g = 0
+///     energy = ½ [L(θ*) + L(1)] · (g(1) − ⟨g(0)⟩)
+///
+/// over the stiffness is what is dissipated, never negative and exact along that line.
+struct Course {
+  double from = 0, to = 0;  ///< [F/L²]
 };
-SlidingTraction sliding_traction(double before, double now, double slipped, bool slid_before);
+struct LimitedSlide {
+  double energy = 0;     ///< [F²/L⁴]
+  double per_trial = 0;  ///< its derivative with respect to x at the end [F/L²]
+  double per_limit = 0;  ///< and to L at the end
+};
+LimitedSlide slide_under(const Course& limit, const Course& trial);
 
 /// At the limit `sliding` decides which side's gradient is meant. Touching, q_n = 0, counts as closed.
 Friction coulomb_friction(const Vec2& q, double slip, bool sliding, double m);

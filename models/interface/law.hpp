@@ -22,6 +22,8 @@ struct History {
   Vec2 opening{0, 0};     ///< q at the last accepted step, kept by laws with friction [L]
   Vec2 traction{0, 0};    ///< t at the last accepted step, likewise [F/L²]
   Vec2 held{0, 0};        ///< traction at the beginning of a release [F/L²]
+  Vec2 limit{0, 0};       ///< what t is limited to at the last accepted step while it is released [F/L²]
+  double opened = 0;      ///< opening of what is torn but not yet released in full [L]
 };
 
 /// Traction and tangent of one interface point in its local frame (n, s).

@@ -26,10 +26,19 @@ double tangent_of(double degrees) { return std::tan(degrees * std::numbers::pi /
 ///     phase 1, sliding allowed:      no penetration, limited tension t_n = k q_n ≤ ft, t_s by friction
 ///     phase 2, open:                 no tension, friction when closed again
 ///
-/// While a point is released (share a from 1 to 0) its lost part runs linearly to zero, phase 1:
-/// t_s = ± (a (c − t_n tan φ) + (1 − a) tan φ_r ⟨−t_n⟩); phase 2: t = a t_held plus contact. The release
-/// itself, which holds q and frees the load, is continuation/release.hpp. Its energy is that of the trial
-/// spring, so it depends on the size of the blocks. Source: Pearce et al. (2000), sections 3 and 5.
+/// While a point is released (share a from 1 to 0) it is elastic within limits that shrink, and slides or
+/// opens at them; s is its slip, w what it has opened by:
+///
+///     phase 1:  t_n = k q_n ≤ ft,   |t_s| ≤ a ⟨c − t_n tan φ⟩ + (1 − a) tan φ_r ⟨−t_n⟩
+///     phase 2:  t_n = min(k ⟨q_n − w⟩, a t_n,held) − k ⟨−q_n⟩
+///               |t_s| ≤ a |t_s,held| + (1 − a) tan φ_r ⟨−t_n⟩
+///     both:     t_s = k e,   e = q_s − s within the limit
+///
+/// With a = 0 these are contact and friction. Where t_n reaches ft in phase 1 phase 2 begins. Spent is
+/// traction times what slides and opens, ∫ t · dw ≥ 0, exact on the line of a step on which openings and
+/// limits run straight. The release itself, which holds q and frees the load, is continuation/release.hpp.
+/// Its energy is that of the trial spring, so it depends on the size of the blocks. Source: Pearce et al.
+/// (2000), sections 3 and 5.
 class MohrCoulomb final : public InterfaceLaw {
  public:
   explicit MohrCoulomb(const MohrCoulombParameters& p)
@@ -67,21 +76,22 @@ class MohrCoulomb final : public InterfaceLaw {
     return respond(q, h, k);
   }
 
-  /// Work of what is lost and of friction beyond what the spring gives back, exact along straight paths;
-  /// contact gives everything back.
   Spending spending(const Vec2& q, const History& h, double k) const override {
     if (h.phase == 0) return {};
-    const Response now = respond(q, h, k);
-    const double t = now.traction.y(), slipped = q.y() - h.opening.y() - (t - h.traction.y()) / k;
-    const auto [mean, per_now] = h.share > 0 ? SlidingTraction{0.5 * (h.traction.y() + t), 0.5}
-                                             : sliding_traction(h.traction.y(), t, slipped, h.sliding);
-    const Vec2 per_q = now.tangent.row(1);
-    Spending out{mean * slipped, per_now * slipped * per_q + mean * (Vec2(0, 1) - per_q / k)};
-    if (h.phase < 2) return out;
-    const Vec2 step = q - h.opening;
-    const double before = h.traction.x() - k * std::min(h.opening.x(), 0.0), held = h.share * h.held.x();
-    out.value += 0.5 * (before + held) * (step.x() - (held - before) / k);
-    out.gradient.x() += 0.5 * (before + held);
+    if (h.share == 0 && h.limit.isZero(0)) {
+      const LineSlide slid = h.sliding && q == h.opening ? slide_on(q, h.slip, residual_)
+                                                         : slide_along(h.opening, q, h.slip, residual_);
+      return {k * slid.energy, k * slid.gradient};
+    }
+    const Limits now = limits(q, h, k);
+    const LimitedSlide slid =
+        slide_under({h.limit.y(), now.shear}, {k * (h.opening.y() - h.slip), k * (q.y() - h.slip)});
+    Spending out{slid.energy / k, Vec2(slid.per_limit * now.per_normal / k, slid.per_trial)};
+    const Course opening{k * (h.opening.x() - h.opened), k * (q.x() - h.opened)};
+    if (h.phase == 1 || opening.to <= 0) return out;
+    const LimitedSlide torn = slide_under({h.limit.x(), now.tension}, opening);
+    out.value += torn.energy / k;
+    out.gradient.x() += torn.per_trial;
     return out;
   }
   History accept(const Vec2& q, const History& h, double k) const override {
@@ -91,8 +101,16 @@ class MohrCoulomb final : public InterfaceLaw {
     out.opening = q;
     out.traction = respond(q, h, k).traction;
     out.loading = h.phase < 2 && equivalent_opening(q, h, k) >= initial_kappa(k) * (1 - round_off);
-    if (h.phase == 0 || h.share > 0) return out;
+    if (h.phase == 0) return out;
+    if (h.share > 0) {
+      const Limits now = limits(q, h, k);
+      out.limit = {now.tension, now.shear};
+      out.slip = q.y() - out.traction.y() / k;
+      if (h.phase == 2) out.opened = std::max(h.opened, q.x() - out.traction.x() / k);
+      return out;
+    }
     const Friction held = friction(q, h);
+    out.limit.setZero();
     out.slip = q.y() - held.elastic;
     out.sliding = held.at_limit;
     return out;
@@ -104,10 +122,7 @@ class MohrCoulomb final : public InterfaceLaw {
         .closed = k, .open = h.phase == 1 ? k : 0, .friction = k, .coefficient = residual_, .slip = h.slip};
   }
   double stored(const Vec2& q, const History& h, double k) const override {
-    const Vec2 t = respond(q, h, k).traction;
-    if (h.phase < 2 || h.share == 0) return t.squaredNorm() / (2 * k);
-    return (std::pow(h.share * h.held.x(), 2) + t.y() * t.y()) / (2 * k) +
-           0.5 * k * std::pow(std::min(q.x(), 0.0), 2);
+    return respond(q, h, k).traction.squaredNorm() / (2 * k);
   }
   double damage(const History& h, double) const override { return 0.5 * h.phase; }
   unsigned piece(const Vec2& q, const History& h, double) const override {
@@ -118,19 +133,19 @@ class MohrCoulomb final : public InterfaceLaw {
 
   History release(const Vec2& q, const History& h, double k, double share) const override {
     History out = h;
-    if (h.share == 0) {
+    if (h.share == 0 || h.loading) {
       out.held = respond(q, h, k).traction;
       out.phase = fails_in_tension(q, h) ? 2 : 1;
+      out.share = 1;
+      const Limits now = limits(q, out, k);
+      out.limit = {now.tension, std::max(now.shear, std::abs(out.held.y()))};
     }
     out.share = share;
-    out.loading = false;
-    constexpr double far = 10;  // behind q, so that what slides bears its friction from the start
-    const double behind = out.phase == 1 ? std::copysign(far * q.y(), out.held.y()) : 0;
-    if (share == 0) out.slip = q.y() - behind;
+    out.loading = out.sliding = false;
     return out;
   }
   Vec2 held_direction(const Vec2& q, const History& h) const override {
-    return h.phase == 1 && h.share > 0 ? Vec2(0, q.y() < 0 ? -1 : 1) : Vec2(1, 0);
+    return h.phase == 1 && h.share > 0 ? Vec2(0, q.y() < h.slip ? -1 : 1) : Vec2(1, 0);
   }
 
  private:
@@ -153,18 +168,34 @@ class MohrCoulomb final : public InterfaceLaw {
   Friction friction(const Vec2& q, const History& h) const {
     return coulomb_friction(q, h.slip, h.sliding, residual_);
   }
+  /// Of the tractions of what is released, and the derivative of the second one with respect to q_n.
+  struct Limits {
+    double tension, shear, per_normal;
+  };
+  Limits limits(const Vec2& q, const History& h, double k) const {
+    const double a = h.share, bond = c_ - tan_ * k * q.x(), pressure = k * std::max(-q.x(), 0.0);
+    const bool bonds = h.phase == 1 && bond > 0;
+    const double lost = h.phase == 2 ? std::abs(h.held.y()) : std::max(bond, 0.0);
+    const double per_pressure = q.x() < 0 ? -(1 - a) * residual_ * k : 0;
+    return {h.phase == 2 ? a * std::max(h.held.x(), 0.0) : ft_, a * lost + (1 - a) * residual_ * pressure,
+            per_pressure - (bonds ? a * tan_ * k : 0)};
+  }
   Response releasing(const Vec2& q, const History& h, double k) const {
-    Response out;
-    const bool closed = q.x() < 0;
-    if (h.phase == 2) {
-      out.traction = h.share * h.held + Vec2(k * std::min(q.x(), 0.0), 0);
-      out.tangent(0, 0) = closed ? k : 0;
-      return out;
+    Response out{Vec2(k * q.x(), 0), Vec2(k, 0).asDiagonal()};
+    const Limits most = limits(q, h, k);
+    if (h.phase == 2 && q.x() > 0) {
+      const double trial = k * (q.x() - h.opened);
+      out.traction.x() = std::clamp(trial, 0.0, most.tension);
+      out.tangent(0, 0) = trial > 0 && trial < most.tension ? k : 0;
     }
-    const double sign = h.held.y() < 0 ? -1 : 1;
-    const double per_normal = -h.share * tan_ - (closed ? (1 - h.share) * residual_ : 0);
-    out.traction = Vec2(k * q.x(), sign * (h.share * c_ + per_normal * k * q.x()));
-    out.tangent << k, 0, sign * per_normal * k, 0;
+    const double trial = k * (q.y() - h.slip), sign = trial < 0 ? -1 : 1;
+    if (std::abs(trial) <= most.shear) {
+      out.traction.y() = trial;
+      out.tangent(1, 1) = k;
+    } else {
+      out.traction.y() = sign * most.shear;
+      out.tangent(1, 0) = sign * most.per_normal;
+    }
     return out;
   }
   Response released(const Vec2& q, const History& h, double k) const {

@@ -129,11 +129,12 @@ TEST_P(LawEnergy, WorkOfLoadingIsThatOfAPotential) {
 /// Every length, traction and energy of a history in other units.
 History rescaled(History h, const UnitChange& units) {
   const double stress = units.factor(dimension::stress);
-  for (double* length : {&h.kappa, &h.slip}) *length *= units.length;
+  for (double* length : {&h.kappa, &h.slip, &h.opened}) *length *= units.length;
   h.dissipated *= units.factor(dimension::energy_per_area);
   h.opening *= units.length;
   h.traction *= stress;
   h.held *= stress;
+  h.limit *= stress;
   return h;
 }
 

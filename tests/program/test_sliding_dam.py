@@ -152,5 +152,29 @@ class BrittleFoundation(unittest.TestCase):
         self.slides(0.56, 35, bond, treatment={"type": "penalty", "factor": 10})
 
 
+class TurningDam(unittest.TestCase):
+    """With more friction it turns once its bonds are lost, about the last point that is pressed: a Gauss point of the toe's side."""
+
+    def turns(self, **foundation):
+        law = {"type": "mohr_coulomb", "tensile_strength": 0.3, "cohesion": 0.5, "friction_angle": 50}
+        settings = {f"interfaces.foundation.{key}": value for key, value in {"law": law, **foundation}.items()}
+        settings["path.stop"] = {"load_below": 0}
+        with tempfile.TemporaryDirectory() as scratch:
+            run = ddapath.run(DECK, settings, folder=Path(scratch) / "dam")
+            refused = [finding for finding in ddapath.verify.verify(run.folder) if not finding.holds]
+            self.assertEqual(run.status, "goal_reached")
+            self.assertRegex(run.summary["reason"], "^turns as a mechanism")
+            self.assertEqual(refused, [])
+            self.assertGreaterEqual(run.curve["dissipated_energy"].diff().min(), 0)
+            return run.curve["load_factor"].iloc[-1]
+
+    def test_it_turns_under_the_thrust_that_its_weight_bears(self):
+        centroid = (40**2 + 40 * 5 + 5**2) / (3 * (40 + 5))
+        pivot = 40 - 5 * (1 - 3**-0.5) / 2
+        factor = WEIGHT * (pivot - centroid) / (THRUST * 50 / 2)
+        for foundation in ({}, {"treatment": {"type": "penalty"}}):
+            self.assertAlmostEqual(self.turns(**foundation) / factor, 1, delta=1e-7)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -1,5 +1,6 @@
 """`dda verify`: a true run passes every check, a doctored one is refused by the check that is meant."""
 
+import dataclasses
 import json
 import os
 import shutil
@@ -191,6 +192,16 @@ class Laws(unittest.TestCase):
         traction = np.array([[3.1, 0.0], [-1.0, 6.1], [1.0, 0.1], [0.1, 0.0]])
         excess, _ = bond.excess(traction, self.state([0, 0, 0.5, 1]))
         np.testing.assert_allclose(excess, 0.1, atol=1e-12)
+
+    def test_normal_tractions_of_what_is_released(self):
+        bond = laws.make({"type": "mohr_coulomb", "tensile_strength": 3, "cohesion": 5})
+        opening, damage = np.array([0.002, 0.002, 0.01, -0.002]), [0.5, 1, 1, 1]
+        released = self.state(damage)
+        releasing = dataclasses.replace(released, releasing=True)
+        for state, traction in ((released, [2, 0, 0, -2]), (releasing, [2, 1.5, 3, -2])):
+            np.testing.assert_allclose(bond.normal_error(np.array(traction), opening, state), 0, atol=1e-12)
+        for state, traction in ((released, [0, 1.5, 3, 0]), (releasing, [1.5, 2.5, 3.5, 0])):
+            self.assertTrue((bond.normal_error(np.array(traction), opening, state) > 0.4).all())
 
 
 class Reasons(unittest.TestCase):

@@ -44,6 +44,10 @@ class Bonded:
     def normal(self, opening, state):
         return state.stiffness * opening
 
+    def normal_error(self, t, opening, state):
+        """How far normal tractions are from those that the trial opening allows."""
+        return np.abs(t - self.normal(opening, state))
+
     def stored(self, t, q, state):
         return 0.5 * (t * q).sum(axis=1)
 
@@ -84,7 +88,8 @@ class Friction(Bonded):
 class MohrCoulomb(Friction):
     """Tension cut-off and Mohr-Coulomb, released at once: damage 0 intact, 0.5 after shear, 1 after tension.
 
-    What is being released still carries a part of its strength: until it is done the envelope of the bond holds.
+    What is being released is elastic within limits that shrink from those of the bond to friction: until it is done the
+    envelope of the bond holds. What is torn meanwhile carries any tension between none and that of a bond.
     """
     is_separate = False
 
@@ -107,6 +112,11 @@ class MohrCoulomb(Friction):
     def normal(self, opening, state):
         keeps = state.damage < 0.75
         return state.stiffness * np.where(keeps, opening, np.minimum(opening, 0))
+
+    def normal_error(self, t, opening, state):
+        held = np.maximum(np.minimum(state.stiffness * opening, self.strength * state.factor), 0)
+        torn = state.releasing & (state.damage >= 0.75) & (opening > 0)
+        return np.where(torn, np.abs(t - np.clip(t, 0, held)), super().normal_error(t, opening, state))
 
 
 class Linear:
