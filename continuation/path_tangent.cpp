@@ -1,6 +1,7 @@
 // Tangents by which a path goes on: those of the laws, with the joints' own stiffness where multipliers are
 // iterated, with a residual stiffness where bodies move freely on each other.
 #include <Eigen/LU>
+#include <algorithm>
 
 #include "continuation/system.hpp"
 #include "models/stiffness_parts.hpp"
@@ -21,14 +22,11 @@ std::vector<Mat2> with_residual(std::vector<Mat2> tangents, const Equilibrium& e
   return tangents;
 }
 
-/// Whether parts of what has cracked through still press on each other: no structure that has come apart.
+/// Whether parts of what has cracked still press on each other: no structure that has come apart. A law need
+/// not be broken for that, its last strength may fade for ever.
 bool rests_on_contact(const System& system, const LawValues& laws) {
-  bool is_torn = false, is_pressed = false;
-  for (std::size_t p = 0; p < laws.opening.size(); ++p) {
-    is_torn = is_torn || system.is_broken(p);
-    is_pressed = is_pressed || laws.traction[p].x() < 0;
-  }
-  return is_torn && is_pressed && system.has_contacts();
+  return system.has_contacts() &&
+         std::ranges::any_of(laws.traction, [](const Vec2& traction) { return traction.x() < 0; });
 }
 
 /// D̄ = D (1 + (P̄⁻¹ − P⁻¹) D)⁻¹: the joint's own stiffness p̄ in place of the k that carries its multiplier.

@@ -111,7 +111,17 @@ def dry_wall_of_bricks(treatment, friction):
     return dry_wall("given", treatment, math.degrees(math.atan(friction)), f"tan_{friction}")
 
 
-def wall_of_mortar(rows, treatment, pressure, friction):
+MORTAR = {"type": "linear_softening", "tensile_strength": 0.2, "cohesion": 0.3, "fracture_energy": 0.01,
+          "shear_fracture_energy": 0.05}
+# Its strength fades for ever: no joint is ever broken.
+FADING_MORTAR = {"type": "exponential_softening", "tensile_strength": 0.414, "cohesion": 0.57, "fracture_energy": 0.0604,
+                 "shear_fracture_energy": 0.1501}
+# Cracks so suddenly that what has slid may slide back, and a path that followed it would come to no load at all.
+BRITTLE_MORTAR = {"type": "linear_softening", "tensile_strength": 0.364, "cohesion": 0.696, "fracture_energy": 0.0115,
+                  "shear_fracture_energy": 0.0252}
+
+
+def wall_of_mortar(rows, treatment, pressure, friction, mortar=None, name="mortar_wall"):
     """A wall of 1 m with joints of mortar, pressed, pushed at the foot of its top beam until that has moved 10 mm.
 
     What has lost its cohesion slides at N tan φ, or turns about the last contact point of its foot at N · arm / height.
@@ -121,8 +131,7 @@ def wall_of_mortar(rows, treatment, pressure, friction):
              "regions": [region("", kind, rectangle(a, c, b, d)) for a, b, c, d, kind in brick_rows(rows, 80)],
              "boundaries": {"foot": [[0, -80], [1000, -80]], "head": [[0, top + 80], [1000, top + 80]]},
              "subdivision": {"type": "given"}}
-    law = {"type": "linear_softening", "tensile_strength": 0.2, "cohesion": 0.3, "fracture_energy": 0.01,
-           "shear_fracture_energy": 0.05, "friction_angle": math.degrees(math.atan(friction))}
+    law = {**(mortar or MORTAR), "friction_angle": math.degrees(math.atan(friction))}
     corner = {"at": [0, top], "inside": [0.1, top + 0.1]}
     brick = {"type": "linear_elastic", "young_modulus": 15000, "poisson_ratio": 0.2}
     built = deck(f"Wall of mortar joints, {rows} rows", scene, {
@@ -136,7 +145,7 @@ def wall_of_mortar(rows, treatment, pressure, friction):
     built.update(thickness=100)
     arm = 500 - 50 * (1 - 1 / math.sqrt(3))
     limit = 100 * pressure * min(friction, arm / top)
-    return Case(f"mortar_wall-{rows}_rows-{treatment}-{pressure}_MPa-tan_{friction}", built, {"end": (limit, 1e-5 * limit)})
+    return Case(f"{name}-{rows}_rows-{treatment}-{pressure}_MPa-tan_{friction}", built, {"end": (limit, 1e-5 * limit)})
 
 
 def flexure_peak(angle):
