@@ -45,6 +45,7 @@ std::string missed(System& system, const Control& control, double step, const St
   const double miss = control.residual({at.d, at.load_factor, *laws}, step);
   const double residual = system.excess_residual(at);
   if (std::abs(miss) <= control_tolerance && residual <= tolerance) return {};
+  if (residual <= tolerance) return fmt::format("the control was met to {:.1e} only", std::abs(miss));
   return fmt::format("contact and friction were met to {:.1e} only", residual);
 }
 

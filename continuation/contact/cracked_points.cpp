@@ -30,6 +30,10 @@ CrackedPoints::CrackedPoints(const System& system, LinearSystem& linear, const C
     pair(dead_, i) = system.equilibrium().opening(points_[i], linear_.dead_solution()) + multiplier(i);
     pair(live_, i) = system.equilibrium().opening(points_[i], linear_.reference_solution());
   }
+  only_touch_ = std::ranges::all_of(points_, [&](std::size_t p) {
+    const InterfacePoint& point = system.equilibrium().point(p);
+    return point.law->contact({}, point.stiffness).has_value();
+  });
   if (!control.gauge) return;
   gauge_dead_ = control.gauge->value(linear_.dead_solution(), 0);
   gauge_live_ = control.gauge->value(linear_.reference_solution(), 1) - control.gauge->constant;
@@ -48,13 +52,6 @@ void CrackedPoints::start_at(const State& guess) {
   scale_ = std::max({dead_.lpNorm<Eigen::Infinity>(), q_.lpNorm<Eigen::Infinity>(),
                      std::abs(load_factor_) * live_.lpNorm<Eigen::Infinity>()});
   evaluate();
-}
-
-bool CrackedPoints::only_touch() const {
-  return std::ranges::all_of(points_, [&](std::size_t p) {
-    const InterfacePoint& point = system_.equilibrium().point(p);
-    return point.law->contact({}, point.stiffness).has_value();
-  });
 }
 
 std::optional<int> CrackedPoints::newton(int max_iterations, Cycles cycles) {
@@ -165,7 +162,7 @@ double CrackedPoints::opening_scale() const {
 double CrackedPoints::wanted_accuracy() const {
   constexpr double least = 1e-3;
   const double opened = opening_scale();
-  return good * (system_.joins_by_contact() ? std::clamp(carried_, least * opened, opened) : opened);
+  return good * (only_touch_ ? std::clamp(carried_, least * opened, opened) : opened);
 }
 
 bool CrackedPoints::is_solved() const {

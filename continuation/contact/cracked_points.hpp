@@ -23,7 +23,7 @@ class CrackedPoints {
   /// Begins at a state's openings.
   void start_at(const State& guess);
   /// Whether all of them are contacts, without damage.
-  bool only_touch() const;
+  bool only_touch() const { return only_touch_; }
   /// Newton's method; the number of iterations, or nothing. Those that bring a new set of pieces do not count
   /// against `max_iterations`; a set that comes back ends it at once where something else can be tried.
   enum class Cycles { end_it, may_settle };
@@ -47,8 +47,8 @@ class CrackedPoints {
   /// What openings are compared with: those that the loads alone make, or what has opened up to a hundred
   /// times as much. What floats away on a singular matrix must not be the measure of its own error.
   double opening_scale() const;
-  /// By how much q may miss its equation [L]. Where bodies touch that were never bonded, what the points carry
-  /// counts, t/(E/h), by which equilibrium is judged: joints may open much further than they are pressed together.
+  /// By how much q may miss its equation [L]. Where all points are contacts what they carry counts, t/(E/h),
+  /// by which equilibrium is judged: joints may open much further than they are pressed together.
   double wanted_accuracy() const;
   bool is_solved() const;
   void evaluate();
@@ -73,6 +73,7 @@ class CrackedPoints {
   Vector dead_, live_;  ///< q_dead + m, q_ref
   Vector along_;        ///< Zᵀ ∂g/∂d
   double gauge_dead_ = 0, gauge_live_ = 0;
+  bool only_touch_ = false;
   std::vector<double> origin_;  ///< d_dead
   Vector z_origin_;             ///< z₀
   Vector q_, z_, difference_, spending_;
