@@ -39,6 +39,7 @@ Path::Path(Walker& walker, const PathParameters& parameters, const GaugeBook& ga
     travelling_.push_back({"load", walker.system().loading().load, dimension::force});
   for (const auto& law : walker.system().equilibrium().interfaces().laws)
     releases_at_once_ = releases_at_once_ || law->releases_at_once();
+  memory_.largest_force = holding_of(walker_.system(), walker_.state()).load;
   set_out();
 }
 
@@ -110,7 +111,8 @@ Point Path::keep(Candidate candidate, const std::string& control) {
   memory_.largest_force = std::max(memory_.largest_force, holding_of(walker_.system(), candidate.state).load);
   const bool is_loaded = std::abs(load) > smallest_load();
   if (memory_.direction == 0 && is_loaded) memory_.direction = load > 0 ? 1 : -1;
-  if (const double here = load_of(candidate.state); is_loaded && here > memory_.peak_load) {
+  constexpr double same = 1e-9;  // the first point of a plateau is the highest, whatever rounding adds
+  if (const double here = load_of(candidate.state); is_loaded && here > (1 + same) * memory_.peak_load) {
     memory_.peak_load = here;
     out.is_highest = true;
   }

@@ -128,7 +128,9 @@ std::optional<Point> Path::sliding_step() {
     if (std::isfinite(goal))
       if (auto point = land_ahead(beyond * goal, true)) return point;
   }
-  if (std::isfinite(change) && walker_.here().dissipated == 0 && !memory_.has_slid)
+  const bool is_far =
+      std::isfinite(change) && std::abs(walker_.leaving().rate(load_)) * change > smallest_load();
+  if (is_far && walker_.here().dissipated == 0 && !memory_.has_slid)
     if (auto point = first_slip(change)) return point;
   const Move move = sliding_move();
   if (memory_.step == 0 || memory_.step_control != move.control) {
@@ -143,7 +145,10 @@ std::optional<Point> Path::sliding_step() {
   }
   const State before = walker_.state();
   auto point = controlled_step(move);
-  if (point) note_mechanism(*point, before);
+  if (point) {
+    memory_.has_slid = memory_.has_slid || std::isfinite(change);
+    note_mechanism(*point, before);
+  }
   return point;
 }
 

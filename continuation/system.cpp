@@ -179,10 +179,10 @@ void System::residual(std::span<const double> d, double load_factor, const LawVa
   const auto scope = timings_->measure("residuals");
   parallel_for(out.size(), numbers_at_once,
                [&](std::size_t i) { out[i] = -loading_->dead[i] - load_factor * loading_->reference[i]; });
-  equilibrium_.intact().multiply_add(d, out);
+  equilibrium_.unjoined().multiply_add(d, out);
   std::vector<Vec2> correction(laws.traction.size());
   parallel_for(correction.size(), points_at_once, [&](std::size_t p) {
-    const Vec2 stiffness = equilibrium_.point(p).intact_stiffness();
+    const Vec2 stiffness = equilibrium_.unjoined_stiffness(p);
     Vec2 jump = laws.opening[p] - loading_->dead_opening(p) - load_factor * loading_->reference_opening(p);
     if (!multipliers_.empty()) jump -= multipliers_[p];
     correction[p] = laws.traction[p] - stiffness.cwiseProduct(jump);

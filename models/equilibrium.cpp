@@ -102,11 +102,19 @@ void Equilibrium::assemble(const Body& body, const ModelParameters& model,
   for (const InterfacePoint& point : set_.points) {
     add_stress_energy(intact_, point, -1);
     subtract_multiplier_energy(intact_, point);
-    add_joint(intact_, point, point.weight * point.intact_stiffness());
+    if (!point.is_separate()) add_joint(intact_, point, point.weight * point.intact_stiffness());
   }
   held_stiffness_ = body.largest_modulus() * body.thickness;
   hold_unused_unknowns();
+  join_what_touches();
   estimate_rounding();
+}
+
+void Equilibrium::join_what_touches() {
+  if (std::ranges::none_of(set_.points, &InterfacePoint::is_separate)) return;
+  unjoined_ = intact_;
+  for (const InterfacePoint& point : set_.points)
+    if (point.is_separate()) add_joint(intact_, point, point.weight * point.intact_stiffness());
 }
 
 void Equilibrium::estimate_rounding() {

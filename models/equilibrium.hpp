@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -76,6 +77,13 @@ class Equilibrium {
   const InterfaceSet& interfaces() const { return set_; }
   const InterfacePoint& point(std::size_t p) const { return set_.points[p]; }
   const BlockMatrix& intact() const { return intact_; }
+  /// K0 without the joints of bodies that only touch. Across a slide K0 d would sum up and take off again
+  /// what springs would bear there, and leave the rounding of that in a residual.
+  const BlockMatrix& unjoined() const { return unjoined_ ? *unjoined_ : intact_; }
+  /// diag of a point's joint in it [F/L³].
+  Vec2 unjoined_stiffness(std::size_t p) const {
+    return unjoined_ && point(p).is_separate() ? Vec2::Zero().eval() : point(p).intact_stiffness();
+  }
   /// K0 without the perturbation δ of unknown multipliers: singular once for each redundant one.
   BlockMatrix unperturbed() const;
   std::size_t num_unknown_multipliers() const;
@@ -122,6 +130,7 @@ class Equilibrium {
   void assemble(const Body& body, const ModelParameters& model, const std::vector<Spring>& springs);
   void add_spring(const Spring& spring);
   void hold_unused_unknowns();
+  void join_what_touches();
   void estimate_rounding();
   /// What a point adds to twice the passive energy.
   double twice_passive_energy(std::size_t p, std::span<const double> d) const;
@@ -133,6 +142,7 @@ class Equilibrium {
   double held_stiffness_ = 0;
   std::vector<std::size_t> held_;  ///< unknowns of nodes that no multiplier uses
   BlockMatrix intact_;
+  std::optional<BlockMatrix> unjoined_;  ///< none where it is K0
   std::vector<Loading> stages_;
   std::vector<double> block_size_, rounding_of_sums_;
   std::vector<Mat3> strain_stiffness_;

@@ -49,6 +49,9 @@ struct InterfacePoint {
   /// Whether the point is asked at run time: it can crack, or its multiplier is iterated.
   bool is_active() const { return law->can_crack() || multiplier == Multiplier::iterated; }
 
+  /// Whether it joins bodies that were never bonded: they only touch.
+  bool is_separate() const { return law->contact({}, stiffness).has_value(); }
+
   /// Calls visit(block or node, rows 2 × 6) for each part of q.
   template <class Visit>
   void for_each_part(Visit visit) const {

@@ -30,10 +30,8 @@ CrackedPoints::CrackedPoints(const System& system, LinearSystem& linear, const C
     pair(dead_, i) = system.equilibrium().opening(points_[i], linear_.dead_solution()) + multiplier(i);
     pair(live_, i) = system.equilibrium().opening(points_[i], linear_.reference_solution());
   }
-  only_touch_ = std::ranges::all_of(points_, [&](std::size_t p) {
-    const InterfacePoint& point = system.equilibrium().point(p);
-    return point.law->contact({}, point.stiffness).has_value();
-  });
+  only_touch_ = std::ranges::all_of(
+      points_, [&](std::size_t p) { return system.equilibrium().point(p).is_separate(); });
   if (!control.gauge) return;
   gauge_dead_ = control.gauge->value(linear_.dead_solution(), 0);
   gauge_live_ = control.gauge->value(linear_.reference_solution(), 1) - control.gauge->constant;
@@ -75,11 +73,11 @@ std::optional<int> CrackedPoints::newton(int max_iterations, Cycles cycles) {
   return {};
 }
 
-std::optional<int> CrackedPoints::walk(int max_iterations, int at_least) {
+std::optional<int> CrackedPoints::walk(int max_iterations, int at_least, Accuracy accuracy) {
   double before = std::numeric_limits<double>::infinity();
   int rises = 0;
   for (int iteration = 0; iteration <= max_iterations; ++iteration) {
-    if (iteration >= at_least && is_solved()) return iteration;
+    if (iteration >= at_least && is_solved(accuracy)) return iteration;
     const double error = gap().lpNorm<Eigen::Infinity>();
     constexpr int most_rises = 5;
     constexpr double smaller = 0.03, hardly = 1e-8;  // what rounding leaves the full equations judge
@@ -127,9 +125,10 @@ std::vector<double> CrackedPoints::unbalanced(const State& at) const {
   system_.residual(at.d, at.load_factor, laws, out);
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const std::size_t p = points_[i];
-    const Vec2 z = laws.traction[p] - linear_.base()[p] * (laws.opening[p] - multiplier(i));
+    const Vec2 q = pair(q_, i);
     Eigen::Map<Vec2> difference(&differences[2 * p]);
-    difference = pair(z_, i) / system_.equilibrium().point(p).weight - z;
+    difference =
+        system_.respond(p, q).traction - laws.traction[p] - linear_.base()[p] * (q - laws.opening[p]);
   }
   system_.equilibrium().scatter_add(differences, out);
   system_.equilibrium().subtract_weak_forces(at.d, out);
@@ -159,14 +158,15 @@ double CrackedPoints::opening_scale() const {
   return std::clamp(q_.lpNorm<Eigen::Infinity>(), loads, far * loads);
 }
 
-double CrackedPoints::wanted_accuracy() const {
+double CrackedPoints::largest_miss(Accuracy accuracy) const {
   constexpr double least = 1e-3;
   const double opened = opening_scale();
-  return good * (only_touch_ ? std::clamp(carried_, least * opened, opened) : opened);
+  return good *
+         (accuracy == Accuracy::of_what_is_carried ? std::clamp(carried_, least * opened, opened) : opened);
 }
 
-bool CrackedPoints::is_solved() const {
-  return gap().lpNorm<Eigen::Infinity>() <= wanted_accuracy() &&
+bool CrackedPoints::is_solved(Accuracy accuracy) const {
+  return gap().lpNorm<Eigen::Infinity>() <= largest_miss(accuracy) &&
          std::abs(value() - control_.target) <= std::max(good * control_.scale, rounding_of_value());
 }
 
@@ -321,7 +321,7 @@ ContactProblem::Point CrackedPoints::point_of(std::size_t i) const {
                             .slides = h.sliding,
                             .traction = now.traction - now.tangent * q,
                             .tangent = now.tangent};
-  const bool is_damaged = out.contact && !point.law->contact({}, point.stiffness);
+  const bool is_damaged = out.contact && !point.is_separate();
   if (is_damaged &&
       point.law->equivalent_opening(q, h, point.stiffness) > point.law->kappa(h, point.stiffness))
     out.contact.reset();

@@ -28,9 +28,12 @@ class CrackedPoints {
   /// against `max_iterations`; a set that comes back ends it at once where something else can be tried.
   enum class Cycles { end_it, may_settle };
   std::optional<int> newton(int max_iterations, Cycles cycles);
+  /// How well q is wanted: against the openings, or against what the points carry, t/(E/h), by which
+  /// equilibrium is judged: joints may open much further than they are pressed together.
+  enum class Accuracy { of_openings, of_what_is_carried };
   /// Solves contact and friction exactly (contact_walk.hpp), anew for each tangent of what cracks; the number
   /// of tangents, or nothing.
-  std::optional<int> walk(int max_iterations, int at_least = 0);
+  std::optional<int> walk(int max_iterations, int at_least = 0, Accuracy accuracy = Accuracy::of_openings);
   /// Makes the z found so far the origin z₀, d_dead being solved for with it: z itself may be large, as where
   /// points slide that are held in the base, and then so are the errors of Z and G in its products. The
   /// iteration goes on from there.
@@ -47,10 +50,9 @@ class CrackedPoints {
   /// What openings are compared with: those that the loads alone make, or what has opened up to a hundred
   /// times as much. What floats away on a singular matrix must not be the measure of its own error.
   double opening_scale() const;
-  /// By how much q may miss its equation [L]. Where all points are contacts what they carry counts, t/(E/h),
-  /// by which equilibrium is judged: joints may open much further than they are pressed together.
-  double wanted_accuracy() const;
-  bool is_solved() const;
+  /// By how much q may miss its equation [L].
+  double largest_miss(Accuracy accuracy) const;
+  bool is_solved(Accuracy accuracy = Accuracy::of_openings) const;
   void evaluate();
   std::size_t pieces() const;
   auto couplings(std::size_t i) const {

@@ -71,7 +71,9 @@ def wall_joints(joint, last=("c", "d")):
     return {f"{one}_{other}": {"between": [one, other], **joint} for one, other in pairs}
 
 
-WEDGING = 55  # degrees of friction beyond which bricks hold each other until they snap
+# Degrees of friction beyond which bricks hold each other until they snap; sooner where they touch at their corners.
+WEDGING, WEDGING_AT_CORNERS = 55, 50
+AT_ENDS = ("lagrange", "augmented_lagrangian")  # treatments whose points are the ends of a side
 
 
 def wall_limit(mesh, treatment, angle):
@@ -80,8 +82,7 @@ def wall_limit(mesh, treatment, angle):
     Blocks cut from bricks have sides, and so last points, of their own: their rocking load is known to 5 %.
     """
     sliding = 30 * math.tan(math.radians(angle))
-    at_ends = treatment in ("lagrange", "augmented_lagrangian")
-    arm = 500 if at_ends or mesh != "given" else 500 - 50 * (1 - 1 / math.sqrt(3))
+    arm = 500 if treatment in AT_ENDS or mesh != "given" else 500 - 50 * (1 - 1 / math.sqrt(3))
     rocking = 30 * arm / 480
     return (sliding, 30e-7) if sliding < rocking else (rocking, (1e-7 if mesh == "given" else 0.05) * rocking)
 
@@ -102,7 +103,7 @@ def dry_wall(mesh, treatment, angle, name=None):
         "gauges": {"drift": {"type": "displacement", **corner, "direction": [1, 0]}},
         "path": {"stop": {"gauges": {"drift": 4}}}})
     built.update(thickness=100, units={"length": "mm", "force": "kN"})
-    snaps = angle > WEDGING
+    snaps = angle > (WEDGING_AT_CORNERS if treatment in AT_ENDS else WEDGING)
     return Case(f"dry_wall-{mesh}-{treatment}-{name or angle}", built, {"end": wall_limit(mesh, treatment, angle)}, None if snaps else 0)
 
 
