@@ -117,7 +117,7 @@ class Walk {
     for (std::size_t a = 0; a < changes.size(); ++a) {
       const Eigen::Index at = places[2 * a];
       auto pair = columns.middleCols<2>(place(a));
-      pair.noalias() = problem_.couplings.middleCols<2>(at) * changes[a];
+      pair = problem_.couplings.middleCols<2>(at).lazyProduct(changes[a]);
       pair.middleRows<2>(at) += Mat2::Identity();
       pair.row(last) += problem_.control.segment<2>(at).transpose();
     }
@@ -226,7 +226,7 @@ class Walk {
     const double ratio = inverse_.add(u, place(i), change.v);
     if (ratio < 0) direction_ = -direction_;
     constexpr double singular = 1e-11;
-    constexpr std::size_t most_changes = 24;
+    constexpr std::size_t most_changes = 100;
     if (std::abs(ratio) < singular || inverse_.num_changes() >= most_changes) return refactor(right);
     inverse_.update(way_);
     return way_.allFinite();

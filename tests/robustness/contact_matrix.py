@@ -61,7 +61,7 @@ def read_arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--write", type=Path, metavar="DIR", help="write the decks and expected.json")
     parser.add_argument("--run", metavar="PROGRAM", help="run the decks with this program")
-    parser.add_argument("--only", action="append", default=[], metavar="TEXT", help="cases whose name holds it; may be repeated")
+    parser.add_argument("--only", action="append", default=[], metavar="TEXT", help="cases whose name holds it, and each further one given")
     parser.add_argument("--without", action="append", default=[], metavar="TEXT",
                         help="no cases whose name holds it; may be repeated")
     parser.add_argument("--jobs", type=int, default=1)

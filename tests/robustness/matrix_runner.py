@@ -111,7 +111,7 @@ def run_cases(cases, folder, arguments):
 
 
 def print_rows(rows, path):
-    """Writes the rows to `path` where one is given; returns 1 when a case is not good."""
+    """Writes the rows to `path` where one is given; returns 1 when a case is not good, or there is none."""
     if path:
         with path.open("w", encoding="utf-8", newline="") as file:
             writer = csv.DictWriter(file, COLUMNS, extrasaction="ignore")
@@ -119,4 +119,4 @@ def print_rows(rows, path):
             writer.writerows(rows)
     good = sum(row["verdict"] == "good" for row in rows)
     print(f"{good} of {len(rows)} cases are good", file=sys.stderr)
-    return 0 if good == len(rows) else 1
+    return 0 if rows and good == len(rows) else 1
