@@ -1,4 +1,5 @@
 """`python -m ddapath.verify RUN [RUN...]`: a table per run; exit code 0 all checks hold, 3 some are refused, 2 no run."""
+import signal
 import sys
 
 from ..errors import DdapathError
@@ -40,4 +41,5 @@ def main(folders):
 
 
 if __name__ == "__main__":
+    signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # `| head` ends it without a word, as it does other programs
     sys.exit(main(sys.argv[1:]))
