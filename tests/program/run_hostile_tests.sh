@@ -114,8 +114,9 @@ limits() {
     'loca={Stepper: {Bordered Solver Method: Foo}}' 'loca={Stepper: {Max Steps: foo}}'; do
     refused "$list" "--set path." "$program" run "$bar" --folder none --set path.control=arc_length --set "path.$list"
   done
-  (ulimit -v 100000 && refused "little memory" "of address space" "$program" run "$bar" --folder none
-   exit $failed) || failed=1
+  grep -q __asan_init "$program" || # whose shadow of the memory alone takes terabytes of address space
+    (ulimit -v 100000 && refused "little memory" "of address space" "$program" run "$bar" --folder none
+     exit $failed) || failed=1
   is_absent none
 }
 
