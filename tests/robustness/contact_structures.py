@@ -71,8 +71,7 @@ def wall_joints(joint, last=("c", "d")):
     return {f"{one}_{other}": {"between": [one, other], **joint} for one, other in pairs}
 
 
-# Degrees of friction beyond which bricks hold each other until they snap; sooner where they touch at their corners.
-WEDGING, WEDGING_AT_CORNERS = 55, 50
+WEDGING = 55  # degrees of friction beyond which bricks hold each other until they snap
 AT_ENDS = ("lagrange", "augmented_lagrangian")  # treatments whose points are the ends of a side
 
 
@@ -103,7 +102,7 @@ def dry_wall(mesh, treatment, angle, name=None):
         "gauges": {"drift": {"type": "displacement", **corner, "direction": [1, 0]}},
         "path": {"stop": {"gauges": {"drift": 4}}}})
     built.update(thickness=100, units={"length": "mm", "force": "kN"})
-    snaps = angle > (WEDGING_AT_CORNERS if treatment in AT_ENDS else WEDGING)
+    snaps = angle > WEDGING
     return Case(f"dry_wall-{mesh}-{treatment}-{name or angle}", built, {"end": wall_limit(mesh, treatment, angle)}, None if snaps else 0)
 
 
