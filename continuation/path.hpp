@@ -186,8 +186,9 @@ class Path {
   std::optional<Point> snap(const Candidate& beyond, const Move& move, double amount, Snap& snap);
   std::optional<Point> land_on_turn(double failed, bool on_new_cracks, const Move& move);
   bool creates_energy(const Candidate& beyond) const;
-  std::optional<Candidate> try_step(const Move& move, double amount, std::string& why);
-  Attempt attempt(const Move& move, double amount);
+  std::optional<Candidate> try_step(const Move& move, double amount, std::string& why,
+                                    Thoroughness thoroughness = Thoroughness::usual);
+  Attempt attempt(const Move& move, double amount, Thoroughness thoroughness);
   std::optional<Candidate> judged(const Attempt& tried, const std::string& control, std::string& why);
   bool lies_behind(const Candidate& candidate, const Move& move) const;
   void reject(const std::string& control, const std::string& why);

@@ -136,7 +136,7 @@ std::optional<Point> Path::controlled_step(const Move& move) {
   if (load_of(walker_.ahead(amount)) <= 0 && load_of(walker_.state()) > 0)
     if (auto point = rupture()) return point;
   const double smallest = smallest_share * amount, natural = std::max(amount, bounded(first_amount()));
-  constexpr double few_cuts = 0.1;  // new cracks are many: only where cutting the step has not helped
+  constexpr double few_cuts = 0.1;  // of the step: more is tried, which takes long, once they have not helped
   std::string why = "the tangent does not tell how far a step may go";
   const auto shorten = [&](const std::string& because, double share) {
     why = because;
@@ -161,13 +161,14 @@ std::optional<Point> Path::controlled_step(const Move& move) {
   Snap snaps{.natural = natural};
   Looks looked;
   for (int refinements = 0, looks = 0; amount > smallest;) {
-    const auto candidate = try_step(move, amount, why);
+    const bool is_cut = amount <= few_cuts * natural;
+    const auto candidate = try_step(move, amount, why, is_cut ? Thoroughness::full : Thoroughness::usual);
     if (!candidate) {
       if (load_of(walker_.ahead(amount / cut)) <= 0)
         if (auto point = rupture()) return point;
       if (jumped_)
         if (auto point = snap(*jumped_, move, amount, snaps)) return point;
-      if (auto point = land_on_turn(amount, amount <= few_cuts * natural, move)) return point;
+      if (auto point = land_on_turn(amount, is_cut, move)) return point;
       amount *= cut;
       continue;
     }
@@ -288,8 +289,9 @@ std::optional<Point> Path::snap(const Candidate& beyond, const Move& move, doubl
   return point;
 }
 
-std::optional<Candidate> Path::try_step(const Move& move, double amount, std::string& why) {
-  auto candidate = judged(attempt(move, amount), move.control, why);
+std::optional<Candidate> Path::try_step(const Move& move, double amount, std::string& why,
+                                        Thoroughness thoroughness) {
+  auto candidate = judged(attempt(move, amount, thoroughness), move.control, why);
   if (!candidate || !lies_behind(*candidate, move)) return candidate;
   why = "the event lies behind, where cracks close";
   reject(move.control, why);
@@ -325,11 +327,10 @@ void Path::reject(const std::string& control, const std::string& why) {
   report("rejected", fmt::format("{}: {}", control, why));
 }
 
-Attempt Path::attempt(const Move& move, double amount) {
-  if (!move.arc) {
-    const double step = move.to_event ? 1.0 : amount * move.rate;
-    return walker_.attempt(*move.equation, step, walker_.ahead(amount));
-  }
+Attempt Path::attempt(const Move& move, double amount, Thoroughness thoroughness) {
+  if (!move.arc)
+    return walker_.attempt(*move.equation, move.to_event ? 1.0 : amount * move.rate, walker_.ahead(amount),
+                           thoroughness);
   ArcLength arc = *move.arc;
   arc.length *= amount * move.rate;
   return walker_.attempt(arc);

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "continuation/contact/cracked_points.hpp"
-
 namespace dda {
 namespace {
 
@@ -18,8 +16,8 @@ bool has_offsets(const System& system) {
 /// spring.
 constexpr double loosened = 0.9;
 
-/// Along joints of bodies that only touch the stiff spring of an iterated multiplier makes a long slide out of
-/// a tiny load: the load factor would be told from the rounding of q. A softer one leaves less of that.
+/// Along joints of bodies that only touch the stiff spring of an iterated multiplier makes a long slide out
+/// of a tiny load: the load factor would be told from the rounding of q. A softer one leaves less of that.
 constexpr double softened = 0.1;
 
 /// Points without columns that are not as in the base.
@@ -68,22 +66,23 @@ void refine(System& system, CrackedPoints& points, Reduced& found, const Contact
 
 /// Solves contacts under a control that is a sum, taking points in until none is left out.
 std::optional<Reduced> solve_sum(System& system, const ControlSum& sum, const State& guess,
-                                 const ContactSettings& settings) {
+                                 const ContactSettings& settings, std::optional<CrackedPoints>& points) {
   LinearSystem& linear = system.contact_linear();
   Reduced out{.state = guess};
   constexpr int most_rounds = 60;
   for (int round = 0; round < most_rounds; ++round) {
     if (linear.updated_points().size() > settings.most_points) return {};
-    CrackedPoints points(system, linear, sum);
+    if (!points || points->num_points() != linear.updated_points().size())
+      points.emplace(system, linear, sum);
     const auto scope = system.timings().measure("contact");
-    const auto iterations = iterate(points, guess, settings);
+    const auto iterations = iterate(*points, guess, settings);
     if (!iterations) return {};
     out.iterations += *iterations;
-    out.state = points.state();
+    out.state = points->state();
     out.state.multipliers = guess.multipliers;
     const std::vector<std::size_t> added = newly_cracked(system, linear, out.state);
     if (added.empty()) {
-      refine(system, points, out, settings);
+      refine(system, *points, out, settings);
       return out;
     }
     linear.add_points(added);
@@ -104,7 +103,8 @@ std::optional<Reduced> solve_tangents(System& system, const Control& control, do
     const auto tangent = control.tangent_gauge(at, s);
     if (!tangent) return {};
     const ControlSum sum{.gauge = &tangent->gauge, .spends = false, .target = tangent->value, .scale = 1};
-    const auto found = solve_sum(system, sum, out.state, settings);
+    std::optional<CrackedPoints> points;
+    const auto found = solve_sum(system, sum, out.state, settings, points);
     if (!found) return {};
     out.state = found->state;
     out.iterations += found->iterations;
@@ -189,9 +189,9 @@ void prepare_contacts(System& system, const State& guess) {
 }
 
 std::optional<Reduced> solve_contacts(System& system, const Control& control, double s, const State& guess,
-                                      const ContactSettings& settings) {
+                                      const ContactSettings& settings, std::optional<CrackedPoints>& points) {
   if (has_offsets(system) || !system.has_contacts()) return {};
-  if (const auto sum = control.as_sum(s)) return solve_sum(system, *sum, guess, settings);
+  if (const auto sum = control.as_sum(s)) return solve_sum(system, *sum, guess, settings, points);
   return solve_tangents(system, control, s, guess, settings);
 }
 

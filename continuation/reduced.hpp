@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "continuation/contact/cracked_points.hpp"
 #include "continuation/control/control.hpp"
 
 namespace dda {
@@ -39,9 +40,10 @@ struct ContactSettings {
 /// Contact and friction solved exactly on the points that are not held as in the intact structure, with
 /// Newton's method for what cracks around it, also under frozen damage, iterated multipliers and controls
 /// that look at every point; after `prepare_contacts`. Nothing with initial stress, where no joint is in
-/// contact, where more than `most_points` points would take part, and where there is no equilibrium.
+/// contact, where more than `most_points` points would take part, and where there is no equilibrium. `points`
+/// are kept from call to call of one step, as while multipliers are iterated.
 std::optional<Reduced> solve_contacts(System& system, const Control& control, double s, const State& guess,
-                                      const ContactSettings& settings);
+                                      const ContactSettings& settings, std::optional<CrackedPoints>& points);
 /// Points that are not held at a state as in the intact structure.
 std::size_t num_changed(System& system, const State& at);
 /// Those among them that were bonded.

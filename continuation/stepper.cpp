@@ -14,11 +14,14 @@ namespace dda {
 namespace {
 
 /// Up to so many points that have cracked contacts are solved before Newton's method is tried on all
-/// unknowns, or where it has failed on what cracks, slides and closes: their dense equations grow with the
-/// third power.
+/// unknowns: their dense equations grow with the third power.
 constexpr std::size_t few_points = 200;
-/// Points that may take part in the end, where bodies touch that were never bonded and elsewhere.
-constexpr std::size_t most_touching = 1500, most_cracked = 250;
+/// Points that may take part in the end, where bodies touch that were never bonded, and elsewhere, where
+/// Newton's method has failed on what cracks, slides and closes.
+std::size_t most_points(const System& system, Thoroughness thoroughness) {
+  if (system.joins_by_contact()) return 1500;
+  return thoroughness == Thoroughness::full ? 600 : few_points;
+}
 
 /// A state as the end of the step, if the full equations and the control have nothing to add.
 std::optional<Attempt> finished(System& system, const Control& control, double step, const State& at,
@@ -52,22 +55,24 @@ std::string missed(System& system, const Control& control, double step, const St
 }  // namespace
 
 Attempt contact_step(System& system, const State& start, const Control& control, double step,
-                     const State& guess, const StepperParameters& parameters) {
+                     const State& guess, const StepperParameters& parameters, Thoroughness thoroughness) {
   Attempt out{.state = guess, .reason = "contact and friction allow no equilibrium here"};
   if (!system.has_contacts()) return out;
   if (parameters.multipliers.predicted) system.set_multipliers(guess.multipliers);
   prepare_contacts(system, guess);
   ContactSettings settings{.max_iterations = parameters.newton.max_iterations,
                            .from = &start,
-                           .most_points = system.joins_by_contact() ? most_touching : most_cracked,
+                           .most_points = most_points(system, thoroughness),
                            .tolerance = parameters.newton.tolerance};
   Settling settling(parameters.multipliers);
+  std::optional<CrackedPoints> points;
   for (;; ++out.multiplier_iterations) {
-    auto found = solve_contacts(system, control, step, out.state, settings);
+    auto found = solve_contacts(system, control, step, out.state, settings, points);
     if (found) out.reason = missed(system, control, step, found->state, parameters.newton.tolerance);
-    if (settings.tries_newton && (!found || !out.reason.empty())) {
+    const bool walked = !settings.tries_newton || (points && points->only_touch());
+    if (!walked && (!found || !out.reason.empty())) {
       settings.tries_newton = false;
-      found = solve_contacts(system, control, step, out.state, settings);
+      found = solve_contacts(system, control, step, out.state, settings, points);
       if (found) out.reason = missed(system, control, step, found->state, parameters.newton.tolerance);
       settings.tries_newton = true;
     }
@@ -92,13 +97,14 @@ Attempt contact_step(System& system, const State& start, const Control& control,
 }
 
 Attempt controlled_step(System& system, const State& start, Control& control, double step, const State& guess,
-                        const StepperParameters& parameters) {
+                        const StepperParameters& parameters, Thoroughness thoroughness) {
   system.set_frozen(control.freezes_damage());
   system.set_multipliers(start.multipliers);
   control.start_at({start.d, start.load_factor, *system.laws_at(start.d, start.load_factor)}, std::abs(step));
   const bool touches = system.joins_by_contact();
   const std::size_t cracked = touches ? num_cracked(system, guess) : 0;
-  const bool only_touches = touches && cracked == 0 && num_changed(system, guess) <= most_touching;
+  const std::size_t most = most_points(system, thoroughness);
+  const bool only_touches = touches && cracked == 0 && num_changed(system, guess) <= most;
   const auto reduced = only_touches
                            ? std::nullopt
                            : solve_reduced(system, control, step, guess, parameters.newton.max_iterations);
@@ -108,7 +114,7 @@ Attempt controlled_step(System& system, const State& start, Control& control, do
   const bool contacts_first = touches && cracked <= few_points;
   std::string of_contacts;
   if (!out.converged && contacts_first) {
-    out = contact_step(system, start, control, step, guess, parameters);
+    out = contact_step(system, start, control, step, guess, parameters, thoroughness);
     of_contacts = out.reason;
   }
   if (!out.converged) {
@@ -117,10 +123,10 @@ Attempt controlled_step(System& system, const State& start, Control& control, do
   }
   // At a rupture the tangent is singular on the far side of the kink: only from this one can it be reached.
   if (!out.converged && reduced) out = loca_step(system, start, control, step, guess, parameters);
-  const auto is_walked = [&] { return touches || num_changed(system, guess) <= few_points; };
+  const auto is_walked = [&] { return touches || num_changed(system, guess) <= most; };
   if (!out.converged && !contacts_first && is_walked()) {
     system.set_multipliers(start.multipliers);
-    const Attempt found = contact_step(system, start, control, step, guess, parameters);
+    const Attempt found = contact_step(system, start, control, step, guess, parameters, thoroughness);
     of_contacts = found.reason;
     if (found.converged) out = found;
   }

@@ -51,10 +51,13 @@ struct ArcLength {
   double goal = 0.5;       ///< θ λ'/‖(d', λ')‖ at the start, so that LOCA keeps θ
 };
 
+/// How much is tried before a step is given up: where a shorter one may do, no large dense problem.
+enum class Thoroughness { usual, full };
+
 /// One step from an equilibrium to where the control holds, Newton starting from `guess`: on the cracked
 /// points alone where that is all there is to solve, else by LOCA (TrilinosModule::controlled_step).
 Attempt controlled_step(System& system, const State& start, Control& control, double step, const State& guess,
-                        const StepperParameters& parameters);
+                        const StepperParameters& parameters, Thoroughness thoroughness = Thoroughness::usual);
 
 /// One LOCA::Stepper step by LOCA's arc length in λ with the tangent predictor.
 Attempt arc_length_step(System& system, const State& start, const ArcLength& arc,

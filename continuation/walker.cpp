@@ -21,8 +21,8 @@ void Walker::begin_stage(std::size_t stage) {
   leaving_ = starting_tangent(system_, here_.state);
 }
 
-Attempt Walker::attempt(Control& control, double step, const State& guess) {
-  Attempt out = controlled_step(system_, here_.state, control, step, guess, parameters_);
+Attempt Walker::attempt(Control& control, double step, const State& guess, Thoroughness thoroughness) {
+  Attempt out = controlled_step(system_, here_.state, control, step, guess, parameters_, thoroughness);
   effort_.newton_iterations += out.newton_iterations;
   effort_.reduced_iterations += out.reduced_iterations;
   effort_.multiplier_iterations += out.multiplier_iterations;

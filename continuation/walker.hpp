@@ -68,7 +68,8 @@ class Walker {
   double value(const Functional& gauge) const { return gauge.value(here_.state.d, here_.state.load_factor); }
 
   /// Tries a step under a control; Newton starts from the guess.
-  Attempt attempt(Control& control, double step, const State& guess);
+  Attempt attempt(Control& control, double step, const State& guess,
+                  Thoroughness thoroughness = Thoroughness::usual);
   /// Tries an arc-length step.
   Attempt attempt(const ArcLength& arc);
   /// Everything about a converged attempt; the walker stays where it is.

@@ -4,23 +4,30 @@
 
 namespace dda {
 
-bool ChangingInverse::factor(Matrix columns, std::vector<Eigen::Index> places, Vector last_row) {
+bool ChangingInverse::factor(const Matrix& columns, std::vector<Eigen::Index> places, Vector last_row) {
   changes_.clear();
-  columns_ = std::move(columns);
   places_ = std::move(places);
-  last_row_ = std::move(last_row);
-  for (const Eigen::Index place : places_) last_row_[place] = 0;
-  Matrix square = columns_(places_, Eigen::all);
+  others_.clear();
+  for (Eigen::Index i = 0, next = 0; i < columns.rows(); ++i)
+    if (places_[static_cast<std::size_t>(next)] == i)
+      ++next;
+    else
+      others_.push_back(i);
+  columns_ = columns(others_, Eigen::all);
+  last_row_ = last_row(others_);
+  Matrix square = columns(places_, Eigen::all);
   square.bottomRows(1) -= last_row_.transpose() * columns_;
   return lu_.compute(std::move(square));
 }
 
 Eigen::VectorXd ChangingInverse::solve(const Vector& b) const {
-  Vector right = b(places_);
-  right[right.size() - 1] -= last_row_.dot(b);
+  Vector right = b(places_), rest = b(others_);
+  right[right.size() - 1] -= last_row_.dot(rest);
   const Vector y = lu_.solve(std::move(right));
-  Vector x = b - columns_ * y;
+  rest.noalias() -= columns_ * y;
+  Vector x(b.size());
   x(places_) = y;
+  x(others_) = rest;
   for (const Change& change : changes_) x -= change.column * (change.along(x) / change.ratio);
   return x;
 }

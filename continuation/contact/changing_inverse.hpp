@@ -17,13 +17,15 @@ class ChangingInverse {
 
   /// `columns` of M at `places`, which ascend and end with the last one; `last_row` of M elsewhere. False
   /// when M is singular.
-  bool factor(Matrix columns, std::vector<Eigen::Index> places, Vector last_row);
+  bool factor(const Matrix& columns, std::vector<Eigen::Index> places, Vector last_row);
   Vector solve(const Vector& b) const;
   /// Adds u vᵀ, v at two rows only; the factor by which the determinant changes.
   double add(const Vector& u, Eigen::Index at, const Vec2& v);
   /// Brings a solution before the last change up to it.
   void update(Vector& x) const;
   std::size_t num_changes() const { return changes_.size(); }
+  /// Of the columns that are factorised.
+  std::size_t size() const { return places_.size(); }
 
  private:
   struct Change {
@@ -34,8 +36,8 @@ class ChangingInverse {
     double along(const Vector& x) const { return v.dot(x.segment<2>(at)); }
   };
 
-  Matrix columns_;
-  std::vector<Eigen::Index> places_;
+  std::vector<Eigen::Index> places_, others_;
+  Matrix columns_;  ///< at `others_` alone
   Vector last_row_;
   DenseLu lu_;  ///< of the rows at `places_`, what the others have to do with the last one eliminated
   std::vector<Change> changes_;

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
-
-#include "continuation/contact/changing_inverse.hpp"
+#include <unordered_set>
 
 namespace dda {
 namespace {
@@ -20,19 +20,30 @@ double tie_breaker(std::size_t index) {
   return 1 + 0.3 * (golden - std::floor(golden));
 }
 
+/// A random number that belongs to a point on a piece: sums of them tell sets of pieces apart.
+std::uint64_t mark_of(std::size_t point, ContactPiece piece) {
+  std::uint64_t z = 0x9e3779b97f4a7c15ull * (4 * point + static_cast<std::uint64_t>(piece) + 1);
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
+  return z ^ (z >> 31);
+}
+
 class Walk {
  public:
-  explicit Walk(const ContactProblem& problem)
-      : problem_(problem), pieces_(size(), ContactPiece::stuck), centre_(Vector::Zero(2 * count())) {}
+  Walk(const ContactProblem& problem, ContactMatrix& matrix, const ResidualStiffness& residual)
+      : problem_(problem),
+        matrix_(matrix),
+        residual_(residual),
+        pieces_(size(), ContactPiece::stuck),
+        centre_(Vector::Zero(2 * count())) {}
 
   std::optional<Vector> from(const Vector& start) {
     x_ = start;
-    centre_ = openings(start);
-    disturb(residual(x_, problem_.residual_share).lpNorm<Eigen::Infinity>());
+    set_centre(start);
+    disturb(residual(x_, residual_.share).lpNorm<Eigen::Infinity>());
     read_pieces();
     tau_ = 1;
-    const std::size_t most = problem_.corrects ? most_near * size() : size() / 2;
-    return follow(residual(x_, problem_.residual_share), most + few);
+    return follow(residual(x_, residual_.share), most_near * size() + few);
   }
 
   std::optional<Vector> covered() {
@@ -40,8 +51,8 @@ class Walk {
       if (const auto& contact = problem_.points[i].contact)
         pieces_[i] = contact->coefficient > 0 ? ContactPiece::stuck : ContactPiece::forward;
     x_ = Vector::Zero(problem_.constant.size());
-    if (!factor()) return {};
-    x_ -= inverse_.solve(residual(x_, problem_.residual_share));
+    if (!matrix_.move_to(problem_, changes())) return {};
+    x_ -= matrix_.solve(residual(x_, residual_.share));
     Vector overlap = Vector::Zero(x_.size());
     for (std::size_t i = 0; i < size(); ++i)
       if (problem_.points[i].contact) overlap[place(i)] = -tie_breaker(i);
@@ -52,33 +63,45 @@ class Walk {
 
  private:
   /// Corners a walk may pass, per point and beside: one that passes more wanders.
-  static constexpr std::size_t most_near = 2, most_covered = 12, few = 200;
+  static constexpr std::size_t most_near = 2, most_covered = 4, few = 200;
 
   std::size_t size() const { return problem_.points.size(); }
   Eigen::Index count() const { return static_cast<Eigen::Index>(size()); }
   Vec2 opening(const Vector& x, std::size_t i) const { return x.segment<2>(place(i)); }
 
+  /// What is left of a point's traction t and what is added: a t + b P (q − c).
+  struct Residual {
+    double of_law = 1, of_spring = 0;
+  };
+  /// ε P (q − w₀) beside (1 − ε) t, w₀ = q₀ − P⁻¹ t₀: nothing of what sticks. From ε = 1 on all of t and
+  /// ε P (q − q₀), more firmly than friction can push; where q has an exact multiplier in it the first, with
+  /// ε/(1 + ε), is a spring ε P against what opens and slides.
+  Residual residual_of(std::size_t i, double share) const {
+    if (share < 1) return {1 - share, share};
+    if (!problem_.points[i].is_exact) return {1, share};
+    return {1 / (1 + share), share / (1 + share)};
+  }
+  bool holds_jump(std::size_t i) const { return residual_.share >= 1 && !problem_.points[i].is_exact; }
+
   /// Traction and tangent of a point on its piece, its residual stiffness included.
   Response respond(std::size_t i, const Vec2& q, double share) const {
     const ContactProblem::Point& point = problem_.points[i];
     if (!point.contact) return {point.traction + point.tangent * q, point.tangent};
-    Response out = response_on(*point.contact, pieces_[i], q);
+    const Response now = response_on(*point.contact, pieces_[i], q);
     const Mat2 trial = point.trial.asDiagonal();
-    const Vec2 opened = trial * q - out.traction - trial * centre_.segment<2>(place(i));
-    out.traction += share * opened;
-    out.tangent += share * (trial - out.tangent);
-    return out;
+    const Residual r = residual_of(i, share);
+    return {r.of_law * now.traction + r.of_spring * (trial * (q - centre_.segment<2>(place(i)))),
+            r.of_law * now.tangent + r.of_spring * trial};
   }
 
-  /// w = q − P⁻¹ t of all points.
-  Vector openings(const Vector& x) {
-    read_pieces_at(x);
-    Vector out = Vector::Zero(2 * count());
+  /// c of all points: w₀ = q₀ − P⁻¹ t₀, or q₀.
+  void set_centre(const Vector& start) {
+    read_pieces_at(start);
     for (std::size_t i = 0; i < size(); ++i) {
-      const Vec2 q = opening(x, i);
-      out.segment<2>(place(i)) = q - respond(i, q, 0).traction.cwiseQuotient(problem_.points[i].trial);
+      const Vec2 q = opening(start, i);
+      const Vec2 held = respond(i, q, 0).traction.cwiseQuotient(problem_.points[i].trial);
+      centre_.segment<2>(place(i)) = holds_jump(i) ? q : Vec2(q - held);
     }
-    return out;
   }
 
   Vector residual(const Vector& x, double share) const {
@@ -98,31 +121,13 @@ class Walk {
 
   Mat2 change_of(std::size_t i) const {
     const ContactProblem::Point& point = problem_.points[i];
-    return point.weight * (respond(i, Vec2::Zero(), problem_.residual_share).tangent - point.base);
+    return point.weight * (respond(i, Vec2::Zero(), residual_.share).tangent - point.base);
   }
 
-  /// ∂F/∂x: the unit matrix but for the points that are not as in the base, the load factor and the control.
-  bool factor() {
-    std::vector<Mat2> changes;
-    std::vector<Eigen::Index> places;
-    for (std::size_t i = 0; i < size(); ++i) {
-      const Mat2 change = change_of(i);
-      if (change.isZero(0)) continue;
-      changes.push_back(change);
-      places.insert(places.end(), {place(i), place(i) + 1});
-    }
-    const Eigen::Index last = 2 * count();
-    places.push_back(last);
-    Matrix columns(last + 1, std::ssize(places));
-    for (std::size_t a = 0; a < changes.size(); ++a) {
-      const Eigen::Index at = places[2 * a];
-      auto pair = columns.middleCols<2>(place(a));
-      pair = problem_.couplings.middleCols<2>(at).lazyProduct(changes[a]);
-      pair.middleRows<2>(at) += Mat2::Identity();
-      pair.row(last) += problem_.control.segment<2>(at).transpose();
-    }
-    columns.rightCols(1) << -problem_.live, problem_.control[last];
-    return inverse_.factor(std::move(columns), std::move(places), problem_.control);
+  std::vector<Mat2> changes() const {
+    std::vector<Mat2> out(size());
+    for (std::size_t i = 0; i < size(); ++i) out[i] = change_of(i);
+    return out;
   }
 
   /// ∂F/∂x v of a v without load factor.
@@ -165,31 +170,32 @@ class Walk {
     return 1.1 * out + largest;
   }
 
-  /// Along F(x) = τ r to τ = 0, past not more than `most` corners, then corrected until F is met as it is.
+  /// Along F(x) = τ r to τ = 0, past not more than `most` corners, then corrected until F is met as it is. On
+  /// one set of pieces there is one line of solutions: a set that comes back closes a loop that never ends.
   std::optional<Vector> follow(const Vector& right, std::size_t most) {
-    if (!refactor(right)) return {};
+    if (!matrix_.move_to(problem_, changes())) return {};
+    way_ = matrix_.solve(right);
+    if (!way_.allFinite()) return {};
     direction_ = -1;
     last_ = -1;
+    std::unordered_set<std::uint64_t> passed;
+    std::uint64_t set = 0;  // of the pieces that are others than at the start
     for (std::size_t corners = 0; corners < most; ++corners) {
+      if (!passed.insert(set).second) return {};
       const Vector along = direction_ * way_;
       const auto end = next_end(along);
       const double rest = direction_ < 0 ? tau_ : std::numeric_limits<double>::infinity();
       if (!end || end->length >= rest) {
         if (!std::isfinite(rest)) return {};  // a ray: nothing holds what moves
         x_ += rest * along;
-        return problem_.corrects ? corrected() : std::optional(x_);
+        return residual_.is_taken_off ? corrected() : std::optional(x_);
       }
       x_ += end->length * along;
       tau_ += direction_ * end->length;
+      set += mark_of(end->point, end->to) - mark_of(end->point, pieces_[end->point]);
       if (!cross(end->point, end->to, right)) return {};
     }
     return {};
-  }
-
-  bool refactor(const Vector& right) {
-    if (!factor()) return false;
-    way_ = inverse_.solve(right);
-    return way_.allFinite();
   }
 
   struct NextEnd {
@@ -218,23 +224,22 @@ class Walk {
   bool cross(std::size_t i, ContactPiece to, const Vector& right) {
     const ContactProblem::Point& point = problem_.points[i];
     const PieceChange change = change_between(*point.contact, pieces_[i], to);
-    const Vector u = problem_.couplings.middleCols<2>(place(i)) *
-                     ((1 - problem_.residual_share) * point.weight * change.u);
     last_ = static_cast<int>(i);
     left_ = pieces_[i];
     pieces_[i] = to;
-    const double ratio = inverse_.add(u, place(i), change.v);
-    if (ratio < 0) direction_ = -direction_;
-    constexpr double singular = 1e-11;
-    constexpr std::size_t most_changes = 100;
-    if (std::abs(ratio) < singular || inverse_.num_changes() >= most_changes) return refactor(right);
-    inverse_.update(way_);
+    const double by = residual_of(i, residual_.share).of_law * point.weight;
+    if (matrix_.add(problem_, i, change_of(i), by * change.u, change.v) < 0) direction_ = -direction_;
+    if (!matrix_.is_worn()) {
+      matrix_.update(way_);
+    } else {
+      if (!matrix_.factor(problem_, changes())) return false;
+      way_ = matrix_.solve(right);
+    }
     return way_.allFinite();
   }
 
   /// Proximal corrections on the pieces that were found, until the equations hold as they are.
   std::optional<Vector> corrected() {
-    if (!factor()) return {};
     double before = std::numeric_limits<double>::infinity();
     Vector best = x_;
     for (int correction = 0; correction < 12; ++correction) {
@@ -244,46 +249,49 @@ class Walk {
       best = x_;
       if (error <= problem_.accuracy || (correction > 3 && error > 0.5 * before)) return best;
       before = error;
-      x_ -= inverse_.solve(rest);
+      x_ -= matrix_.solve(rest);
     }
     return best;
   }
 
   const ContactProblem& problem_;
+  ContactMatrix& matrix_;
+  const ResidualStiffness residual_;
   std::vector<ContactPiece> pieces_;
   Vector centre_;  ///< w that the residual stiffness pulls to
   Vector x_, way_;
   double tau_ = 1, direction_ = -1;
-  ChangingInverse inverse_;
   int last_ = -1;                            ///< point that crossed last
   ContactPiece left_ = ContactPiece::stuck;  ///< the piece it came from
 };
 
 }  // namespace
 
-std::optional<Vector> walk_from(const ContactProblem& problem, const Vector& start) {
-  return Walk(problem).from(start);
+std::optional<Vector> walk_from(const ContactProblem& problem, const Vector& start, ContactMatrix& matrix,
+                                const ResidualStiffness& residual) {
+  return Walk(problem, matrix, residual).from(start);
 }
 
-std::optional<Vector> walk_proximally(ContactProblem problem, Vector start) {
-  constexpr double firm = 0.1, more = 10, most = 1, at_rest = 0.1;
-  constexpr int most_walks = 150;
-  const double wanted = problem.residual_share;
-  double& share = problem.residual_share;
-  share = std::max(firm, more * wanted);
+std::optional<Vector> walk_proximally(const ContactProblem& problem, Vector start, ContactMatrix& matrix,
+                                      const ResidualStiffness& residual) {
+  constexpr double firm = 0.1, at_rest = 0.1;
+  constexpr int most_walks = 1000;
+  const double wanted = residual.share;
+  constexpr int firmest = -1;
+  int level = 1;  // of the share, in powers of `firm`
   const Eigen::Index last = start.size() - 1;
   double moved = 0, moved_then = 0;
   int patience = 1, stays = 0;
   bool is_trial = false;
-  for (int walks = 0; walks < most_walks && share <= most; ++walks) {
-    problem.corrects = share <= wanted;
-    const auto found = walk_from(problem, start);
+  for (int walks = 0; walks < most_walks && level >= firmest; ++walks) {
+    const double share = std::max(wanted, std::pow(firm, level));
+    const auto found = walk_from(problem, start, matrix, {share, share <= wanted});
     if (!found) {
       if (is_trial) patience *= 2;
       moved_then = moved;
       stays = 0;
       is_trial = false;
-      share *= more;
+      --level;
       continue;
     }
     if (share <= wanted) return found;
@@ -291,12 +299,15 @@ std::optional<Vector> walk_proximally(ContactProblem problem, Vector start) {
     start = *found;
     is_trial = ++stays >= patience || moved <= at_rest * moved_then;
     if (!is_trial) continue;
-    share = std::max(wanted, share / more);
+    ++level;
     stays = 0;
   }
   return {};
 }
 
-std::optional<Vector> walk_covered(const ContactProblem& problem) { return Walk(problem).covered(); }
+std::optional<Vector> walk_covered(const ContactProblem& problem, ContactMatrix& matrix,
+                                   const ResidualStiffness& residual) {
+  return Walk(problem, matrix, residual).covered();
+}
 
 }  // namespace dda

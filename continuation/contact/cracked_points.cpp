@@ -23,17 +23,12 @@ CrackedPoints::CrackedPoints(const System& system, LinearSystem& linear, const C
       control_(control),
       points_(linear_.updated_points()),
       dead_(size()),
-      live_(size()),
-      origin_(linear.dead_solution()),
-      z_origin_(Vector::Zero(size())) {
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    pair(dead_, i) = system.equilibrium().opening(points_[i], linear_.dead_solution()) + multiplier(i);
+      live_(size()) {
+  for (std::size_t i = 0; i < points_.size(); ++i)
     pair(live_, i) = system.equilibrium().opening(points_[i], linear_.reference_solution());
-  }
   only_touch_ = std::ranges::all_of(
       points_, [&](std::size_t p) { return system.equilibrium().point(p).is_separate(); });
   if (!control.gauge) return;
-  gauge_dead_ = control.gauge->value(linear_.dead_solution(), 0);
   gauge_live_ = control.gauge->value(linear_.reference_solution(), 1) - control.gauge->constant;
   along_ = linear_.along_columns(*control.gauge);
 }
@@ -43,9 +38,14 @@ Vec2 CrackedPoints::multiplier(std::size_t i) const {
 }
 
 void CrackedPoints::start_at(const State& guess) {
+  origin_ = linear_.dead_solution();
+  z_origin_ = Vector::Zero(size());
   q_.resize(size());
-  for (std::size_t i = 0; i < points_.size(); ++i)
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    pair(dead_, i) = system_.equilibrium().opening(points_[i], origin_) + multiplier(i);
     pair(q_, i) = system_.equilibrium().opening(points_[i], guess.d) + multiplier(i);
+  }
+  if (control_.gauge) gauge_dead_ = control_.gauge->value(origin_, 0);
   load_factor_ = guess.load_factor;
   scale_ = std::max({dead_.lpNorm<Eigen::Infinity>(), q_.lpNorm<Eigen::Infinity>(),
                      std::abs(load_factor_) * live_.lpNorm<Eigen::Infinity>()});
@@ -84,13 +84,14 @@ std::optional<int> CrackedPoints::walk(int max_iterations, int at_least, Accurac
     if (iteration > 1 && error > 0.5 * before && ++rises > most_rises)
       return error <= hardly * opening_scale() ? std::optional(iteration) : std::nullopt;
     before = error;
-    ContactProblem problem = linearised();
-    problem.residual_share *= std::pow(smaller, rises);
+    linearise();
+    ResidualStiffness residual;
+    residual.share *= std::pow(smaller, rises);
     Vector start(size() + 1);
     start << q_, load_factor_;
-    auto found = walk_from(problem, start);
-    if (!found) found = walk_proximally(problem, start);
-    if (!found) found = walk_covered(problem);
+    auto found = walk_from(problem_, start, matrix_, residual);
+    if (!found) found = walk_proximally(problem_, start, matrix_, residual);
+    if (!found) found = walk_covered(problem_, matrix_, residual);
     if (!found || !found->allFinite()) return {};
     q_ = found->head(size());
     load_factor_ = (*found)[size()];
@@ -282,28 +283,35 @@ double CrackedPoints::slope(const Vector& dq) const {
   return out;
 }
 
-/// All but contact and friction made linear where the iteration stands, the control in units of the openings.
-ContactProblem CrackedPoints::linearised() const {
-  ContactProblem out;
+/// All but contact and friction made linear where the iteration stands, the control in units of the openings:
+/// in powers of two, so that the matrix is hardly ever another one for it.
+void CrackedPoints::linearise() {
   const Eigen::Index n = size();
   const double size_now = opening_scale();
-  const double unit = size_now > 0 && control_.scale > 0 ? size_now / control_.scale : 1;
-  out.live = live_;
-  out.control = Vector::Zero(n + 1);
-  if (control_.spends) out.control.head(n) = unit * spending_;
-  out.control[n] = unit * (control_.gauge ? gauge_live_ : 0);
-  out.couplings.resize(n + 1, n);
-  out.couplings.topRows(n) = linear_.couplings().topLeftCorner(n, n);
-  out.couplings.row(n).setZero();
-  if (control_.gauge) out.couplings.row(n) = -unit * along_.transpose();
-  out.constant = Vector::Zero(n + 1);
-  out.constant.head(n) = -dead_;
-  out.constant -= out.couplings * z_origin_;
+  const bool has_unit = size_now > 0 && control_.scale > 0;
+  const double unit = has_unit ? std::exp2(std::round(std::log2(size_now / control_.scale))) : 1;
+  if (unit != unit_ || control_.spends) set_coefficients(unit);
   const double spent = control_.spends ? spent_ - spending_.dot(q_) : 0;
-  out.constant[n] += unit * ((control_.gauge ? gauge_dead_ : 0) + spent - control_.target);
-  out.accuracy = 1e-3 * good * size_now;
-  for (std::size_t i = 0; i < points_.size(); ++i) out.points.push_back(point_of(i));
-  return out;
+  problem_.constant.resize(n + 1);
+  problem_.constant << -dead_, unit * ((control_.gauge ? gauge_dead_ : 0) + spent - control_.target);
+  problem_.constant -= problem_.couplings * z_origin_;
+  problem_.accuracy = 1e-3 * good * size_now;
+  problem_.points.clear();
+  for (std::size_t i = 0; i < points_.size(); ++i) problem_.points.push_back(point_of(i));
+}
+
+void CrackedPoints::set_coefficients(double unit) {
+  const Eigen::Index n = size();
+  unit_ = unit;
+  matrix_.reset();
+  problem_.live = live_;
+  problem_.control = Vector::Zero(n + 1);
+  if (control_.spends) problem_.control.head(n) = unit * spending_;
+  problem_.control[n] = unit * (control_.gauge ? gauge_live_ : 0);
+  problem_.couplings.resize(n + 1, n);
+  problem_.couplings.topRows(n) = linear_.couplings().topLeftCorner(n, n);
+  problem_.couplings.row(n).setZero();
+  if (control_.gauge) problem_.couplings.row(n) = -unit * along_.transpose();
 }
 
 /// A point as contact where the damage stays at its q, else linear by its tangent.
@@ -318,6 +326,7 @@ ContactProblem::Point CrackedPoints::point_of(std::size_t i) const {
                             .base = linear_.base()[p],
                             .multiplier = multiplier(i),
                             .contact = point.law->contact(h, point.stiffness),
+                            .is_exact = point.multiplier == Multiplier::unknown,
                             .slides = h.sliding,
                             .traction = now.traction - now.tangent * q,
                             .tangent = now.tangent};

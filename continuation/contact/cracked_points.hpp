@@ -20,8 +20,9 @@ class CrackedPoints {
  public:
   CrackedPoints(const System& system, LinearSystem& linear, const ControlSum& control);
 
-  /// Begins at a state's openings.
+  /// Begins at a state's openings, with the multipliers of now.
   void start_at(const State& guess);
+  std::size_t num_points() const { return points_.size(); }
   /// Whether all of them are contacts, without damage.
   bool only_touch() const { return only_touch_; }
   /// Newton's method; the number of iterations, or nothing. Those that bring a new set of pieces do not count
@@ -65,12 +66,13 @@ class CrackedPoints {
   double value() const;
   double rounding_of_value() const;
   double slope(const Vector& dq) const;
-  ContactProblem linearised() const;
+  void linearise();
+  void set_coefficients(double unit);
   ContactProblem::Point point_of(std::size_t i) const;
 
   const System& system_;
   LinearSystem& linear_;
-  const ControlSum& control_;
+  const ControlSum control_;
   const std::vector<std::size_t> points_;
   Vector dead_, live_;  ///< q_dead + m, q_ref
   Vector along_;        ///< Zᵀ ∂g/∂d
@@ -84,6 +86,9 @@ class CrackedPoints {
   double scale_ = 0;                 ///< size of the openings of the loads alone and of the guess [L]
   std::vector<Mat2> change_;         ///< E
   std::vector<std::size_t> active_;  ///< places in points_ with z or E
+  ContactProblem problem_;           ///< all but contact and friction made linear
+  double unit_ = 0;                  ///< of the control in it
+  ContactMatrix matrix_;
 };
 
 }  // namespace dda

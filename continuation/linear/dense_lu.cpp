@@ -5,6 +5,9 @@
 
 extern "C" void dgetrf_(const int* rows, const int* columns, double* a, const int* stride, int* exchanges,
                         int* info);
+extern "C" void dgetrs_(const char* which, const int* rows, const int* columns, const double* a,
+                        const int* stride, const int* exchanges, double* b, const int* stride_of_b,
+                        int* info);
 
 namespace dda {
 
@@ -19,11 +22,11 @@ bool DenseLu::compute(Eigen::MatrixXd a) {
 }
 
 Eigen::MatrixXd DenseLu::solve(Eigen::MatrixXd b) const {
-  for (std::size_t i = 0; i < exchanges_.size(); ++i)
-    if (const int j = exchanges_[i] - 1; j != static_cast<int>(i))
-      b.row(static_cast<Eigen::Index>(i)).swap(b.row(j));
-  lu_.triangularView<Eigen::UnitLower>().solveInPlace(b);
-  lu_.triangularView<Eigen::Upper>().solveInPlace(b);
+  const int n = static_cast<int>(lu_.rows()), columns = static_cast<int>(b.cols());
+  if (n == 0 || columns == 0) return b;
+  const char as_it_is = 'N';
+  int info = 0;
+  dgetrs_(&as_it_is, &n, &columns, lu_.data(), &n, exchanges_.data(), b.data(), &n, &info);
   return b;
 }
 

@@ -63,13 +63,19 @@ def refusals(folder):
         return [f"cannot be verified: {error}"]
 
 
+def is_passed_by_jump(row, name, value):
+    """Whether joints that snap have carried a gauge beyond its goal, and the run says so."""
+    said = f"{name} reached {value:g} and stands at {row['goal'][name]!r}"
+    return row["goal"][name] > value and said in row["reason"]
+
+
 def faults(case, row):
     """What is wrong with a case's run, in words; empty when all that is known of it holds."""
     out = [] if row["exit"] == 0 else [f"exit {row['exit']}"]
     if row["exit"] == 0:
         goal = case.deck["path"]["stop"]["gauges"]
         out += [f"{name} stands at {row['goal'][name]:.6g}, not {value:g}" for name, value in goal.items()
-                if not abs(row["goal"][name] - value) <= 1e-6 * abs(value)]
+                if not abs(row["goal"][name] - value) <= 1e-6 * abs(value) and not is_passed_by_jump(row, name, value)]
     for quantity, (value, tolerance) in case.expected.items():
         found = row[quantity]
         if found is None or not abs(found - value) <= tolerance:
