@@ -1,6 +1,6 @@
-#include "continuation/increment/load_solver.hpp"
+#include "continuation/control/control.hpp"
+#include "continuation/detour/increment/load_solver.hpp"
 #include "continuation/linear/direct_solver.hpp"
-#include "continuation/strategy/driver.hpp"
 
 namespace dda {
 
@@ -9,8 +9,8 @@ DirectSolverFamily& direct_solvers() {
   return family;
 }
 
-DriverFamily& drivers() {
-  static DriverFamily family("control", "What is prescribed along the path.");
+ControlFamily& controls() {
+  static ControlFamily family("control", "What is prescribed along the path.");
   return family;
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "framework/index.hpp"
+#include "framework/base/index.hpp"
 #include "meshing/polygon.hpp"
 
 namespace dda {

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "framework/errors.hpp"
+#include "framework/base/errors.hpp"
 #include "meshing/gmsh_model.hpp"
 
 namespace dda {

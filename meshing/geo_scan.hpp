@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "framework/errors.hpp"
+#include "framework/base/errors.hpp"
 
 namespace dda {
 

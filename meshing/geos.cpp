@@ -1,6 +1,6 @@
 #include "meshing/geos.hpp"
 
-#include "framework/loaded.hpp"
+#include "framework/base/loaded.hpp"
 
 namespace dda {
 namespace {

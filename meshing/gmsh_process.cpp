@@ -12,7 +12,7 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "framework/channel.hpp"
+#include "framework/base/channel.hpp"
 #include "meshing/exchange.hpp"
 #include "meshing/gmsh_server.hpp"
 

@@ -13,9 +13,9 @@
 #include <limits>
 #include <new>
 
-#include "framework/channel.hpp"
-#include "framework/loaded.hpp"
-#include "framework/memory.hpp"
+#include "framework/base/channel.hpp"
+#include "framework/base/loaded.hpp"
+#include "framework/base/memory.hpp"
 #include "meshing/exchange.hpp"
 
 namespace dda {

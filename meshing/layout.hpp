@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "framework/errors.hpp"
+#include "framework/base/errors.hpp"
 #include "meshing/assembly.hpp"
 #include "meshing/neighbours.hpp"
 

@@ -9,7 +9,7 @@
 #include <iterator>
 #include <string_view>
 
-#include "framework/errors.hpp"
+#include "framework/base/errors.hpp"
 
 namespace dda {
 namespace {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "framework/vec2.hpp"
+#include "framework/base/vec2.hpp"
 
 namespace dda {
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "framework/memory.hpp"
+#include "framework/base/memory.hpp"
 #include "meshing/geos.hpp"
 
 namespace dda {

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <random>
 
-#include "framework/threads.hpp"
+#include "framework/base/threads.hpp"
 #include "meshing/box_grid.hpp"
 
 namespace dda {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "framework/threads.hpp"
+#include "framework/base/threads.hpp"
 #include "models/loading.hpp"
 
 namespace dda {

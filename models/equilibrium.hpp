@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "models/block_matrix.hpp"
-#include "models/functional.hpp"
+#include "models/body/block_matrix.hpp"
+#include "models/body/functional.hpp"
 #include "models/interface_point.hpp"
 #include "models/support.hpp"
 

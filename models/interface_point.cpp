@@ -7,7 +7,7 @@
 #include <iterator>
 #include <map>
 
-#include "framework/suggestion.hpp"
+#include "framework/base/suggestion.hpp"
 #include "models/interface/scaled_law.hpp"
 #include "models/locked_joints.hpp"
 #include "models/treatment/trace_constant.hpp"

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "framework/errors.hpp"
-#include "models/body.hpp"
+#include "framework/base/errors.hpp"
+#include "models/body/body.hpp"
 #include "models/interface/law.hpp"
 #include "models/parameters.hpp"
 #include "models/treatment/treatment.hpp"

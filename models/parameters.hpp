@@ -6,13 +6,13 @@
 #include <utility>
 #include <vector>
 
-#include "framework/schema.hpp"
+#include "framework/deck/schema.hpp"
+#include "models/body/place.hpp"
+#include "models/body/random_field.hpp"
 #include "models/gauge/gauge.hpp"
 #include "models/interface/law.hpp"
 #include "models/load/load.hpp"
 #include "models/material/material.hpp"
-#include "models/place.hpp"
-#include "models/random_field.hpp"
 #include "models/treatment/treatment.hpp"
 
 namespace dda {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "models/body.hpp"
+#include "models/body/body.hpp"
 #include "models/parameters.hpp"
 
 namespace dda {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "continuation/linear/dense_lu.hpp"
-#include "framework/vec2.hpp"
+#include "framework/base/vec2.hpp"
 
 namespace dda {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "continuation/contact/contact_walk.hpp"
-#include "continuation/control/control.hpp"
+#include "continuation/equation/control_equation.hpp"
 
 namespace dda {
 

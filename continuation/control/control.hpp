@@ -2,75 +2,78 @@
 
 #include <memory>
 #include <optional>
-#include <span>
+#include <string>
 
-#include "continuation/system.hpp"
+#include "continuation/detour/increment/load_solver.hpp"
+#include "continuation/walk/walker.hpp"
+#include "framework/deck/family.hpp"
 
 namespace dda {
 
-/// Where a control is evaluated.
-struct ControlPoint {
-  std::span<const double> d;
-  double load_factor;
-  const LawValues& laws;
+/// What a control wants next.
+struct Move {
+  std::string control;                        ///< name of the equation, for the record
+  std::shared_ptr<ControlEquation> equation;  ///< null for an arc length
+  std::optional<ArcLength> arc;
+  double rate = 0;        ///< change of the control's s per unit of the leaving tangent; the sign counts
+  bool to_event = false;  ///< s runs from 0 to 1 and ends on the next initiation
 };
 
-/// A control in parts, N = (g(d, λ) + Σ W (energy that accepting q spends) − target)/scale.
-struct ControlSum {
-  const Functional* gauge = nullptr;  ///< g, if any
-  bool spends = false;                ///< whether the energy enters
-  double target = 0;
-  double scale = 1;
-};
-
-/// A gauge and the value that it is to have.
-struct WantedGauge {
-  Functional gauge;
-  double value = 0;
-};
-
-/// One scalar equation that closes equilibrium, N(d, λ, s) = 0: which point of the path is wanted.
+/// What leads along the path, a deck's `path.control`: the equation that closes equilibrium in the next step.
 ///
-///     N = (value(d, λ) − target(s)) / scale,      s the abstract path parameter, 0 at the start of a step
-///
-/// The start is fixed by `start_at`; then N(start, 0) = 0. Residuals are dimensionless.
+/// Those of single.cpp keep to one equation; `staged` chooses among them. What is common to all (first crack
+/// located by the event equation, step sizes, limit point, landing, rescue) is the Path's.
 class Control {
  public:
   virtual ~Control() = default;
-  /// Fixes the start of the step, and by `scale` what counts as one (the size of the step in units of s).
-  virtual void start_at(const ControlPoint& start, double scale) = 0;
-  virtual double residual(const ControlPoint& at, double s) const = 0;
-  /// Adds ∂N/∂d to a zero vector of size n and returns ∂N/∂λ.
-  virtual double gradient(const ControlPoint& at, std::span<double> per_d) const = 0;
-  /// ∂N/∂s.
-  virtual double per_path() const = 0;
-  /// N(·, ·, s) in parts, of controls that consist of them.
-  virtual std::optional<ControlSum> as_sum(double) const { return {}; }
-  /// N(·, ·, s) = 0 made linear at a state, of controls that look at every point.
-  virtual std::optional<WantedGauge> tangent_gauge(const ControlPoint&, double) const { return {}; }
-  /// Whether the laws are to answer with frozen damage under this control.
-  virtual bool freezes_damage() const { return false; }
-  /// Whether nothing is to be met exactly: the control only decides how far the step goes.
-  virtual bool only_sizes_step() const { return false; }
+  /// The next move from where the walker stands.
+  virtual Move next(Walker& walker) = 0;
+  /// Why this control cannot go along this direction although equilibria do; "" when it can.
+  virtual std::string obstacle(const Tangent&) { return {}; }
+  /// Rate, along a direction, of what is prescribed; positive where the control goes on.
+  virtual double prescribed_rate(const Tangent&) const { return 1; }
+  /// What stays while points are released at once; nothing = their own opening.
+  virtual std::optional<Functional> held_in_release() const { return {}; }
+  /// First load increment, what it brings beyond its strength released, in units of the load at the first
+  /// crack; 0 = no increments.
+  virtual double load_increment() const { return 0; }
+  /// What finds the equilibrium of an increment; null without increments.
+  virtual LoadSolver* load_solver() { return nullptr; }
+  /// Why this control cannot follow the path of this structure; "" when it can.
+  virtual std::string refusal(const Equilibrium&) const { return {}; }
+  /// Whether sequentially linear steps may carry on where this control fails.
+  virtual bool may_be_rescued() const { return false; }
+  /// The one number a control remembers from its first step; a restart brings it back.
+  virtual double memory() const { return 0; }
+  virtual void restore(double) {}
 };
 
-/// A gauge prescribed, g(d, λ) − g_start = s. Load, displacement and opening control; s in the gauge's unit.
-std::unique_ptr<Control> make_gauge_control(Functional gauge);
-
-/// Dissipation prescribed: Σ W (energy that accepting q would spend) = s, s an energy. Source:
-/// models/README.md.
-std::unique_ptr<Control> make_dissipation_control(const System& system);
-
-/// Which initiations an event control looks for.
-enum class Initiation {
-  frozen,   ///< of any unbroken point, the damage of all being frozen meanwhile
-  new_one,  ///< of a point that is not loading now, while the damage of the others follows
-  at_once,  ///< likewise, of points that lose their strength at once
-  corner    ///< not of a crack: a loading point passes a corner of its curve, as where its traction ends
+/// Gauges by name and by kind, for controls that need one.
+struct GaugeBook {
+  std::vector<NamedGauge> gauges;
+  std::string first_displacement, first_opening;  ///< names, "" when the deck has none
 };
 
-/// The next initiation: max over those points of q_eq/κ − 1 = 0 at s = 1; for corners κ is that of the
-/// point's next corner, passed by 1e-9 so that nothing is left of the piece before it.
-std::unique_ptr<Control> make_event_control(const System& system, Initiation kind = Initiation::frozen);
+using ControlFamily = Family<Control, const GaugeBook&>;
+using ControlChoice = Choice<Control, const GaugeBook&>;
+
+/// The registry behind `path.control`.
+ControlFamily& controls();
+
+/// The event equation with its exact prediction; to_event.
+Move event_move(const Walker& walker);
+/// The dissipation equation.
+Move dissipation_move(const Walker& walker);
+
+/// Load factor, beyond the present one along the leaving tangent, at which the next unbroken point reaches
+/// its κ; infinite when none does. Exact while no crack opens or closes on the way.
+double next_event(const Walker& walker);
+/// The same of points that are not loading now, in the unit of the leaving tangent.
+double next_new_crack(const Walker& walker);
+/// Along the leaving tangent to where the first joint begins to slide or to stick, opens or closes, while
+/// nothing cracks; infinite when none does. One that stands at such a corner counts as having passed it.
+double next_contact_change(const Walker& walker);
+/// Where the first of the loading points passes the next corner of its softening curve.
+double next_corner(const Walker& walker);
 
 }  // namespace dda

@@ -1,5 +1,5 @@
 #include "continuation/linear/direct_solver.hpp"
-#include "framework/loaded.hpp"
+#include "framework/base/loaded.hpp"
 
 namespace dda {
 namespace {

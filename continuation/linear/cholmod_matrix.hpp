@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "continuation/linear/half_solver.hpp"
-#include "models/block_matrix.hpp"
+#include "models/body/block_matrix.hpp"
 
 namespace dda {
 

@@ -3,8 +3,8 @@
 #include <memory>
 #include <span>
 
-#include "framework/family.hpp"
-#include "models/block_matrix.hpp"
+#include "framework/deck/family.hpp"
+#include "models/body/block_matrix.hpp"
 
 namespace dda {
 

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "framework/threads.hpp"
+#include "framework/base/threads.hpp"
 
 namespace dda {
 

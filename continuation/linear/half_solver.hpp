@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "continuation/linear/elimination_order.hpp"
-#include "framework/index.hpp"
+#include "framework/base/index.hpp"
 #include "models/kinematics/first_order.hpp"
 
 namespace dda {

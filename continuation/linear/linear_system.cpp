@@ -5,7 +5,7 @@
 #include <functional>
 #include <utility>
 
-#include "framework/threads.hpp"
+#include "framework/base/threads.hpp"
 
 namespace dda {
 

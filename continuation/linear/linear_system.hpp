@@ -11,7 +11,7 @@
 #include "continuation/linear/mumps_matrix.hpp"
 #include "continuation/linear/unsymmetric_inertia.hpp"
 #include "continuation/linear/update_columns.hpp"
-#include "framework/output/timings.hpp"
+#include "framework/messages/timings.hpp"
 #include "models/equilibrium.hpp"
 
 namespace dda {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "models/block_matrix.hpp"
+#include "models/body/block_matrix.hpp"
 
 namespace dda {
 

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "framework/loaded.hpp"
+#include "framework/base/loaded.hpp"
 
 namespace dda {
 namespace {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "models/block_matrix.hpp"
+#include "models/body/block_matrix.hpp"
 
 namespace dda {
 

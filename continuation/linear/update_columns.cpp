@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "continuation/linear/half_solver.hpp"
-#include "framework/threads.hpp"
+#include "framework/base/threads.hpp"
 
 namespace dda {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "continuation/linear/direct_solver.hpp"
-#include "continuation/walker.hpp"
+#include "continuation/walk/walker.hpp"
 
 namespace dda {
 

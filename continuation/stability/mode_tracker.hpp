@@ -1,6 +1,6 @@
 #pragma once
 
-#include "continuation/stability/eigenmodes.hpp"
+#include "continuation/solve/eigenmodes.hpp"
 
 namespace dda {
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "continuation/linear/direct_solver.hpp"
-#include "continuation/stability/eigenmodes.hpp"
-#include "continuation/system.hpp"
+#include "continuation/solve/eigenmodes.hpp"
+#include "continuation/state/system.hpp"
 
 namespace dda {
 

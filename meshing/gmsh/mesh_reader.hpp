@@ -4,7 +4,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "framework/errors.hpp"
+#include "framework/base/errors.hpp"
 #include "meshing/polygon.hpp"
 
 namespace dda {

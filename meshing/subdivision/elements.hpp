@@ -1,6 +1,6 @@
 #pragma once
 
-#include "framework/schema.hpp"
+#include "framework/deck/schema.hpp"
 #include "meshing/gmsh_model.hpp"
 
 namespace dda {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "framework/family.hpp"
+#include "framework/deck/family.hpp"
 #include "meshing/layout.hpp"
 
 namespace dda {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "framework/threads.hpp"
+#include "framework/base/threads.hpp"
 #include "meshing/room.hpp"
 #include "meshing/subdivision/subdivision.hpp"
 

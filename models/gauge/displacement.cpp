@@ -1,5 +1,5 @@
+#include "models/body/place_schema.hpp"
 #include "models/gauge/gauge.hpp"
-#include "models/place_schema.hpp"
 
 namespace dda {
 namespace {

@@ -3,9 +3,9 @@
 #include <map>
 #include <memory>
 
-#include "framework/family.hpp"
+#include "framework/deck/family.hpp"
 #include "meshing/assembly.hpp"
-#include "models/functional.hpp"
+#include "models/body/functional.hpp"
 
 namespace dda {
 

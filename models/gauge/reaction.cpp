@@ -1,4 +1,4 @@
-#include "framework/suggestion.hpp"
+#include "framework/base/suggestion.hpp"
 #include "models/gauge/gauge.hpp"
 
 namespace dda {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "framework/family.hpp"
+#include "framework/deck/family.hpp"
 #include "models/kinematics/first_order.hpp"
 
 namespace dda {
@@ -120,7 +120,8 @@ class InterfaceLaw {
   /// of joints that are still intact.
   virtual std::optional<Contact> contact(const History&, double) const { return {}; }
 
-  /// Whether a point at its strength loses it at once instead of softening (see continuation/release.hpp).
+  /// Whether a point at its strength loses it at once instead of softening (see
+  /// continuation/detour/release.hpp).
   virtual bool releases_at_once() const { return false; }
   /// The history in which a point at q has `share` of what it is losing left; accepting it books the energy.
   virtual History release(const Vec2&, const History& h, double, double) const { return h; }

@@ -36,9 +36,9 @@ double tangent_of(double degrees) { return std::tan(degrees * std::numbers::pi /
 ///
 /// With a = 0 these are contact and friction. Where t_n reaches ft in phase 1 phase 2 begins. Spent is
 /// traction times what slides and opens, ∫ t · dw ≥ 0, exact on the line of a step on which openings and
-/// limits run straight. The release itself, which holds q and frees the load, is continuation/release.hpp.
-/// Its energy is that of the trial spring, so it depends on the size of the blocks. Source: Pearce et al.
-/// (2000), sections 3 and 5.
+/// limits run straight. The release itself, which holds q and frees the load, is
+/// continuation/detour/release.hpp. Its energy is that of the trial spring, so it depends on the size of the
+/// blocks. Source: Pearce et al. (2000), sections 3 and 5.
 class MohrCoulomb final : public InterfaceLaw {
  public:
   explicit MohrCoulomb(const MohrCoulombParameters& p)

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "framework/schema.hpp"
+#include "framework/deck/schema.hpp"
 #include "models/interface/damage_law.hpp"
 
 namespace dda {

@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "framework/vec2.hpp"
+#include "framework/base/vec2.hpp"
 
 namespace dda {
 

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "framework/vec2.hpp"
+#include "framework/base/vec2.hpp"
 
 namespace dda {
 

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "framework/suggestion.hpp"
+#include "framework/base/suggestion.hpp"
 #include "models/load/load.hpp"
 
 namespace dda {

@@ -1,5 +1,5 @@
+#include "models/body/place.hpp"
 #include "models/load/load.hpp"
-#include "models/place.hpp"
 
 namespace dda {
 namespace {

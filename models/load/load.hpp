@@ -3,10 +3,10 @@
 #include <memory>
 #include <string>
 
-#include "framework/family.hpp"
-#include "models/body.hpp"
-#include "models/functional.hpp"
-#include "models/place.hpp"
+#include "framework/deck/family.hpp"
+#include "models/body/body.hpp"
+#include "models/body/functional.hpp"
+#include "models/body/place.hpp"
 
 namespace dda {
 

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "framework/family.hpp"
+#include "framework/deck/family.hpp"
 #include "models/kinematics/first_order.hpp"
 
 namespace dda {

@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent))
-import coretype_spread  # noqa: E402
+sys.path.insert(0, str(HERE.parents[1] / "python"))
+from ddapath import coretype_spread  # noqa: E402
 
 coretype_spread.main(HERE, "head", __doc__)

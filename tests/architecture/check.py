@@ -3,9 +3,11 @@
 import sys
 from pathlib import Path
 
+import functions
+import house
 import rules
 
-SUFFIXES = {".cpp", ".hpp", ".h", ".in", ".py", ".cmake", ".sh", ".js", ".css", ".html"}
+SUFFIXES = {".cpp", ".hpp", ".h", ".in", ".py", ".cmake", ".sh", ".js", ".css", ".html", ".md"}
 NAMES = {"CMakeLists.txt", "bootstrap", "run"}
 
 
@@ -24,13 +26,12 @@ def sources(root):
 
 def check(root):
     """Lines `path:line: message`, and the number of files read."""
-    files = sources(root)
+    texts = {file.relative_to(root).as_posix(): file.read_text(encoding="utf-8") for file in sources(root)}
     messages = []
-    for file in files:
-        path = file.relative_to(root).as_posix()
-        text = file.read_text(encoding="utf-8")
-        messages += [f"{path}:{line}: {message}" for line, message in rules.findings(path, text)]
-    return messages, len(files)
+    for path, text in texts.items():
+        if not path.endswith(".md"):
+            messages += [f"{path}:{line}: {message}" for line, message in rules.findings(path, text)]
+    return messages + house.findings(texts) + functions.findings(root, texts), len(texts)
 
 
 def main(root):

@@ -7,6 +7,8 @@ import unittest
 from pathlib import Path
 
 import check
+import functions
+import house
 import rules
 
 
@@ -60,7 +62,7 @@ class Libraries(unittest.TestCase):
         ("dmumps_c.h", "continuation/a.cpp"),
         ("cholmod.h", "continuation/a.cpp"),
         ("mpi.h", "continuation/a.hpp"),
-        ("CLI/CLI.hpp", "studies/main.cpp"),
+        ("CLI/CLI.hpp", "studies/dda/main.cpp"),
     )
 
     def test_each_is_free_in_its_folder(self):
@@ -96,13 +98,51 @@ class Text(unittest.TestCase):
             self.assertEqual(messages("tests/a.cpp", f"int {word}S_;"), [])
 
 
+class House(unittest.TestCase):
+    def test_folders_that_include_each_other(self):
+        there = {"models/a/x.hpp": '#include "models/b/y.hpp"\n', "models/b/y.hpp": "\n"}
+        self.assertEqual(house.findings(there), [])
+        back = {"models/b/z.cpp": '#include "models/c/w.hpp"\n', "models/c/w.hpp": '#include "models/a/x.hpp"\n'}
+        found = house.findings(there | back)
+        self.assertEqual(len(found), 3)
+        self.assertIn("models/b/z.cpp:1: models/b includes models/c, which leads back to models/b", found[1])
+
+    def test_tests_and_headers_that_are_not_there_are_no_circle(self):
+        texts = {"models/a/x.hpp": '#include "generated/y.hpp"\n', "tests/x.cpp": '#include "tests/a/y.hpp"\n',
+                 "tests/a/y.hpp": '#include "tests/x.cpp"\n'}
+        self.assertEqual(house.findings(texts), [])
+
+    def test_studies_beside_the_program(self):
+        good = ["studies/CMakeLists.txt", "studies/dda/main.cpp", "studies/dam/README.md", "studies/dam/study.py"]
+        self.assertEqual(house.findings(dict.fromkeys(good, "")), [])
+        for bad in ("studies/tool.py", "studies/dam/fast.cpp", "studies/wall/deck.yaml"):
+            self.assertEqual(len(house.findings(dict.fromkeys([*good, bad], ""))), 1, bad)
+
+
+class Functions(unittest.TestCase):
+    def test_parameters(self):
+        for signature, number in (("()", 0), ("(int a)", 1), ("(std::map<int, int> a, F<void(int, int)> b) const", 2)):
+            self.assertEqual(functions.num_parameters(signature), number, signature)
+
+    def test_length_and_parameters(self):
+        with tempfile.TemporaryDirectory() as folder:
+            body = "".join(f"  a += {i};\n" for i in range(37))
+            text = f"int just(int a, int b, int c, int d) {{\n{body}  return a;\n}}\n"
+            long = f"int over(int a, int b, int c, int d, int e) {{\n{body}  ++a;\n  return a;\n}}\n"
+            (Path(folder) / "models").mkdir()
+            (Path(folder) / "models/a.cpp").write_text(text + long, encoding="utf-8")
+            found = functions.findings(Path(folder), ["models/a.cpp"])
+        self.assertEqual(found, ["models/a.cpp:41: over has 41 lines; a function has at most 40",
+                                 "models/a.cpp:41: over has 5 parameters; a function has at most 4"])
+
+
 class Tree(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.root = Path(folder.name)
         for name in rules.FOLDERS:
-            self.write(f"{name}/a.hpp", "#pragma once\n")
+            self.write(f"{house.PROGRAM if name == 'studies' else name}/a.hpp", "#pragma once\n")
 
     def write(self, path, text):
         file = self.root / path
@@ -118,10 +158,10 @@ class Tree(unittest.TestCase):
         self.assertEqual(self.run_main(), (0, "5 files obey the rules\n"))
 
     def test_a_broken_file_deep_inside_fails_with_its_place(self):
-        self.write("models/interface/law.cpp", '#include <map>\n#include "continuation/path.hpp"\n')
+        self.write("models/interface/law.cpp", '#include <map>\n#include "continuation/path/path.hpp"\n')
         code, output = self.run_main()
         self.assertEqual(code, 1)
-        self.assertIn("models/interface/law.cpp:2: models must not include continuation/path.hpp", output)
+        self.assertIn("models/interface/law.cpp:2: models must not include continuation/path/path.hpp", output)
 
     def test_the_python_package_is_read(self):
         self.write("python/ddapath/a.py", "# FIX" + "ME\n")

@@ -8,7 +8,7 @@
 #include <map>
 #include <memory>
 
-#include "continuation/system.hpp"
+#include "continuation/state/system.hpp"
 #include "support/structure.hpp"
 
 namespace dda {

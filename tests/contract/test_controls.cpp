@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "continuation/strategy/driver.hpp"
+#include "continuation/control/control.hpp"
 #include "support/cracked.hpp"
 
 namespace dda {
@@ -12,7 +12,7 @@ ControlPoint point_at(const State& state, const LawValues& laws) {
 }
 
 /// Gradients and per_path against central differences of the residual at the system's cracked state.
-void expect_gradients(Control& control, CrackedSystem& cracked) {
+void expect_gradients(ControlEquation& control, CrackedSystem& cracked) {
   System& system = cracked.system();
   system.set_frozen(control.freezes_damage());
   const State& at = cracked.state();
@@ -54,7 +54,7 @@ class ControlContract : public testing::TestWithParam<std::tuple<std::string, in
 /// Dissipation is measured from the history, so its start is the committed state: only growth is compared.
 TEST_P(ControlContract, DissipationGradientsAreDifferences) {
   CrackedSystem cracked = next();
-  const auto control = make_dissipation_control(cracked.system());
+  const auto control = make_dissipation_equation(cracked.system());
   const State& at = cracked.state();
   const LawValues laws = cracked.system().laws(at.d, at.load_factor);
   control->start_at(point_at(at, laws), 0.01);
@@ -84,13 +84,13 @@ TEST_P(ControlContract, DissipationGradientsAreDifferences) {
 TEST_P(ControlContract, GaugeGradientsAreDifferences) {
   CrackedSystem cracked = next();
   for (const auto& [name, reaction] : cracked.system().loading().reactions)
-    expect_gradients(*make_gauge_control(reaction), cracked);
-  expect_gradients(*make_gauge_control({.rows = {}, .per_load_factor = 1}), cracked);
+    expect_gradients(*make_gauge_equation(reaction), cracked);
+  expect_gradients(*make_gauge_equation({.rows = {}, .per_load_factor = 1}), cracked);
 }
 
 TEST_P(ControlContract, EventGradientsAreDifferences) {
   CrackedSystem cracked = next();
-  expect_gradients(*make_event_control(cracked.system()), cracked);
+  expect_gradients(*make_event_equation(cracked.system()), cracked);
 }
 
 INSTANTIATE_TEST_SUITE_P(States, ControlContract,
@@ -108,10 +108,10 @@ TEST_P(DriverContract, FirstMoveIsAControlOfTheElasticStructure) {
   system.set_history(std::vector<History>(system.history().size()));
   Walker walker(system, {});
   const GaugeBook book{system.loading().gauges, "u", "w"};
-  const SchemaBase& schema = *drivers().find(GetParam())->schema;
+  const SchemaBase& schema = *controls().find(GetParam())->schema;
   Random random(5);
-  const auto driver = drivers().choose(GetParam(), sample(schema, random)).make(book);
-  const Move move = driver->next(walker);
+  const auto control = controls().choose(GetParam(), sample(schema, random)).make(book);
+  const Move move = control->next(walker);
   EXPECT_FALSE(move.control.empty());
   ASSERT_NE(move.equation == nullptr, !move.arc) << "either an equation or an arc length";
   EXPECT_TRUE(std::isfinite(move.rate));
@@ -126,7 +126,7 @@ TEST_P(DriverContract, FirstMoveIsAControlOfTheElasticStructure) {
   EXPECT_NE(move.equation->per_path(), 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Registry, DriverContract, testing::ValuesIn(names_of(drivers())),
+INSTANTIATE_TEST_SUITE_P(Registry, DriverContract, testing::ValuesIn(names_of(controls())),
                          [](const auto& chosen) { return chosen.param; });
 
 }  // namespace

@@ -1,15 +1,15 @@
 #include <gmock/gmock.h>
 
-#include "continuation/increment/load_solver.hpp"
+#include "continuation/control/control.hpp"
+#include "continuation/detour/increment/load_solver.hpp"
 #include "continuation/linear/direct_solver.hpp"
-#include "continuation/strategy/driver.hpp"
 #include "meshing/subdivision/subdivision.hpp"
 #include "models/gauge/gauge.hpp"
 #include "models/interface/law.hpp"
 #include "models/load/load.hpp"
 #include "models/material/material.hpp"
 #include "models/treatment/treatment.hpp"
-#include "studies/deck.hpp"
+#include "studies/dda/case/deck.hpp"
 #include "support/structure.hpp"
 
 namespace dda {
@@ -31,7 +31,7 @@ FamilyUnderTest under_test(const Family<Product, Context...>& family) {
 std::vector<FamilyUnderTest> known_families() {
   return {under_test(materials()), under_test(interface_laws()), under_test(treatments()),
           under_test(gauges()),    under_test(loads()),          under_test(direct_solvers()),
-          under_test(drivers()),   under_test(subdivisions()),   under_test(load_solvers())};
+          under_test(controls()),  under_test(subdivisions()),   under_test(load_solvers())};
 }
 
 struct Entry {

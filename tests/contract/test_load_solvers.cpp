@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 
-#include "continuation/increment/load_increment.hpp"
+#include "continuation/detour/increment/load_increment.hpp"
 #include "support/cracked.hpp"
 
 namespace dda {

@@ -24,7 +24,7 @@
 #include <utility>
 
 #include "fuzz/mutator.hpp"
-#include "studies/command_line.hpp"
+#include "studies/dda/commands/command_line.hpp"
 
 namespace dda::fuzz {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "continuation/system.hpp"
+#include "continuation/state/system.hpp"
 #include "support/structure.hpp"
 
 namespace dda {

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "models/block_matrix.hpp"
+#include "models/body/block_matrix.hpp"
 
 namespace dda {
 

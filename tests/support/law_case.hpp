@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "framework/node.hpp"
+#include "framework/deck/node.hpp"
 #include "models/interface/law.hpp"
 #include "models/interface/scaled_law.hpp"
 #include "support/sample.hpp"

@@ -4,7 +4,7 @@
 #include <random>
 #include <vector>
 
-#include "framework/vec2.hpp"
+#include "framework/base/vec2.hpp"
 
 namespace dda {
 

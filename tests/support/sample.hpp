@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "framework/family.hpp"
+#include "framework/deck/family.hpp"
 #include "support/random.hpp"
 
 namespace dda {

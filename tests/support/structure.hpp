@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "meshing/scene.hpp"
+#include "meshing/scene/scene.hpp"
 #include "models/equilibrium.hpp"
 #include "models/parameters.hpp"
 #include "support/random.hpp"

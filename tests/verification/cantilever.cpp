@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "models/place.hpp"
+#include "models/body/place.hpp"
 
 namespace dda::verification {
 namespace {

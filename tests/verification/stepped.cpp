@@ -10,7 +10,7 @@ Stepped::Stepped(const std::string& deck_text, const MultiplierParameters& multi
 
 Attempt Stepped::to(double load_factor) {
   if ((load_factor - state_.load_factor) * last_change_ < 0) turn_back();
-  const auto control = make_gauge_control({.rows = {}, .per_load_factor = 1});
+  const auto control = make_gauge_equation({.rows = {}, .per_load_factor = 1});
   State guess = state_;
   guess.load_factor = load_factor;
   Attempt out =

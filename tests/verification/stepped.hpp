@@ -1,6 +1,6 @@
 #pragma once
 
-#include "continuation/stepper.hpp"
+#include "continuation/solve/stepper.hpp"
 #include "verification/support.hpp"
 
 namespace dda::verification {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "continuation/linear/direct_solver.hpp"
-#include "studies/simulation.hpp"
+#include "studies/dda/case/simulation.hpp"
 
 namespace dda::verification {
 namespace {

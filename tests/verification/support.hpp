@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "continuation/path.hpp"
+#include "continuation/path/path.hpp"
 #include "models/equilibrium.hpp"
-#include "studies/deck.hpp"
+#include "studies/dda/case/deck.hpp"
 
 namespace dda::verification {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-#include "studies/simulation.hpp"
+#include "studies/dda/case/simulation.hpp"
 #include "verification/chain.hpp"
 #include "verification/support.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "studies/simulation.hpp"
+#include "studies/dda/case/simulation.hpp"
 #include "verification/chain.hpp"
 #include "verification/support.hpp"
 

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "continuation/path.hpp"
+#include "continuation/path/path.hpp"
 #include "support/cracked.hpp"
 
 namespace dda {

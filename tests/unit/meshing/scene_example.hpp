@@ -3,8 +3,8 @@
 #include <cmath>
 #include <string>
 
-#include "framework/node.hpp"
-#include "meshing/scene.hpp"
+#include "framework/deck/node.hpp"
+#include "meshing/scene/scene.hpp"
 
 namespace dda {
 

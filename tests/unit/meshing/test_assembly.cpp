@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "meshing/assembly.hpp"
-#include "scene_example.hpp"
+#include "unit/meshing/scene_example.hpp"
 
 namespace dda {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "meshing/gmsh_model.hpp"
 #include "meshing/quality.hpp"
-#include "scene_example.hpp"
+#include "unit/meshing/scene_example.hpp"
 
 namespace dda {
 namespace {

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "meshing/neighbours.hpp"
-#include "scene_example.hpp"
+#include "unit/meshing/scene_example.hpp"
 
 namespace dda {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "meshing/neighbours.hpp"
 #include "meshing/quality.hpp"
-#include "scene_example.hpp"
+#include "unit/meshing/scene_example.hpp"
 
 namespace dda {
 namespace {

@@ -1,0 +1,48 @@
+#include "continuation/control/control.hpp"
+
+namespace dda {
+namespace {
+
+struct IncrementParameters {
+  double increment = 0.05;
+  LoadSolverChoice solver;
+};
+
+/// Load increments as Pearce et al. (2000) used them: the path releases everything that an increment brings
+/// beyond its strength, and halves increments that find no equilibrium. For comparison with exact events.
+class LoadIncrements final : public Control {
+ public:
+  explicit LoadIncrements(const IncrementParameters& p) : increment_(p.increment), solver_(p.solver.make()) {}
+
+  Move next(Walker& walker) override { return event_move(walker); }
+  double load_increment() const override { return increment_; }
+  double prescribed_rate(const Tangent& along) const override { return along.load_factor; }
+  LoadSolver* load_solver() override { return solver_.get(); }
+  std::string refusal(const Equilibrium& equilibrium) const override { return solver_->refusal(equilibrium); }
+
+ private:
+  double increment_;
+  std::unique_ptr<LoadSolver> solver_;
+};
+
+Schema<IncrementParameters> schema() {
+  return Schema<IncrementParameters>(
+             "Load increments, halved near failure; what is beyond its strength is released at once "
+             "(mohr_coulomb).")
+      .number("increment", &IncrementParameters::increment,
+              {.fallback = 0.05,
+               .bounds = above(0) & at_most(1),
+               .text = "First size of an increment in units of the load at the first crack."})
+      .choice("solver", &IncrementParameters::solver, load_solvers(),
+              {.fallback = "newton", .text = "What finds the equilibrium of an increment."});
+}
+
+std::unique_ptr<Control> make(const IncrementParameters& p, const GaugeBook&) {
+  return std::make_unique<LoadIncrements>(p);
+}
+
+}  // namespace
+
+DDA_REGISTER(controls(), "load_increments", schema(), make);
+
+}  // namespace dda

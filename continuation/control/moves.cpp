@@ -1,0 +1,72 @@
+#include <algorithm>
+#include <limits>
+
+#include "continuation/control/control.hpp"
+#include "continuation/state/reach.hpp"
+
+namespace dda {
+
+namespace {
+
+/// Along the leaving tangent, of the points that `is_meant` names.
+template <class Meant>
+double nearest_initiation(const Walker& walker, Meant is_meant) {
+  const System& system = walker.system();
+  const State& at = walker.state();
+  const LawValues laws = system.laws(at.d, at.load_factor);
+  const std::vector<Vec2>& rates = walker.leaving().opening;
+  double fastest = 0;
+  for (const Vec2& rate : rates) fastest = std::max(fastest, rate.norm());
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t p = 0; p < laws.opening.size(); ++p) {
+    constexpr double round_off = 1e-12;  // a point moving more slowly does not move
+    const Vec2 rate = (rates[p].array().abs() > round_off * fastest).select(rates[p], 0.0);
+    if (system.is_broken(p) || !is_meant(system.history()[p])) continue;
+    const InterfacePoint& point = system.equilibrium().point(p);
+    nearest =
+        std::min(nearest, reach({*point.law, system.history()[p], point.stiffness}, laws.opening[p], rate));
+  }
+  return nearest;
+}
+
+}  // namespace
+
+double next_event(const Walker& walker) {
+  return nearest_initiation(walker, [](const History&) { return true; });
+}
+
+double next_new_crack(const Walker& walker) {
+  return nearest_initiation(walker, [](const History& h) { return !h.loading; });
+}
+
+double next_corner(const Walker& walker) {
+  const System& system = walker.system();
+  const State& at = walker.state();
+  const LawValues laws = system.laws(at.d, at.load_factor);
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t p = 0; p < laws.opening.size(); ++p) {
+    const History& h = system.history()[p];
+    if (!h.loading || system.is_broken(p)) continue;
+    const InterfacePoint& point = system.equilibrium().point(p);
+    const double rate =
+        point.law->opening_gradient(laws.opening[p], h, point.stiffness).dot(walker.leaving().opening[p]);
+    const double left = point.law->next_corner(h, point.stiffness) - system.kappa(p);
+    if (rate > 0) nearest = std::min(nearest, left / rate);
+  }
+  return nearest;
+}
+
+Move event_move(const Walker& walker) {
+  return {.control = "event",
+          .equation = make_event_equation(walker.system()),
+          .arc = {},
+          .rate = 1,
+          .to_event = true};
+}
+
+Move dissipation_move(const Walker& walker) {
+  return {
+      .control = "dissipation", .equation = make_dissipation_equation(walker.system()), .arc = {}, .rate = 1};
+}
+
+}  // namespace dda

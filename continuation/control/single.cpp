@@ -1,0 +1,157 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "continuation/control/control.hpp"
+#include "framework/base/suggestion.hpp"
+
+namespace dda {
+namespace {
+
+/// A gauge prescribed step by step in one direction, λ multiplying the reference load.
+class GaugeControl final : public Control {
+ public:
+  GaugeControl(std::string control, std::string name, Functional gauge)
+      : control_(std::move(control)), name_(std::move(name)), gauge_(std::move(gauge)) {}
+
+  Move next(Walker& walker) override {
+    return {.control = control_,
+            .equation = make_gauge_equation(gauge_),
+            .arc = {},
+            .rate = walker.leaving().rate(gauge_)};
+  }
+
+  std::string obstacle(const Tangent& along) override {
+    const double now = along.rate(gauge_);
+    if (now == 0) return fmt::format("'{}' does not move along the path", name_);
+    if (direction_ == 0) direction_ = now > 0 ? 1.0 : -1.0;
+    if (now * direction_ > 0) return {};
+    return control_ == "load"
+               ? "limit point of the load: load control cannot follow the path down; use `staged` or "
+                 "`arc_length`"
+               : fmt::format("'{}' snaps back here: {} control cannot follow; use `staged` or `arc_length`",
+                             name_, control_);
+  }
+  double prescribed_rate(const Tangent& along) const override {
+    return direction_ == 0 ? 1 : along.rate(gauge_) * direction_;
+  }
+  std::optional<Functional> held_in_release() const override { return gauge_; }
+  double memory() const override { return direction_; }
+  void restore(double direction) override { direction_ = direction; }
+
+ private:
+  std::string control_, name_;
+  Functional gauge_;
+  double direction_ = 0;  ///< in which the gauge moves from the start of the stage
+};
+
+struct LoadControlParameters {};
+Schema<LoadControlParameters> load_schema() {
+  return Schema<LoadControlParameters>("The load factor is prescribed; ends at the limit point.");
+}
+std::unique_ptr<Control> make_load(const LoadControlParameters&, const GaugeBook&) {
+  return std::make_unique<GaugeControl>("load", "load factor", Functional{.rows = {}, .per_load_factor = 1});
+}
+
+struct GaugeControlParameters {
+  std::string gauge;
+  Position where;
+};
+
+/// The named gauge of the book, or the first of its kind.
+const NamedGauge& find_gauge(const GaugeControlParameters& p, const GaugeBook& book, const std::string& first,
+                             const std::string& control) {
+  const std::string& wanted = p.gauge.empty() ? first : p.gauge;
+  std::vector<std::string> names;
+  for (const NamedGauge& gauge : book.gauges) {
+    if (gauge.name == wanted) return gauge;
+    names.push_back(gauge.name);
+  }
+  if (wanted.empty())
+    throw InputError(
+        p.where, fmt::format("{} control needs a gauge: add one to `gauges` or name it in `gauge`", control));
+  throw InputError(p.where, fmt::format("unknown gauge '{}'{}", wanted, suggest(wanted, names)));
+}
+
+Schema<GaugeControlParameters> gauge_schema(const std::string& text, const std::string& fallback) {
+  using P = GaugeControlParameters;
+  return Schema<P>(text).text(
+      "gauge", &P::gauge,
+      {.fallback = "", .text = "Name of the gauge that is prescribed; " + fallback + " if empty."});
+}
+std::unique_ptr<Control> make_displacement(const GaugeControlParameters& p, const GaugeBook& book) {
+  const NamedGauge& gauge = find_gauge(p, book, book.first_displacement, "displacement");
+  return std::make_unique<GaugeControl>("displacement", gauge.name, gauge.functional);
+}
+std::unique_ptr<Control> make_opening(const GaugeControlParameters& p, const GaugeBook& book) {
+  const NamedGauge& gauge = find_gauge(p, book, book.first_opening, "opening");
+  return std::make_unique<GaugeControl>("opening", gauge.name, gauge.functional);
+}
+
+struct ArcLengthParameters {
+  Metric metric = Metric::openings;
+  double load_share = 0.1;
+};
+
+/// LOCA's arc length. The weight of the load factor is fixed once, by its share of the elastic response.
+class ArcLengthControl final : public Control {
+ public:
+  explicit ArcLengthControl(const ArcLengthParameters& p) : p_(p) {}
+
+  Move next(Walker& walker) override {
+    const Tangent& leaving = walker.leaving();
+    const double displacement = metric_norm(walker, leaving.d);
+    if (weight_ == 0)
+      weight_ = std::sqrt(p_.load_share / (1 - p_.load_share)) * displacement / std::abs(leaving.load_factor);
+    const double load = weight_ * std::abs(leaving.load_factor);
+    const double norm = std::hypot(displacement, load);
+    const ArcLength arc{.metric = p_.metric,
+                        .load_weight = weight_,
+                        .length = leaving.load_factor < 0 ? -1.0 : 1.0,
+                        .goal = load / norm};
+    return {.control = "arc_length", .equation = nullptr, .arc = arc, .rate = norm};
+  }
+  double memory() const override { return weight_; }
+  void restore(double weight) override { weight_ = weight; }
+
+ private:
+  double metric_norm(Walker& walker, std::vector<double> v) const {
+    const std::vector<double> original = v;
+    walker.system().apply_metric(p_.metric, v);
+    double sum = 0;
+    for (std::size_t i = 0; i < v.size(); ++i) sum += v[i] * original[i];
+    return std::sqrt(sum);
+  }
+
+  ArcLengthParameters p_;
+  double weight_ = 0;
+};
+
+Schema<ArcLengthParameters> arc_schema() {
+  using P = ArcLengthParameters;
+  return Schema<P>("LOCA's arc length: the distance travelled in displacements and load is prescribed.")
+      .one_of("metric", &P::metric, {{"openings", Metric::openings}, {"natural", Metric::natural}},
+              {.fallback = Metric::openings,
+               .text = "What distance is: of the interface openings, or of all displacements."})
+      .number("load_share", &P::load_share,
+              {.fallback = 0.1,
+               .bounds = strictly_between(0, 1),
+               .text = "Share of the load factor in the squared length of the first, elastic step."});
+}
+std::unique_ptr<Control> make_arc_length(const ArcLengthParameters& p, const GaugeBook&) {
+  return std::make_unique<ArcLengthControl>(p);
+}
+
+}  // namespace
+
+DDA_REGISTER(controls(), "load", load_schema(), make_load);
+DDA_REGISTER(controls(), "displacement",
+             gauge_schema("A displacement is prescribed, the load factor follows.", "the first displacement"),
+             make_displacement);
+DDA_REGISTER(controls(), "opening",
+             gauge_schema("A relative displacement (CMOD, CMSD) is prescribed.",
+                          "the first relative displacement"),
+             make_opening);
+DDA_REGISTER(controls(), "arc_length", arc_schema(), make_arc_length);
+
+}  // namespace dda

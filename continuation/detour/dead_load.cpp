@@ -1,0 +1,86 @@
+#include "continuation/detour/dead_load.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "continuation/detour/release.hpp"
+#include "continuation/state/acceptance.hpp"
+#include "continuation/state/standstill.hpp"
+
+namespace dda {
+namespace {
+
+/// Goes to where the first point on the way to `beyond` stands at its strength. Returns "" or why it cannot.
+std::string land_on_strength(Walker& walker, const Candidate& beyond) {
+  const auto equation = make_event_equation(walker.system(), Initiation::at_once);
+  const Attempt tried = walker.attempt(*equation, 1, beyond.state);
+  if (!tried.converged) return tried.reason;
+  Candidate candidate = walker.evaluate(tried);
+  if (std::string why = objection_to(candidate.excess, walker.system()); !why.empty()) return why;
+  walker.accept(std::move(candidate));
+  return {};
+}
+
+/// Why what a release has led to is no equilibrium that holds; "" when it is one.
+std::string objection_to(const Candidate& found, const Walker& walker) {
+  const System& system = walker.system();
+  if (!(found.residual <= walker.parameters().newton.tolerance))
+    return fmt::format("the relative residual is {:.1e}", found.residual);
+  const Holding holding = holding_of(system, found.state);
+  return objection_to(holding, {size_of(system.equilibrium()), holding.load}, system.equilibrium());
+}
+
+/// Takes the strength of what stands at it, and of all that this overloads, while the load stays. Returns ""
+/// or why nothing carries the load then.
+std::string release(Walker& walker) {
+  System& system = walker.system();
+  const State& at = walker.state();
+  const auto found = release_at_load(system, at, walker.parameters(), at.load_factor);
+  std::string why = "there is no equilibrium without it";
+  if (found) {
+    Candidate next = walker.settled(*found);
+    why = objection_to(next, walker);
+    if (why.empty()) walker.jump(std::move(next));
+  }
+  if (why.empty()) return {};
+  return fmt::format("strength is lost at a load factor of {:.4g} at {}: {}", at.load_factor,
+                     places_of(system, active_points(system, at)), why);
+}
+
+/// On the way to a state beyond the strength of some points: the first of them loses it.
+std::string crack(Walker& walker, const Candidate& beyond) {
+  if (std::string why = land_on_strength(walker, beyond); !why.empty()) return why;
+  if (!is_release_pending(walker.system())) return objection_to(beyond.excess, walker.system());
+  return release(walker);
+}
+
+}  // namespace
+
+std::string apply_full_stage(Walker& walker) {
+  const auto control = make_gauge_equation({.rows = {}, .per_load_factor = 1});
+  constexpr double smallest = 1e-4;
+  double step = 1;
+  while (walker.state().load_factor < 1) {
+    if (walker.leaving().d.empty()) return "the tangent stiffness is singular";
+    const double rest = 1 - walker.state().load_factor;
+    const double wanted = std::min(step, rest);
+    const Attempt tried =
+        walker.attempt(*control, wanted, walker.ahead(wanted / walker.leaving().load_factor));
+    if (!tried.converged) {
+      step = 0.25 * wanted;
+      if (step < smallest) return tried.reason;
+      continue;
+    }
+    Candidate candidate = walker.evaluate(tried);
+    if (!objection_to(candidate.excess, walker.system()).empty()) {
+      if (std::string why = crack(walker, candidate); !why.empty()) return why;
+      continue;
+    }
+    if (wanted == rest) candidate.state.load_factor = 1;
+    walker.accept(std::move(candidate));
+  }
+  return {};
+}
+
+}  // namespace dda

@@ -1,0 +1,34 @@
+#include "continuation/detour/increment/load_solver.hpp"
+#include "continuation/solve/held_equilibrium.hpp"
+
+namespace dda {
+namespace {
+
+struct NewtonAtLoadParameters {};
+
+/// Newton's method with the load factor held; factorises the tangent.
+class NewtonAtLoad final : public LoadSolver {
+ public:
+  Found solve(System& system, const State& from, double load_factor,
+              const StepperParameters& parameters) override {
+    const Functional load{.rows = {}, .per_load_factor = 1};
+    HeldEquilibrium equilibrium(system, parameters, load, load_factor);
+    Found out;
+    out.state = equilibrium.solve(from);
+    out.newton_iterations = equilibrium.iterations();
+    if (!out.state) out.why = "Newton's method found no equilibrium";
+    return out;
+  }
+};
+
+Schema<NewtonAtLoadParameters> schema() {
+  return Schema<NewtonAtLoadParameters>("Newton's method, with `path.newton` and `path.linear`.");
+}
+
+std::unique_ptr<LoadSolver> make(const NewtonAtLoadParameters&) { return std::make_unique<NewtonAtLoad>(); }
+
+}  // namespace
+
+DDA_REGISTER(load_solvers(), "newton", schema(), make);
+
+}  // namespace dda

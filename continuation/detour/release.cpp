@@ -1,0 +1,183 @@
+#include "continuation/detour/release.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "continuation/detour/increment/load_increment.hpp"
+#include "continuation/solve/held_equilibrium.hpp"
+#include "continuation/state/reach.hpp"
+
+namespace dda {
+namespace {
+
+bool stands_at_strength(const System& system, std::size_t p) {
+  return system.history()[p].loading && system.equilibrium().point(p).law->releases_at_once();
+}
+
+bool is_pending(const System& system, std::size_t p) {
+  return system.history()[p].share > 0 || stands_at_strength(system, p);
+}
+
+/// One release, from the start of a piece to its end.
+class Release {
+ public:
+  Release(System& system, const State& start, const StepperParameters& parameters)
+      : system_(system),
+        start_(start),
+        parameters_(parameters),
+        before_(system.history()),
+        openings_(system.laws_at(start.d, start.load_factor)->opening) {
+    for (std::size_t p = 0; p < before_.size(); ++p)
+      if (is_pending(system, p)) pending_.push_back(p);
+  }
+
+  std::optional<ReleasedPiece> next(const Functional* held, double most) {
+    const Functional own = held ? Functional{} : held_opening();
+    const Functional& gauge = held ? *held : own;
+    HeldEquilibrium equilibrium(system_, parameters_, gauge, gauge.value(start_.d, start_.load_factor));
+    auto out = at_share(equilibrium, most, start_);
+    // Straight as long as no contact changes on the way; where one does, the crossing is sought again.
+    constexpr int most_searches = 20;
+    double gone = most;
+    for (int search = 0; out && search < most_searches; ++search) {
+      const double share = first_crossing(out->state);
+      if (share >= 1 - 1e-12) break;
+      gone *= share;
+      out = at_share(equilibrium, gone, out->state);
+    }
+    std::optional<ReleasedPiece> piece;
+    if (out) {
+      const bool turns = out->state.load_factor * start_.load_factor < 0;
+      piece = ReleasedPiece{*out, !turns || is_straight(equilibrium, gone, *out)};
+    }
+    system_.set_history(before_);
+    system_.set_multipliers(start_.multipliers);
+    return piece;
+  }
+
+ private:
+  /// Whether half of the loss lies half way in the load factor: no contact and no friction has changed.
+  bool is_straight(HeldEquilibrium& equilibrium, double gone, const Settled& end) {
+    const auto middle = at_share(equilibrium, 0.5 * gone, start_);
+    if (!middle) return false;
+    constexpr double round_off = 1e-6;
+    const double a = start_.load_factor, b = end.state.load_factor;
+    return std::abs(middle->state.load_factor - 0.5 * (a + b)) <= round_off * (std::abs(a) + std::abs(b));
+  }
+
+  /// c·q of the point that reached its strength last: it has lost least.
+  Functional held_opening() const {
+    const std::size_t newest = std::ranges::max(pending_, {}, [&](std::size_t p) { return share(p); });
+    const InterfacePoint& point = system_.equilibrium().point(newest);
+    const History released = point.law->release(openings_[newest], before_[newest], point.stiffness, 1);
+    const Vec2 direction = point.law->held_direction(openings_[newest], released);
+    return system_.equilibrium().opening_gauge(system_.loading(), newest, direction);
+  }
+
+  /// What a pending point still bears of what it loses.
+  double share(std::size_t p) const {
+    return before_[p].share > 0 && !before_[p].loading ? before_[p].share : 1;
+  }
+
+  /// The equilibrium when `gone` of what is being lost at the start of the piece has gone.
+  std::optional<Settled> at_share(HeldEquilibrium& equilibrium, double gone, const State& guess) {
+    std::vector<History> releasing = before_;
+    for (const std::size_t p : pending_) {
+      const InterfacePoint& point = system_.equilibrium().point(p);
+      releasing[p] = point.law->release(openings_[p], before_[p], point.stiffness, (1 - gone) * share(p));
+    }
+    system_.set_history(std::move(releasing));
+    system_.set_multipliers(guess.multipliers);
+    const auto found = equilibrium.solve(guess);
+    if (!found) return {};
+    return Settled{*found, system_.next_history(found->d, found->load_factor)};
+  }
+
+  /// Share of the way to `end` at which another point reaches its strength first, or one that is losing its
+  /// cohesion that in tension; 1 when none does.
+  double first_crossing(const State& end) const {
+    const auto laws = system_.laws_at(end.d, end.load_factor);
+    constexpr double round_off = 1e-12;
+    double first = 1;
+    for (std::size_t p = 0; p < before_.size(); ++p) {
+      const InterfacePoint& point = system_.equilibrium().point(p);
+      first = std::min(first, share_to_kappa({*point.law, system_.history()[p], point.stiffness},
+                                             openings_[p], laws->opening[p], round_off));
+    }
+    return first;
+  }
+
+  System& system_;
+  const State& start_;
+  const StepperParameters& parameters_;
+  const std::vector<History> before_;
+  const std::vector<Vec2> openings_;
+  std::vector<std::size_t> pending_;
+};
+
+}  // namespace
+
+bool is_release_pending(const System& system) {
+  for (std::size_t p = 0; p < system.history().size(); ++p)
+    if (is_pending(system, p)) return true;
+  return false;
+}
+
+std::optional<ReleasedPiece> release_piece(System& system, const State& start,
+                                           const StepperParameters& parameters, const Functional* held,
+                                           double most) {
+  return Release(system, start, parameters).next(held, most);
+}
+
+namespace {
+
+/// Releases in full what stands at its strength or is partly released.
+void release_pending(System& system, const State& at) {
+  std::vector<History> history = system.history();
+  const auto laws = system.laws_at(at.d, at.load_factor);
+  for (std::size_t p = 0; p < history.size(); ++p) {
+    const InterfacePoint& point = system.equilibrium().point(p);
+    if (is_pending(system, p))
+      history[p] = point.law->release(laws->opening[p], history[p], point.stiffness, 0);
+  }
+  system.set_history(std::move(history));
+}
+
+/// Newton's method with a gauge held, whatever the load.
+class AtGauge final : public LoadSolver {
+ public:
+  AtGauge(const Functional& gauge, double value) : gauge_(gauge), value_(value) {}
+
+  Found solve(System& system, const State& from, double, const StepperParameters& parameters) override {
+    HeldEquilibrium equilibrium(system, parameters, gauge_, value_);
+    Found out;
+    out.state = equilibrium.solve(from);
+    out.newton_iterations = equilibrium.iterations();
+    return out;
+  }
+
+ private:
+  const Functional& gauge_;
+  double value_;
+};
+
+}  // namespace
+
+std::optional<Settled> release_at_load(System& system, const State& start,
+                                       const StepperParameters& parameters, double load_factor) {
+  return release_at_gauge(system, start, parameters, {.rows = {}, .per_load_factor = 1}, load_factor);
+}
+
+std::optional<Settled> release_at_gauge(System& system, const State& start,
+                                        const StepperParameters& parameters, const Functional& gauge,
+                                        double value) {
+  const std::vector<History> before = system.history();
+  release_pending(system, start);
+  AtGauge solver(gauge, value);
+  auto out = load_increment(system, start, {0, solver}, parameters).settled;
+  system.set_history(before);
+  system.set_multipliers(start.multipliers);
+  return out;
+}
+
+}  // namespace dda

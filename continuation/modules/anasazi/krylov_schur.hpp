@@ -1,0 +1,10 @@
+#pragma once
+
+#include "continuation/solve/krylov_schur.hpp"
+
+namespace dda {
+
+/// What krylov_schur does, in the module of Trilinos.
+Eigenmodes anasazi_krylov_schur(const EigenProblem& problem, const Search& search);
+
+}  // namespace dda

@@ -1,0 +1,108 @@
+#include "continuation/state/acceptance.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "continuation/state/standstill.hpp"
+
+namespace dda {
+namespace {
+
+using Translation = Eigen::Map<const Vec2>;
+
+double sum_of_forces(const Loading& loading, const State& at, std::size_t blocks) {
+  const auto part = [](const std::vector<double>& work, std::size_t b) -> Vec2 {
+    return work.empty() ? Vec2::Zero() : Vec2(Translation(work.data() + block_unknowns * b));
+  };
+  double sum = 0;
+  for (std::size_t b = 0; b < blocks; ++b)
+    sum += (part(loading.dead_work, b) + at.load_factor * part(loading.reference_work, b)).norm();
+  for (const WorkPair& pair : loading.driven) sum += std::abs(pair.force.value(at.d, at.load_factor));
+  return sum;
+}
+
+/// Where a block is, from the points of its sides.
+Vec2 place_of(const Equilibrium& equilibrium, std::size_t block) {
+  Vec2 sum = Vec2::Zero();
+  int count = 0;
+  for (const InterfacePoint& point : equilibrium.interfaces().points) {
+    if (point.first.value() != block && point.second.value() != block) continue;
+    sum += point.x;
+    ++count;
+  }
+  return count > 0 ? Vec2(sum / count) : sum;
+}
+
+std::string names_of(const std::vector<std::size_t>& blocks, const Equilibrium& equilibrium) {
+  constexpr std::size_t most = 3;
+  std::string out;
+  for (std::size_t i = 0; i < std::min(blocks.size(), most); ++i) {
+    const Vec2 at = place_of(equilibrium, blocks[i]);
+    out += fmt::format("{}block {} at ({:.4g}, {:.4g})", i == 0 ? "" : ", ", blocks[i], at.x(), at.y());
+  }
+  return blocks.size() > most ? out + fmt::format(" and {} more", blocks.size() - most) : out;
+}
+
+}  // namespace
+
+Excess strength_excess(const System& system, const std::vector<History>& history, const LawValues& laws) {
+  Excess out;
+  for (std::size_t p = 0; p < laws.opening.size(); ++p) {
+    const InterfacePoint& point = system.equilibrium().point(p);
+    const History& h = history[p];
+    if (!point.law->releases_at_once() || point.law->is_broken(h, point.stiffness)) continue;
+    const double opening = point.law->equivalent_opening(laws.opening[p], h, point.stiffness);
+    const double beyond = opening / point.law->kappa(h, point.stiffness) - 1;
+    if (beyond > out.value) out = {beyond, p};
+  }
+  return out;
+}
+
+Holding holding_of(const System& system, const State& at) {
+  const Equilibrium& equilibrium = system.equilibrium();
+  Holding out;
+  out.load = sum_of_forces(system.loading(), at, equilibrium.num_blocks());
+  if (out.load == 0) out.load = system.force_level(at.d);  // initial stress is no force
+  const auto moved = [&](std::size_t b) { return Translation(at.d.data() + block_unknowns * b).norm(); };
+  out.weak = system.weak_forces(at.d);
+  for (std::size_t b = 0; b < equilibrium.num_blocks(); ++b) out.movement = std::max(out.movement, moved(b));
+  for (std::size_t b = 0; b < equilibrium.num_blocks(); ++b)
+    if (moved(b) > 0 && moved(b) >= 0.5 * out.movement) out.blocks.push_back(b);
+  return out;
+}
+
+double size_of(const Equilibrium& equilibrium) {
+  const auto& points = equilibrium.interfaces().points;
+  if (points.empty()) return std::numeric_limits<double>::infinity();
+  Vec2 low = points.front().x, high = low;
+  for (const InterfacePoint& point : points) {
+    low = low.cwiseMin(point.x);
+    high = high.cwiseMax(point.x);
+  }
+  return (high - low).norm() + 2 * *std::ranges::max_element(equilibrium.block_size());
+}
+
+std::string objection_to(const Holding& holding, const SoundnessLimits& limits,
+                         const Equilibrium& equilibrium) {
+  constexpr double of_load = 1e-3, of_largest = 1e-3;
+  if (!(holding.movement <= limits.size))
+    return fmt::format("{} would move by {:.3g}, the structure being {:.3g} large: only weak springs hold it",
+                       names_of(holding.blocks, equilibrium), holding.movement, limits.size);
+  const double load = std::max(holding.load, of_largest * limits.largest_load);
+  if (holding.weak <= of_load * load) return {};
+  return fmt::format("only weak springs hold {}: they would bear {:.1e} of the load",
+                     names_of(holding.blocks, equilibrium), holding.weak / load);
+}
+
+std::string objection_to(const Excess& excess, const System& system) {
+  constexpr double bearable = 1e-4;
+  if (excess.value <= bearable) return {};
+  return fmt::format("the point at {} stands {:.1e} beyond its strength", places_of(system, {excess.point}),
+                     excess.value);
+}
+
+}  // namespace dda

@@ -1,0 +1,83 @@
+#include "continuation/state/standstill.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace dda {
+
+Standstill::Standstill(std::vector<double> block_size, double size)
+    : block_size_(std::move(block_size)), smallest_(1e-13 * size) {}
+
+/// Largest difference of two displacements, rotations and strains times the size of their block [L].
+double Standstill::distance(const std::vector<double>& a, const std::vector<double>& b) const {
+  double out = 0;
+  for (std::size_t i = 0; i < block_unknowns * block_size_.size(); ++i) {
+    const double unit = i % block_unknowns < 2 ? 1 : block_size_[i / block_unknowns];
+    out = std::max(out, unit * std::abs(a[i] - (b.empty() ? 0 : b[i])));
+  }
+  return out;
+}
+
+bool Standstill::has_moved(const Watch& watch, const Station& now) const {
+  if (watch.of_rescues && !now.is_rescue) return true;
+  const double moved = distance(now.d, watch.from.d);
+  if (moved > std::max(watch.share * largest_movement_, smallest_)) return true;
+  if (largest_movement_ <= smallest_) return false;
+  return std::abs(now.load_factor - watch.from.load_factor) > watch.share * largest_load_factor_ ||
+         std::abs(now.dissipated - watch.from.dissipated) > watch.share * largest_dissipated_;
+}
+
+std::string Standstill::add(const Station& now) {
+  largest_movement_ = std::max(largest_movement_, distance(now.d, {}));
+  largest_load_factor_ = std::max(largest_load_factor_, std::abs(now.load_factor));
+  largest_dissipated_ = std::max(largest_dissipated_, std::abs(now.dissipated));
+  std::string out;
+  for (Watch& watch : watches_) {
+    if (watch.from.d.empty() || has_moved(watch, now)) {
+      watch.from = now;
+      watch.count = 0;
+    } else if (++watch.count >= watch.most && out.empty()) {
+      out = fmt::format("in the last {} {} load, displacements and energies have changed by less than {:g}",
+                        watch.count, watch.of_rescues ? "rescues" : "steps", watch.share);
+    }
+  }
+  return out;
+}
+
+std::string places_of(const System& system, const std::vector<std::size_t>& points) {
+  constexpr std::size_t most = 3;
+  std::string out;
+  for (std::size_t i = 0; i < std::min(points.size(), most); ++i) {
+    const InterfacePoint& point = system.equilibrium().point(points[i]);
+    const auto& names = system.equilibrium().interfaces().names;
+    out += fmt::format("{}({:.6g}, {:.6g})", i == 0 ? "" : ", ", point.x.x(), point.x.y());
+    if (point.interface >= 0)
+      out += fmt::format(" on '{}'", names[static_cast<std::size_t>(point.interface)]);
+  }
+  if (points.size() > most) out += fmt::format(" and {} more", points.size() - most);
+  return out;
+}
+
+std::vector<std::size_t> active_points(const System& system, const State& at) {
+  std::vector<std::size_t> out;
+  const LawValues laws = system.laws(at.d, at.load_factor);
+  std::size_t nearest = 0;
+  double largest = -std::numeric_limits<double>::infinity();
+  for (std::size_t p = 0; p < laws.opening.size(); ++p) {
+    const History& h = system.history()[p];
+    if (h.loading || h.sliding || h.share > 0) out.push_back(p);
+    if (system.is_broken(p)) continue;
+    const InterfacePoint& point = system.equilibrium().point(p);
+    const double ratio = point.law->equivalent_opening(laws.opening[p], h, point.stiffness) / system.kappa(p);
+    if (ratio <= largest) continue;
+    largest = ratio;
+    nearest = p;
+  }
+  if (out.empty() && std::isfinite(largest)) out.push_back(nearest);
+  return out;
+}
+
+}  // namespace dda

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "continuation/state/system.hpp"
+
+namespace dda {
+
+/// What of an accepted equilibrium tells whether a path gets anywhere.
+struct Station {
+  std::vector<double> d;  ///< of the blocks first, six each
+  double load_factor = 0;
+  double dissipated = 0;   ///< [FL]
+  bool is_rescue = false;  ///< no control led to it
+};
+
+/// Watches a path for standing still: displacements, load factor and dissipated energy all stay within a
+/// share of their largest so far, for a number of accepted steps in a row; the more steps, the larger the
+/// share. A structure that has not moved by 1e-13 of its size has not moved, whatever its load factor.
+class Standstill {
+ public:
+  /// `block_size` makes rotations and strains comparable with translations; `size` is the structure's [L].
+  Standstill(std::vector<double> block_size, double size);
+
+  /// Takes in the next accepted equilibrium; how long the path has stood still, "" while it moves.
+  std::string add(const Station& now);
+
+ private:
+  struct Watch {
+    double share;
+    int most;
+    bool of_rescues;  ///< counts these alone
+    int count = 0;
+    Station from = {};
+  };
+
+  double distance(const std::vector<double>& a, const std::vector<double>& b) const;
+  bool has_moved(const Watch& watch, const Station& now) const;
+
+  std::vector<double> block_size_;
+  double smallest_;  ///< movement that counts [L]
+  double largest_movement_ = 0, largest_load_factor_ = 0, largest_dissipated_ = 0;
+  std::array<Watch, 3> watches_{Watch{1e-10, 8, false}, Watch{1e-6, 50, false}, Watch{1e-4, 25, true}};
+};
+
+/// Where some interface points are: "(x, y) on 'name'", at most three of them.
+std::string places_of(const System& system, const std::vector<std::size_t>& points);
+
+/// The points at which something is going on: those that load, slide or are being released; if there are
+/// none, the one nearest its strength.
+std::vector<std::size_t> active_points(const System& system, const State& at);
+
+}  // namespace dda

@@ -1,0 +1,84 @@
+#include "continuation/walk/energy.hpp"
+
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace dda {
+namespace {
+
+/// Values and rates of one scalar at both ends of a step, ξ from 0 to 1.
+struct Ends {
+  double from, to, rate_from, rate_to;
+
+  double value(double x) const {
+    const double y = 1 - x;
+    return from * y * y * (1 + 2 * x) + to * x * x * (1 + 2 * y) + rate_from * x * y * y -
+           rate_to * x * x * y;
+  }
+  double rate(double x) const {
+    return 6 * x * (1 - x) * (to - from) + rate_from * (1 - x) * (1 - 3 * x) + rate_to * x * (3 * x - 2);
+  }
+};
+
+/// ∫ F u' dξ with three Gauss points: exact, the integrand has degree five.
+double integral(const Ends& force, const Ends& displacement) {
+  const double half = std::sqrt(0.6) / 2;
+  constexpr std::array weights{5.0 / 18, 8.0 / 18, 5.0 / 18};
+  const std::array places{0.5 - half, 0.5, 0.5 + half};
+  double sum = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    sum += weights[i] * force.value(places[i]) * displacement.rate(places[i]);
+  return sum;
+}
+
+double dot(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+}
+
+/// With step 0 the rates are those of the chord: the trapezoid.
+Ends ends(double from, double to, double rate_from, double rate_to, double step) {
+  if (step == 0) return {from, to, to - from, to - from};
+  return {from, to, step * rate_from, step * rate_to};
+}
+
+}  // namespace
+
+Functional displacement_of_load(const Loading& loading) {
+  Functional out;
+  for (std::size_t i = 0; i + block_unknowns <= loading.reference_work.size(); i += block_unknowns)
+    if (const Eigen::Map<const Vec6> row(loading.reference_work.data() + i); !row.isZero(0))
+      out.rows.emplace_back(BlockId{i / block_unknowns}, row);
+  for (const WorkPair& pair : loading.driven) out.add(1, pair.displacement);
+  return out;
+}
+
+double external_work(const System& system, const State& from, const State& to, const Tangent& leaving,
+                     const Tangent& arriving, double step) {
+  const Loading& loading = system.loading();
+  const auto scalar = [&](const Functional& gauge) {
+    return step == 0 ? ends(gauge.value(from.d, from.load_factor), gauge.value(to.d, to.load_factor), 0, 0, 0)
+                     : ends(gauge.value(from.d, from.load_factor), gauge.value(to.d, to.load_factor),
+                            leaving.rate(gauge), arriving.rate(gauge), step);
+  };
+  const Ends load = scalar({.rows = {}, .per_load_factor = 1});
+  const Ends displacement =
+      step == 0 ? ends(dot(loading.reference_work, from.d), dot(loading.reference_work, to.d), 0, 0, 0)
+                : ends(dot(loading.reference_work, from.d), dot(loading.reference_work, to.d),
+                       dot(loading.reference_work, leaving.d), dot(loading.reference_work, arriving.d), step);
+  double work = integral(load, displacement) + dot(loading.dead_work, to.d) - dot(loading.dead_work, from.d);
+  for (const WorkPair& pair : loading.driven) work += integral(scalar(pair.force), scalar(pair.displacement));
+  if (!loading.reference_offset.empty()) {
+    const auto power = [&](const State& state) {
+      const LawValues laws = system.laws(state.d, state.load_factor);
+      double sum = 0;
+      for (std::size_t p = 0; p < laws.traction.size(); ++p)
+        sum += system.equilibrium().point(p).weight * laws.traction[p].dot(loading.reference_opening(p));
+      return sum;
+    };
+    work += 0.5 * (power(from) + power(to)) * (to.load_factor - from.load_factor);
+  }
+  return work;
+}
+
+}  // namespace dda

@@ -1,0 +1,299 @@
+#include "continuation/walk/tangent.hpp"
+
+#include <cmath>
+#include <optional>
+
+#include "continuation/contact/rate_walk.hpp"
+
+namespace dda {
+namespace {
+
+/// K⁻¹ ∂f/∂λ with the history's flags, per unit of load factor; empty when K is singular.
+Tangent direction(System& system, const State& state) {
+  Tangent out;
+  const auto laws = system.laws_at(state.d, state.load_factor);
+  std::vector<double> force(state.d.size());
+  system.load_derivative(*laws, force);
+  if (!system.use_path_tangent(*laws)) return out;
+  out.d.resize(state.d.size());
+  system.path_linear().solve_watched(force, out.d);
+  for (double& value : out.d) value = -value;
+  out.load_factor = 1;
+  out.multipliers = system.multiplier_rates(out.d);
+  out.opening.resize(laws->opening.size());
+  for (std::size_t p = 0; p < out.opening.size(); ++p)
+    out.opening[p] = system.opening_rate(p, out.d) + system.loading().reference_opening(p);
+  return out;
+}
+
+/// Energy spent per unit of load factor where cracks grow, friction included; 0 when none grows.
+double dissipation_rate(System& system, const State& state, const Tangent& along) {
+  double sum = 0;
+  bool grows = false;
+  const auto laws = system.laws_at(state.d, state.load_factor);
+  for (std::size_t p = 0; p < along.opening.size(); ++p) {
+    const History& h = system.history()[p];
+    if (!h.loading && !h.sliding) continue;
+    const InterfacePoint& point = system.equilibrium().point(p);
+    const double rate =
+        point.weight *
+        point.law->spending(laws->opening[p], h, point.stiffness).gradient.dot(along.opening[p]);
+    grows = grows || (h.loading && rate != 0);
+    sum += rate;
+  }
+  return grows ? sum : 0;
+}
+
+/// What the live loads do along a direction: forces per unit of their factor, and the size of what all do
+/// with them now.
+struct LivePower {
+  double of_forces = 0, size = 0;
+};
+
+LivePower live_power(const System& system, const State& state, const Tangent& along) {
+  const Loading& loading = system.loading();
+  LivePower out;
+  for (std::size_t i = 0; i < loading.reference_work.size(); ++i)
+    out.of_forces += loading.reference_work[i] * along.d[i];
+  out.size = std::abs(state.load_factor * out.of_forces);
+  for (const WorkPair& pair : loading.driven)
+    out.size += std::abs(pair.force.value(state.d, state.load_factor) * along.rate(pair.displacement));
+  return out;
+}
+
+void scale(double factor, std::vector<Vec2>& v) {
+  for (Vec2& value : v) value *= factor;
+}
+
+void reverse(Tangent& along) {
+  along.load_factor *= -1;
+  for (double& value : along.d) value *= -1;
+  scale(-1, along.opening);
+  scale(-1, along.multipliers);
+}
+
+/// Towards more energy spent; where none is, as the forces of the live loads push.
+Tangent oriented(System& system, const State& state) {
+  const auto scope = system.timings().measure("tangents");
+  Tangent out = direction(system, state);
+  if (out.d.empty()) return out;
+  const double rate = dissipation_rate(system, state, out);
+  const LivePower power = live_power(system, state, out);
+  constexpr double rounding = 1e-10;  // left of cracks that stand still while a mechanism turns
+  out.dissipates = std::abs(rate) > rounding * power.size;
+  if (!out.dissipates) {
+    if (power.of_forces < 0) reverse(out);
+    return out;
+  }
+  for (double& value : out.d) value /= rate;
+  scale(1 / rate, out.opening);
+  scale(1 / rate, out.multipliers);
+  out.load_factor = 1 / rate;
+  return out;
+}
+
+/// Whether a direction just found leads back: energy is spent while the load falls off a structure that is
+/// stable under it, which could bear more. What had slid or cracked under the load slides back without it.
+bool leads_back(System& system, const Tangent& along) {
+  return along.dissipates && along.load_factor < 0 && negative_eigenvalues(system).of_stiffness == 0;
+}
+
+/// A flag of a point that stands on its damage surface or at its limit of friction.
+struct Flag {
+  std::size_t point;
+  bool History::*side;  ///< loading or sliding
+};
+
+/// The rate problem of an equilibrium: which of the points flagged in the history go on loading and sliding.
+///
+///     flagged:  κ̇ ≥ 0 (slip rate ≥ 0);      not flagged, on the surface:  κ̇ ≤ 0
+class RateProblem {
+ public:
+  using Set = std::vector<bool>;
+  enum class Sense { dissipates, loads };  ///< what orients the direction: energy spent, or the load factor
+  RateProblem(System& system, const State& state, Sense sense)
+      : system_(system), state_(state), sense_(sense) {
+    const auto laws = system.laws_at(state.d, state.load_factor);
+    for (std::size_t p = 0; p < system.history().size(); ++p) {
+      const History& h = system.history()[p];
+      const InterfacePoint& point = system.equilibrium().point(p);
+      if (h.loading && !point.law->releases_at_once())
+        add({p, &History::loading}, point.law->opening_gradient(laws->opening[p], h, point.stiffness));
+      if (h.sliding)
+        add({p, &History::sliding}, point.law->slip_gradient(laws->opening[p], h, point.stiffness));
+    }
+  }
+
+  /// Takes off whatever unloads or sticks until the rest goes on; where something that was taken off would go
+  /// on after all, or the path would turn back, walks from hinge to hinge (rate_walk.hpp).
+  Tangent solve(Tangent arriving) {
+    Tangent found = pruned(arriving);
+    if (found.d.empty()) return found;
+    const bool keeps = is_settled(found), turns = leads_back(system_, found);
+    if (keeps && !turns) return found;
+    const std::vector<History> flags = system_.history();
+    const auto other = walked(arriving);
+    if (other && !(keeps && other->leads_back)) return other->tangent;
+    system_.set_history(flags);
+    found = tangent();
+    found.keeps_equilibrium = keeps;
+    return found;
+  }
+  Tangent tangent() const {
+    Tangent out = oriented(system_, state_);
+    if (sense_ == Sense::loads && out.load_factor < 0) reverse(out);
+    return out;
+  }
+
+ private:
+  /// A consistent direction.
+  struct Way {
+    Tangent tangent;
+    bool leads_back = false;
+  };
+
+  Tangent pruned(Tangent found) {
+    while (!found.d.empty() && unflag(found)) found = tangent();
+    return found;
+  }
+
+  /// Of the directions to which walks lead one that does not lead back, cracks, and is nearer to that which
+  /// led here.
+  std::optional<Way> walked(const Tangent& arriving) {
+    std::optional<Way> best;
+    std::vector<History> flags;
+    set(Set(flags_.size(), false));
+    const auto rates = hinged_rates();
+    if (!rates) return {};
+    for (const double direction : {1.0, -1.0}) {
+      const auto ray = follow_hinges(*rates, direction);
+      if (!ray) continue;
+      set(ray->goes_on);
+      Way found{tangent()};
+      if (found.tangent.d.empty() || !is_settled(found.tangent)) continue;
+      found.leads_back = leads_back(system_, found.tangent);
+      if (best && !is_better(found, *best, arriving)) continue;
+      best = std::move(found);
+      flags = system_.history();
+    }
+    if (best) system_.set_history(std::move(flags));
+    return best;
+  }
+
+  bool is_better(const Way& one, const Way& other, const Tangent& arriving) const {
+    if (one.leads_back != other.leads_back) return other.leads_back;
+    if (one.tangent.dissipates != other.tangent.dissipates) return one.tangent.dissipates;
+    return nearness(one.tangent, arriving) > nearness(other.tangent, arriving);
+  }
+
+  /// Cosine between two directions, in the openings of the points flagged.
+  double nearness(const Tangent& one, const Tangent& other) const {
+    double product = 0, square = 0, square_of_other = 0;
+    for (const Flag& flag : flags_) {
+      const Vec2 &a = one.opening[flag.point], &b = other.opening[flag.point];
+      product += a.dot(b);
+      square += a.squaredNorm();
+      square_of_other += b.squaredNorm();
+    }
+    return product / std::sqrt(square * square_of_other);
+  }
+
+  /// The hinges of the structure in which no flag is set; nothing when that is singular.
+  std::optional<HingedRates> hinged_rates() {
+    const Tangent elastic = direction(system_, state_);
+    if (elastic.d.empty()) return {};
+    const auto n = static_cast<Eigen::Index>(flags_.size());
+    HingedRates out{Eigen::MatrixXd(n, n), Eigen::VectorXd(n)};
+    const std::vector<Vec2> tractions = traction_rates();
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const auto at = static_cast<std::size_t>(j);
+      out.per_load[j] = rate(at, elastic);
+      const std::vector<Vec2> opening = system_.opened_by(flags_[at].point, tractions[at]);
+      for (Eigen::Index i = 0; i < n; ++i) {
+        const auto row = static_cast<std::size_t>(i);
+        out.couplings(i, j) = -gradients_[row].dot(opening[flags_[row].point]);
+      }
+    }
+    return out;
+  }
+
+  /// a of t = D q + a ⟨g · q⟩ for each flag, D that of no flag: ∂t/∂q of the flag beyond D is a gᵀ.
+  std::vector<Vec2> traction_rates() const {
+    std::vector<Vec2> out;
+    const auto laws = system_.laws_at(state_.d, state_.load_factor);
+    for (std::size_t i = 0; i < flags_.size(); ++i) {
+      const std::size_t p = flags_[i].point;
+      const InterfacePoint& point = system_.equilibrium().point(p);
+      History flagged = system_.history()[p];
+      flagged.*flags_[i].side = true;
+      const Mat2 with = point.law->respond(laws->opening[p], flagged, point.stiffness).tangent;
+      const Vec2& g = gradients_[i];
+      out.push_back(g.isZero(0) ? Vec2(Vec2::Zero()) : Vec2((with - laws->tangent[p]) * g / g.squaredNorm()));
+    }
+    return out;
+  }
+
+  void add(const Flag& flag, const Vec2& gradient) {
+    flags_.push_back(flag);
+    gradients_.push_back(gradient);
+  }
+  double rate(std::size_t i, const Tangent& along) const {
+    return gradients_[i].dot(along.opening[flags_[i].point]);
+  }
+  bool is_set(std::size_t i) const { return system_.history()[flags_[i].point].*flags_[i].side; }
+
+  bool unflag(const Tangent& found) {
+    std::vector<History> history = system_.history();
+    bool changed = false;
+    for (std::size_t i = 0; i < flags_.size(); ++i)
+      if (is_set(i) && rate(i, found) < 0) history[flags_[i].point].*flags_[i].side = !(changed = true);
+    if (changed) system_.set_history(std::move(history));
+    return changed;
+  }
+
+  /// Whether all flags go on along a direction and nothing else does.
+  bool is_settled(const Tangent& along) const {
+    constexpr double round_off = 1e-9;
+    double fastest = 0, most = 0;
+    for (std::size_t i = 0; i < flags_.size(); ++i) {
+      const double now = rate(i, along);
+      fastest = std::max(fastest, std::abs(now));
+      most = std::max(most, is_set(i) ? -now : now);
+    }
+    return most <= round_off * fastest;
+  }
+
+  void set(const Set& goes_on) {
+    std::vector<History> history = system_.history();
+    for (std::size_t i = 0; i < flags_.size(); ++i) history[flags_[i].point].*flags_[i].side = goes_on[i];
+    system_.set_history(std::move(history));
+  }
+
+  System& system_;
+  const State& state_;
+  Sense sense_;
+  std::vector<Flag> flags_;
+  std::vector<Vec2> gradients_;
+};
+
+}  // namespace
+
+NegativeEigenvalues negative_eigenvalues(System& system) {
+  NegativeEigenvalues out = system.path_linear().negative_eigenvalues();
+  for (auto* count : {&out.of_stiffness, &out.of_symmetric_part})
+    if (*count) **count -= static_cast<int>(system.equilibrium().num_unknown_multipliers());
+  return out;
+}
+
+Tangent arriving_tangent(System& system, const State& state) { return oriented(system, state); }
+
+Tangent leaving_tangent(System& system, const State& state, Tangent arriving) {
+  return RateProblem(system, state, RateProblem::Sense::dissipates).solve(std::move(arriving));
+}
+
+Tangent starting_tangent(System& system, const State& state) {
+  RateProblem problem(system, state, RateProblem::Sense::loads);
+  return problem.solve(problem.tangent());
+}
+
+}  // namespace dda

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <vector>
+
+#include "continuation/state/system.hpp"
+
+namespace dda {
+
+/// Direction in which a path leaves (or reached) an equilibrium.
+///
+///     K ḋ = λ̇ ∂f/∂λ,  with the tangent of the points that load
+///
+/// Per unit of dissipated energy, that of friction included, when points load, so that its orientation is the
+/// one that dissipates; per unit of load factor when nothing does, in the direction of the live forces.
+struct Tangent {
+  std::vector<double> d;  ///< at Equilibrium::watched(); of the other nodes it may be zero
+  double load_factor = 0;
+  bool dissipates = false;  ///< a crack grows
+  /// False where no rates were found that keep the equilibrium, whichever points grow, unload, slide and
+  /// hold: some that rest along it would go on.
+  bool keeps_equilibrium = true;
+  std::vector<Vec2> multipliers;  ///< rates of iterated multipliers, else empty
+  std::vector<Vec2> opening;      ///< q̇ of every active point
+
+  /// Rate of a gauge along the direction.
+  double rate(const Functional& gauge) const { return gauge.value(d, load_factor) - gauge.constant; }
+};
+
+/// Of the path's tangent in use, one for every unknown multiplier of the saddle point taken off.
+NegativeEigenvalues negative_eigenvalues(System& system);
+
+/// The direction with the points flagged in the system's history as loading: that of the step that led here.
+/// An empty direction when the tangent is singular.
+Tangent arriving_tangent(System& system, const State& state);
+
+/// The direction in which the path goes on: points that would unload or stick are taken off the set, and
+/// unflagged in the history, until all that are left load and slide; what was taken off and would go on after
+/// all is put back. One along which the load falls off a structure that is stable under it is taken only
+/// where there is no other. Starts from the arriving tangent of the same state.
+Tangent leaving_tangent(System& system, const State& state, Tangent arriving);
+
+/// The direction in which a stage begins, its load growing: what the stages before have cracked goes on only
+/// where that load drives it, and nothing is followed backwards because it spends energy.
+Tangent starting_tangent(System& system, const State& state);
+
+}  // namespace dda

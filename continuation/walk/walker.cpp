@@ -1,0 +1,148 @@
+#include "continuation/walk/walker.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dda {
+
+Walker::Walker(System& system, StepperParameters parameters)
+    : system_(system), parameters_(std::move(parameters)) {
+  here_.state.d.assign(system.equilibrium().num_unknowns(), 0.0);
+  here_.state.multipliers = system.multipliers();
+  here_.history = system.history();
+  begin_stage(0);
+}
+
+void Walker::begin_stage(std::size_t stage) {
+  system_.set_stage(stage);
+  here_.state.load_factor = 0;
+  here_.load = value(system_.loading().load);
+  fill_arriving(here_);
+  leaving_ = starting_tangent(system_, here_.state);
+}
+
+Attempt Walker::attempt(ControlEquation& control, double step, const State& guess,
+                        Thoroughness thoroughness) {
+  Attempt out = controlled_step(system_, here_.state, control, step, guess, parameters_, thoroughness);
+  effort_.newton_iterations += out.newton_iterations;
+  effort_.reduced_iterations += out.reduced_iterations;
+  effort_.multiplier_iterations += out.multiplier_iterations;
+  return out;
+}
+
+Attempt Walker::attempt(const ArcLength& arc) {
+  Attempt out = arc_length_step(system_, here_.state, arc, parameters_);
+  effort_.newton_iterations += out.newton_iterations;
+  effort_.multiplier_iterations += out.multiplier_iterations;
+  return out;
+}
+
+State Walker::ahead(double amount) const {
+  State out = here_.state;
+  for (std::size_t i = 0; i < out.d.size(); ++i) out.d[i] += amount * leaving_.d[i];
+  out.load_factor += amount * leaving_.load_factor;
+  for (std::size_t p = 0; p < out.multipliers.size(); ++p)
+    out.multipliers[p] += amount * leaving_.multipliers[p];
+  return out;
+}
+
+void Walker::fill_energies(Candidate& candidate) {
+  const auto scope = system_.timings().measure("energies");
+  const State& at = candidate.state;
+  candidate.dissipated = system_.dissipated(candidate.history);
+  const auto laws = system_.laws_at(at.d, at.load_factor);
+  candidate.stored = system_.stored(at, *laws);
+  candidate.excess = strength_excess(system_, candidate.history, *laws);
+  candidate.load = system_.loading().load.value(at.d, at.load_factor);
+}
+
+void Walker::fill_arriving(Candidate& candidate) {
+  candidate.arriving = arriving_tangent(system_, candidate.state);
+  if (!parameters_.stability || candidate.arriving.d.empty()) return;
+  const auto scope = system_.timings().measure("stability");
+  const NegativeEigenvalues found = negative_eigenvalues(system_);
+  candidate.num_negative = found.of_stiffness;
+  candidate.num_negative_work = found.of_symmetric_part;
+}
+
+Candidate Walker::evaluate(const Attempt& attempt) {
+  Candidate out{.state = attempt.state,
+                .history = system_.next_history(attempt.state.d, attempt.state.load_factor),
+                .arriving = {},
+                .newton_iterations = attempt.newton_iterations,
+                .residual = attempt.residual,
+                .multiplier_iterations = attempt.multiplier_iterations,
+                .gap = attempt.gap};
+  const std::vector<History> before = system_.history();
+  system_.set_history(out.history);
+  fill_arriving(out);
+  fill_energies(out);
+  const double dissipated = out.dissipated - here_.dissipated;
+  const bool smooth = dissipated > 0 && leaving_.dissipates && out.arriving.dissipates;
+  out.work = here_.work + external_work(system_, here_.state, out.state, leaving_, out.arriving,
+                                        smooth ? dissipated : 0.0);
+  system_.set_history(before);
+  system_.set_multipliers(here_.state.multipliers);
+  return out;
+}
+
+void Walker::accept(Candidate candidate) {
+  here_ = std::move(candidate);
+  system_.set_history(here_.history);
+  system_.set_multipliers(here_.state.multipliers);
+  system_.remember_force_level(here_.state.d);
+  if (here_.arriving.d.empty()) fill_arriving(here_);
+  leaving_ = leaving_tangent(system_, here_.state, here_.arriving);
+  ++effort_.accepted;
+}
+
+Candidate Walker::settled(const Settled& found) {
+  Candidate next{.state = found.state, .history = found.history, .arriving = {}};
+  const std::vector<History> before = system_.history();
+  system_.set_history(next.history);
+  system_.set_multipliers(next.state.multipliers);
+  fill_energies(next);
+  next.residual = system_.excess_residual(next.state);
+  if (system_.iterates_multipliers())
+    next.gap = system_.relative_gap(*system_.laws_at(next.state.d, next.state.load_factor));
+  next.work = here_.work + external_work(system_, here_.state, next.state, leaving_, {}, 0.0);
+  system_.set_history(before);
+  system_.set_multipliers(here_.state.multipliers);
+  return next;
+}
+
+double Walker::jump(Candidate next) {
+  const double released =
+      (next.work - here_.work) - (next.stored - here_.stored) - (next.dissipated - here_.dissipated);
+  accept(std::move(next));
+  return released;
+}
+
+void Walker::unload() {
+  for (History& h : here_.history) h.loading = h.sliding = false;
+  system_.set_history(here_.history);
+  leaving_ = arriving_tangent(system_, here_.state);
+}
+
+void Walker::turn_back() {
+  leaving_.load_factor *= -1;
+  for (double& value : leaving_.d) value *= -1;
+  for (auto* rates : {&leaving_.opening, &leaving_.multipliers})
+    for (Vec2& rate : *rates) rate *= -1;
+}
+
+void Walker::turn_to(Tangent leaving, std::vector<History> flags) {
+  system_.set_history(std::move(flags));
+  leaving_ = std::move(leaving);
+}
+
+void Walker::restore(Candidate at, std::vector<History> history, const Effort& effort, Tangent leaving) {
+  here_ = std::move(at);
+  here_.history = history;
+  system_.set_history(std::move(history));
+  system_.set_multipliers(here_.state.multipliers);
+  effort_ = effort;
+  leaving_ = std::move(leaving);
+}
+
+}  // namespace dda

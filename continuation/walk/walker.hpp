@@ -1,0 +1,112 @@
+#pragma once
+
+#include <cstdlib>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "continuation/solve/stepper.hpp"
+#include "continuation/state/acceptance.hpp"
+#include "continuation/walk/energy.hpp"
+#include "continuation/walk/tangent.hpp"
+
+namespace dda {
+
+/// Counts of a run.
+struct Effort {
+  int accepted = 0;
+  int rejected = 0;  ///< attempts of the path that were not taken, each with a line in the log
+  int rescues = 0;
+  int newton_iterations = 0;
+  int reduced_iterations = 0;  ///< on the cracked points alone
+  int multiplier_iterations = 0;
+  int relaxation_iterations = 0;  ///< residuals that dynamic relaxation evaluated
+};
+
+/// An equilibrium that a step may accept, with all that judging it needs.
+struct Candidate {
+  State state;
+  std::vector<History> history;
+  Tangent arriving;
+  double dissipated = 0;  ///< since the start of the run [FL]
+  double stored = 0;      ///< [FL]
+  double work = 0;        ///< since the start of the run [FL]
+  double load = 0;        ///< load gauge
+  int newton_iterations = 0;
+  double residual = 0;  ///< relative to the force level
+  int multiplier_iterations = 0;
+  double gap = 0;                        ///< relative, of iterated multipliers
+  Excess excess = {};                    ///< over the strength of points that lose it at once
+  std::optional<int> num_negative = {};  ///< eigenvalues of K below zero, every point on its surface loading
+  std::optional<int> num_negative_work = {};  ///< and of its symmetric part
+
+  /// Those that are left where the load factor yields so that the path can go on: 0 on a path without
+  /// branches. A limit point changes the number of negative eigenvalues and the sign of the load factor's
+  /// rate together, a bifurcation the former alone.
+  std::optional<int> surplus() const {
+    if (!num_negative) return {};
+    return std::abs(*num_negative - (arriving.load_factor < 0 ? 1 : 0));
+  }
+};
+
+/// Stands on an equilibrium of the path, tries steps from it, and moves when one is kept.
+///
+/// Owns no law and no equation: it puts together system, tangents, energies and LOCA steps.
+class Walker {
+ public:
+  Walker(System& system, StepperParameters parameters);
+
+  System& system() { return system_; }
+  const System& system() const { return system_; }
+  const State& state() const { return here_.state; }
+  const Candidate& here() const { return here_; }
+  const Tangent& leaving() const { return leaving_; }
+  const Effort& effort() const { return effort_; }
+  Effort& effort() { return effort_; }
+  const StepperParameters& parameters() const { return parameters_; }
+  double value(const Functional& gauge) const { return gauge.value(here_.state.d, here_.state.load_factor); }
+
+  /// Tries a step under a control; Newton starts from the guess.
+  Attempt attempt(ControlEquation& control, double step, const State& guess,
+                  Thoroughness thoroughness = Thoroughness::usual);
+  /// Tries an arc-length step.
+  Attempt attempt(const ArcLength& arc);
+  /// Everything about a converged attempt; the walker stays where it is.
+  Candidate evaluate(const Attempt& attempt);
+  /// Moves to a candidate.
+  void accept(Candidate candidate);
+  /// An equilibrium that no continuous step led to, with its residual.
+  Candidate settled(const Settled& found);
+  /// Moves there; returns the energy released on the way [FL].
+  double jump(Candidate next);
+
+  /// The point that lies `amount` further along the leaving tangent, in its own unit.
+  State ahead(double amount) const;
+
+  /// Leaves the damage surfaces: from here on nothing loads or slides until it is reached again.
+  void unload();
+  /// Goes on in the opposite direction.
+  void turn_back();
+  /// Goes on by another tangent, with the history's flags that belong to it.
+  void turn_to(Tangent leaving, std::vector<History> flags);
+
+  /// Starts the next stage at the present state with load factor 0.
+  void begin_stage(std::size_t stage);
+  /// Puts the walker on a stored equilibrium with the tangent by which it was about to leave: computed anew,
+  /// with another base of the linear system, it would differ in its last digits.
+  void restore(Candidate at, std::vector<History> history, const Effort& effort, Tangent leaving);
+
+ private:
+  void fill_energies(Candidate& candidate);
+  /// The tangent with the flags of the system's history, and the inertia of its stiffness.
+  void fill_arriving(Candidate& candidate);
+
+  System& system_;
+  StepperParameters parameters_;
+  Candidate here_;
+  Tangent leaving_;
+  Effort effort_;
+};
+
+}  // namespace dda

@@ -1,0 +1,24 @@
+#include "framework/base/loaded.hpp"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace dda {
+
+void* symbol_of(const std::filesystem::path& library, const char* symbol) {
+  void* handle = dlopen(library.c_str(), RTLD_LAZY | RTLD_LOCAL);
+  void* found = handle ? dlsym(handle, symbol) : nullptr;
+  if (!found)
+    throw std::runtime_error(fmt::format("cannot load {}: {}", library.filename().string(), dlerror()));
+  return found;
+}
+
+std::filesystem::path module_file(const std::filesystem::path& built) {
+  std::error_code failure;
+  auto beside = std::filesystem::read_symlink("/proc/self/exe", failure).parent_path() / built.filename();
+  return std::filesystem::exists(beside, failure) ? beside : built;
+}
+
+}  // namespace dda

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "framework/deck/schema.hpp"
+
+namespace dda {
+
+/// The manual of the deck, written from the declarations: what `dda explain <path>` prints.
+///
+///     ""                        the deck's sections and the families, one line each
+///     "law"                     the members of a family
+///     "law/linear_softening"    every parameter: unit, bounds, default or required, text
+///     "path", "path/steps"      a section of the deck, however deep; '.' separates as '/' does
+///
+/// `deck` is the schema of the whole deck. InputError with a suggestion for an unknown name.
+std::string explain(const SchemaBase& deck, const std::string& path, const Units& units = {"L", "F"});
+
+}  // namespace dda

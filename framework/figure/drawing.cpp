@@ -1,0 +1,200 @@
+#include "framework/figure/drawing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "framework/figure/axis.hpp"
+#include "framework/figure/canvas.hpp"
+#include "framework/figure/colour_map.hpp"
+
+namespace dda::svg {
+namespace {
+
+constexpr double small = 10, normal = 11.5, large = 14;  // font sizes [px]
+constexpr double margin = 16, bar_width = 14;
+constexpr double least_height = 120;  // a colour bar needs that much
+
+/// Values and what they look like.
+struct Scale {
+  ColourMap map;
+  Range range;
+  std::string label;
+
+  bool shown() const { return !label.empty() && !range.empty; }
+  std::string colour_of(double value) const {
+    const Range wide = range.widened(0);
+    return colour(map, (value - wide.low) / (wide.high - wide.low));
+  }
+};
+
+/// From the plane to the picture: equal scale, y upwards, centred in a frame.
+class View {
+ public:
+  View(const Range& x, const Range& y, const Drawing& drawing) : x_(x), y_(y) {
+    const double width = std::max(x.high - x.low, 1e-300), height = std::max(y.high - y.low, 1e-300);
+    scale_ = std::min(drawing.width / width, drawing.height / height);
+    frame_ = {margin, margin, std::max(width * scale_, 2 * least_height),
+              std::max(height * scale_, least_height)};
+  }
+
+  const Box& frame() const { return frame_; }
+  void move_down(double more) { frame_.y += more; }
+  double across(const Vec2& point) const {
+    return frame_.x + frame_.width / 2 + scale_ * (point.x() - x_.low - (x_.high - x_.low) / 2);
+  }
+  double down(const Vec2& point) const {
+    return frame_.y + frame_.height / 2 - scale_ * (point.y() - y_.low - (y_.high - y_.low) / 2);
+  }
+  std::string place(const Vec2& point) const {
+    return coordinate(across(point)) + " " + coordinate(down(point));
+  }
+
+ private:
+  Range x_, y_;
+  Box frame_;
+  double scale_ = 1;
+};
+
+View view_of(const Drawing& drawing) {
+  Range x, y;
+  const auto include = [&](const Vec2& point) {
+    x.include(point.x());
+    y.include(point.y());
+  };
+  for (const Fill& fill : drawing.polygons) std::for_each(fill.outline.begin(), fill.outline.end(), include);
+  for (const Stroke& stroke : drawing.strokes) {
+    include(stroke.start);
+    include(stroke.end);
+  }
+  for (const Note& note : drawing.notes) include(note.at);
+  return {x, y, drawing};
+}
+
+template <class Shape>
+Scale scale_of(const std::vector<Shape>& shapes, const std::string& label, ColourMap map) {
+  Range range;
+  for (const Shape& shape : shapes) range.include(shape.value);
+  return {map, range, label};
+}
+
+bool finite(const Vec2& point) { return point.allFinite(); }
+
+/// Polygons of one paint are one path.
+void paint_polygons(Canvas& canvas, const View& view, const Drawing& drawing, const Scale& scale) {
+  std::string all;
+  for (const Fill& fill : drawing.polygons) {
+    if (fill.outline.empty() || !std::all_of(fill.outline.begin(), fill.outline.end(), finite)) continue;
+    std::string data;
+    for (const Vec2& vertex : fill.outline) data += (data.empty() ? "M" : "L") + view.place(vertex);
+    data += 'Z';
+    if (scale.shown())
+      canvas.path(data, scale.colour_of(fill.value), {"#00000040", 0.4});
+    else
+      all += data;
+  }
+  canvas.path(all, "#eeeeee", {"#a0a0a0", 0.4});
+}
+
+void paint_marks(Canvas& canvas, const View& view, const Drawing& drawing) {
+  for (const Fill& fill : drawing.polygons) {
+    if (!fill.is_marked || !std::all_of(fill.outline.begin(), fill.outline.end(), finite)) continue;
+    std::string data;
+    for (const Vec2& vertex : fill.outline) data += (data.empty() ? "M" : "L") + view.place(vertex);
+    canvas.path(data + 'Z', "none", {"#e00000", 2});
+  }
+}
+
+void paint_strokes(Canvas& canvas, const View& view, const Drawing& drawing, const Scale& scale) {
+  for (const Stroke& stroke : drawing.strokes) {
+    if (!finite(stroke.start) || !finite(stroke.end)) continue;
+    const std::string data = "M" + view.place(stroke.start) + "L" + view.place(stroke.end);
+    // A pale edge keeps the stroke visible on polygons of its own colour.
+    if (!drawing.polygon_label.empty()) canvas.path(data, "none", {"#ffffffb0", stroke.width + 1.6});
+  }
+  for (const Stroke& stroke : drawing.strokes) {
+    if (!finite(stroke.start) || !finite(stroke.end)) continue;
+    const std::string paint = scale.shown() ? scale.colour_of(stroke.value) : "#8b0000";
+    canvas.path("M" + view.place(stroke.start) + "L" + view.place(stroke.end), "none", {paint, stroke.width});
+  }
+}
+
+/// A vertical colour bar at the left edge of `room`; gives the width used.
+double paint_bar(Canvas& canvas, const Scale& scale, const Box& room) {
+  constexpr int slices = 64;
+  const Axis axis = make_axis(scale.range.widened(0), 5);
+  const double height = room.height / slices;
+  for (int i = 0; i < slices; ++i) {
+    // Each slice reaches a little under the one above, against hairlines.
+    const Box slice{room.x, room.bottom() - (i + 1) * height, bar_width, height + (i == 0 ? 0 : 0.6)};
+    canvas.rectangle(slice, colour(scale.map, (i + 0.5) / slices), "none");
+  }
+  canvas.rectangle({room.x, room.y, bar_width, room.height}, "none", ink);
+  double widest = 0;
+  for (const Tick& tick : axis.ticks) {
+    const double y =
+        room.bottom() - room.height * ((tick.value - axis.range.low) / (axis.range.high - axis.range.low));
+    canvas.line(room.x + bar_width, y, room.x + bar_width + 4, y, {ink, 1});
+    canvas.text(room.x + bar_width + 7, y + 3.5, tick.label, {small});
+    widest = std::max(widest, text_width(tick.label, small));
+  }
+  canvas.text(room.x, room.y - 8, axis.scale, {small});
+  const double x = room.x + bar_width + 7 + widest + normal + 4;
+  canvas.text(x, room.y + room.height / 2, fitted(scale.label, normal, room.height),
+              {normal, Anchor::middle, false, -90});
+  return std::max(x + 8 - room.x, text_width(axis.scale, small));
+}
+
+/// Breaks a text into lines at spaces.
+std::vector<std::string> lines_of(const std::string& text, double room) {
+  std::vector<std::string> lines(1);
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find(' ', begin), text.size());
+    const std::string word = text.substr(begin, end - begin);
+    if (!lines.back().empty() && text_width(lines.back() + " " + word, normal) > room) lines.emplace_back();
+    lines.back() += (lines.back().empty() ? "" : " ") + word;
+    begin = end + 1;
+  }
+  return lines;
+}
+
+double paint_caption(Canvas& canvas, const std::string& caption, const Box& room) {
+  if (caption.empty()) return 0;
+  double y = room.y;
+  for (const std::string& line : lines_of(caption, room.width)) {
+    y += normal + 5;
+    canvas.text(room.x, y, fitted(line, normal, room.width), {normal});
+  }
+  return y - room.y;
+}
+
+}  // namespace
+
+std::string to_svg(const Drawing& drawing) {
+  Canvas canvas;
+  View view = view_of(drawing);
+  const Scale fill = scale_of(drawing.polygons, drawing.polygon_label, ColourMap::viridis);
+  const Scale line = scale_of(drawing.strokes, drawing.stroke_label, ColourMap::crack);
+  view.move_down((drawing.title.empty() ? 0 : large + 10) + (fill.shown() || line.shown() ? 14 : 0) +
+                 (drawing.notes.empty() ? 0 : 2 * small));
+  const Box& frame = view.frame();
+  double right = frame.right();
+  for (const Scale* scale : {&fill, &line}) {
+    if (scale->shown()) right += 20 + paint_bar(canvas, *scale, {right + 20, frame.y, 0, frame.height});
+  }
+  canvas.text(margin, margin + large, fitted(drawing.title, large, right - margin),
+              {large, Anchor::start, true});
+  paint_polygons(canvas, view, drawing, fill);
+  paint_strokes(canvas, view, drawing, line);
+  paint_marks(canvas, view, drawing);
+  for (const Note& note : drawing.notes)
+    canvas.text(view.across(note.at), view.down(note.at), note.text, {small, Anchor::middle});
+  if (drawing.polygons.empty() && drawing.strokes.empty()) {
+    canvas.text(frame.x + frame.width / 2, frame.y + frame.height / 2, "nothing to draw",
+                {normal, Anchor::middle});
+  }
+  const double caption =
+      paint_caption(canvas, drawing.caption, {margin, frame.bottom() + 8, right - margin, 0});
+  return canvas.document(right + margin, frame.bottom() + 8 + caption + margin);
+}
+
+}  // namespace dda::svg

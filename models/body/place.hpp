@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "framework/base/errors.hpp"
+#include "framework/deck/spot.hpp"
+#include "meshing/assembly.hpp"
+#include "models/body/functional.hpp"
+
+namespace dda {
+
+/// A place of the structure given in the deck: a point, or a straight patch of the boundary over which what
+/// acts is spread evenly.
+struct Place {
+  std::optional<Spot> at;      ///< the point
+  std::optional<Spot> inside;  ///< a point inside the block that is meant, or on its side of a slit
+  std::optional<std::vector<Spot>> over;  ///< both ends of the patch
+};
+
+/// Coordinates of a spot. Throws InputError where the scene names no such point.
+Vec2 locate(const Assembly& assembly, const Spot& spot);
+
+/// Blocks that carry the point `at`, sharing it equally. Throws InputError when it lies outside every block.
+std::vector<BlockId> blocks_of(const Assembly& assembly, const Place& place, const Position& where);
+
+/// Mean displacement along `direction` (length kept): of the blocks that meet at the point, or over the
+/// patch,
+///
+///     l·ū = 1/L ∫ l·u ds,     dual to the traction F/(L · thickness) of a force F
+///
+/// exact with two Gauss points per piece of a side.
+Functional displacement_at(const Assembly& assembly, const Place& place, const Vec2& direction,
+                           const Position& where);
+
+/// Mean rotation of the patch, that of the straight line closest to n·u: 12/L³ ∫ s n·u ds, s from its middle.
+Functional rotation_over(const Assembly& assembly, const Place& place, const Position& where);
+
+/// A point on the boundary with its share of the length; two Gauss points per straight piece.
+struct BoundaryPoint {
+  BlockId block;
+  Vec2 x;
+  Vec2 normal;    ///< outward
+  double length;  ///< [L]
+};
+
+/// Points of a named boundary. Throws InputError listing the names when the boundary does not exist.
+std::vector<BoundaryPoint> boundary_points(const Assembly& assembly, const std::string& name,
+                                           const Position& where);
+
+/// Points of the patch, piece by piece along the sides of the blocks. Throws InputError unless outer sides of
+/// blocks cover the straight line between its ends exactly once; `inside` chooses between the faces of a
+/// slit.
+std::vector<BoundaryPoint> patch_points(const Assembly& assembly, const Place& place, const Position& where);
+
+}  // namespace dda

@@ -1,0 +1,148 @@
+#include "studies/dda/case/deck.hpp"
+
+#include "framework/files/run_folder.hpp"
+#include "framework/messages/provenance.hpp"
+
+namespace dda {
+namespace {
+
+Schema<Units> units_schema() {
+  using P = Units;
+  return Schema<P>("The two units every number of the deck is in; nothing is converted.")
+      .text("length", &P::length, {.fallback = "mm", .text = "Unit of length."})
+      .text("force", &P::force, {.fallback = "N", .text = "Unit of force."});
+}
+
+Schema<EigenvalueParameters> eigenvalue_schema() {
+  using P = EigenvalueParameters;
+  return Schema<P>("Lowest eigenvalues of the tangent stiffness, as columns mu_1, mu_2, ... of the curve.")
+      .integer("count", &P::count,
+               {.fallback = 0, .bounds = at_least(0), .text = "How many; 0 computes none."})
+      .integer("every", &P::every,
+               {.fallback = 1,
+                .bounds = at_least(0),
+                .text = "Steps between them; 0 computes them at the start and at the events of `at` only."})
+      .list(
+          "at", &P::at,
+          name_of<EventKind>({{"first_crack", EventKind::first_crack},
+                              {"limit_point", EventKind::limit_point},
+                              {"turning_point", EventKind::turning_point},
+                              {"bifurcation", EventKind::bifurcation},
+                              {"landing", EventKind::landing},
+                              {"release", EventKind::release},
+                              {"end", EventKind::end}}),
+          {.fallback = {{}},
+           .text = "Events at which they are computed as well. A peak that a jump follows is known only when "
+                   "it has passed, and is none of them."})
+      .boolean("mass", &P::mass,
+               {.fallback = true,
+                .text = "K φ = μ M φ with the mass of density 1, which no unit of length changes; else K φ = "
+                        "μ φ."});
+}
+
+Schema<ReferencePeak> reference_schema() {
+  using P = ReferencePeak;
+  return Schema<P>(
+             "A peak load known from elsewhere, such as that of a straight crack; the run reports by how "
+             "much its "
+             "own differs.")
+      .number("load", &P::load,
+              {.dimension = dimension::force, .bounds = above(0), .text = "The peak load of the reference."})
+      .text("text", &P::text, {.fallback = "", .text = "What it is and where it comes from."})
+      .map("at", &P::at, number_kind({}, {}),
+           {.fallback = {{}}, .text = "Values of displacement gauges at that peak: where figures mark it."});
+}
+
+Schema<Detail> detail_schema() {
+  return Schema<Detail>("A rectangle of which detail.svg shows the deformed blocks at the end.")
+      .spot("from", &Detail::from, {.text = "One corner, or the name of a point of the scene."})
+      .spot("to", &Detail::to, {.text = "The corner opposite."});
+}
+
+Schema<RecordParameters> record_schema() {
+  using P = RecordParameters;
+  return Schema<P>("What is kept beside the curve.")
+      .integer(
+          "fields_every", &P::fields_every,
+          {.fallback = 10,
+           .bounds = at_least(0),
+           .text =
+               "Fields are stored every so many steps (0 = never), and always at landings, peak and end."})
+      .map("at", &P::at, list_of(number_kind({}, {})),
+           {.fallback = {{}}, .text = "Gauge values on which steps land exactly and fields are stored."})
+      .text("folder", &P::folder, {.fallback = "", .text = "Run folder; runs/<name of the deck> if empty."})
+      .boolean("condition", &P::condition,
+               {.fallback = false,
+                .text = "Estimate the condition of the stiffness at the start (intact) and at the end; "
+                        "costs six factorisations."})
+      .boolean("stiffness", &P::stiffness,
+               {.fallback = false,
+                .text = "The stiffness at the start and at the end by contribution, in stiffness.txt and "
+                        "stiffness.json; for assemblies of at most 10 blocks."})
+      .section("eigenvalues", &P::eigenvalues, eigenvalue_schema())
+      .section("reference_peak", &P::reference_peak, reference_schema())
+      .section("detail", &P::detail, detail_schema());
+}
+
+Schema<Deck> make_schema() {
+  Schema<Deck> schema("A structure, its loads, and the path that is to be followed.");
+  schema.text("title", &Deck::title, {.fallback = "", .text = "What this deck is about."})
+      .section("units", &Deck::units, units_schema())
+      .section("scene", &Deck::scene, scene_schema());
+  add_model(schema);
+  return schema.section("path", &Deck::path, path_schema())
+      .section("record", &Deck::record, record_schema())
+      .value(
+          "sweep", &Deck::sweep, anything_kind(),
+          {.text =
+               "Makes the deck many runs: keys with the values they take. `dda explain sweep` shows how."});
+}
+
+void refuse_sweep(const Node& root) {
+  const Node* sweep = root.find("sweep");
+  if (sweep && !sweep->is_null())
+    throw InputError(
+        sweep->where,
+        "sweep: this is a deck of many runs, for `dda sweep` or `dda run`; `--set sweep=` leaves "
+        "the deck alone");
+}
+
+}  // namespace
+
+const Schema<Deck>& deck_schema() {
+  static const Schema<Deck> schema = make_schema();
+  return schema;
+}
+
+DeckSource read_source(const std::filesystem::path& path) {
+  std::string text = read_whole(path);
+  Node root = parse_yaml(text, path.string());
+  return {path, std::move(text), std::move(root)};
+}
+
+DeckFile read_deck(DeckSource source, const std::vector<std::string>& overrides) {
+  for (const std::string& assignment : overrides) set_value(source.root, assignment);
+  refuse_sweep(source.root);
+  return {.path = std::move(source.path),
+          .text = std::move(source.text),
+          .overrides = overrides,
+          .deck = deck_schema().read(source.root)};
+}
+
+DeckFile read_deck(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
+  return read_deck(read_source(path), overrides);
+}
+
+DeckFile deck_from_text(const std::string& text, const std::filesystem::path& path,
+                        const std::vector<std::string>& overrides) {
+  return read_deck({path, text, parse_yaml(text, path.string())}, overrides);
+}
+
+std::string effective_deck(const DeckFile& file) {
+  std::string out = "# Every parameter of " + file.path.filename().string() + " as ddapath " +
+                    provenance().version + " read it.\n";
+  for (const std::string& assignment : file.overrides) out += "# --set " + assignment + "\n";
+  return out + to_yaml(deck_schema().echo(file.deck));
+}
+
+}  // namespace dda

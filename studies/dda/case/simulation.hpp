@@ -1,0 +1,64 @@
+#pragma once
+
+#include <memory>
+
+#include "continuation/path/path.hpp"
+#include "framework/messages/timings.hpp"
+#include "meshing/quality.hpp"
+#include "studies/dda/case/deck.hpp"
+
+namespace dda {
+
+/// Deck → Scene → Assembly → Equilibrium → Path, each made once from the one before.
+class Simulation {
+ public:
+  /// Meshes and assembles; throws InputError with what the deck's scene and model do not allow.
+  Simulation(const Deck& deck, Timings& timings);
+
+  const Deck& deck() const { return deck_; }
+  const Assembly& assembly() const { return *assembly_; }
+  const Body& body() const { return *body_; }
+  const Equilibrium& equilibrium() const { return *equilibrium_; }
+
+  /// Factorises and stands at the start. Call before `walker` and `path`.
+  void prepare();
+  /// Brings the stages before the last to full value; "" or why that failed.
+  std::string apply_dead_loads();
+  /// The path of the last stage, with the deck's landings.
+  void begin_path();
+  Walker& walker() { return *walker_; }
+  const Walker& walker() const { return *walker_; }
+  Path& path() { return *path_; }
+  const Path& path() const { return *path_; }
+  System& system() { return *system_; }
+  const System& system() const { return *system_; }
+  /// What was adapted to the scene or is worth knowing about it; complete after `prepare`.
+  const std::vector<std::string>& notices() const { return notices_; }
+  const GaugeBook& gauges() const { return gauges_; }
+  const Loading& loading() const { return equilibrium_->stages().back(); }
+
+ private:
+  /// Throws InputError for stages that apply nothing.
+  void require_loads() const;
+  /// Throws InputError for more eigenvalues than there are, or than fit into memory.
+  void require_eigenvalues() const;
+  /// Tries a step with what the deck hands through to NOX and LOCA. Throws InputError when they do not take
+  /// it.
+  void try_passed_through();
+  std::vector<Landing> landings() const;
+  std::vector<Leg> legs() const;
+  const Functional& gauge(const std::string& name, const Position& where) const;
+
+  const Deck& deck_;
+  Timings& timings_;
+  std::unique_ptr<const Assembly> assembly_;
+  std::unique_ptr<const Body> body_;
+  std::unique_ptr<const Equilibrium> equilibrium_;
+  std::unique_ptr<System> system_;
+  std::unique_ptr<Walker> walker_;
+  std::unique_ptr<Path> path_;
+  GaugeBook gauges_;
+  std::vector<std::string> notices_;
+};
+
+}  // namespace dda

@@ -1,0 +1,137 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+
+#include "models/loading.hpp"
+#include "studies/dda/case/bearings.hpp"
+#include "studies/dda/case/coarse_zones.hpp"
+#include "studies/dda/case/memory_prediction.hpp"
+#include "studies/dda/commands/commands.hpp"
+#include "studies/dda/sweep/sweep.hpp"
+
+namespace dda {
+namespace {
+
+constexpr double bytes_per_mib = 1024.0 * 1024.0;
+
+void line(const std::string& name, const std::string& text) { fmt::print("  {:<18}{}\n", name, text); }
+
+std::string list(const std::map<std::size_t, std::size_t>& blocks_by_corners) {
+  std::string out;
+  for (const auto& [corners, count] : blocks_by_corners)
+    out += fmt::format("{}{} with {} corners", out.empty() ? "" : ", ", count, corners);
+  return out;
+}
+
+void print_blocks(const Simulation& simulation) {
+  const Assembly& assembly = simulation.assembly();
+  const Quality quality = assess(assembly);
+  const std::string unit = simulation.deck().units.length;
+  line("blocks", fmt::format("{} ({}){}", assembly.num_blocks(), list(quality.blocks_by_corners),
+                             quality.non_convex ? fmt::format(", {} not convex", quality.non_convex) : ""));
+  for (std::size_t r = 0; r < assembly.regions.size(); ++r) {
+    const auto count = std::ranges::count(assembly.blocks, static_cast<int>(r), &Block::region);
+    line("region",
+         fmt::format("{}: {} blocks of {}", assembly.regions[r].name, count, assembly.regions[r].material));
+  }
+  line("area", fmt::format("{:.6g} {}², blocks {:.3g} to {:.3g}, ratio {:.3g}", quality.area, unit,
+                           quality.smallest_area, quality.largest_area, quality.area_ratio()));
+  line("quality", fmt::format("worst aspect {:.3g}, shortest side {:.3g} of the block's size",
+                              quality.worst_aspect, quality.shortest_side));
+}
+
+void print_groups(const Simulation& simulation) {
+  const auto groups = connected_groups(simulation.assembly());
+  if (groups.size() == 1) return line("floating blocks", "none: all hang together");
+  line("separate parts", fmt::format("{}, each held by supports of its own", groups.size()));
+  for (const auto& group : groups)
+    line("", fmt::format("{} blocks, the first is number {}", group.size(), group.front().value()));
+}
+
+void print_interfaces(const Simulation& simulation) {
+  const Equilibrium& equilibrium = simulation.equilibrium();
+  const InterfaceSet& set = equilibrium.interfaces();
+  std::vector<std::size_t> points(set.names.size()), cracking(set.names.size());
+  for (const InterfacePoint& point : set.points) {
+    if (point.interface < 0) continue;
+    const auto i = static_cast<std::size_t>(point.interface);
+    ++points[i];
+    if (point.law->can_crack()) ++cracking[i];
+  }
+  for (std::size_t i = 0; i < points.size(); ++i)
+    line("interface", fmt::format("{}: {} points{}", set.names[i], points[i],
+                                  cracking[i] ? ""
+                                  : points[i] ? ", bonded"
+                                              : ": nothing lies on it"));
+  line("interface points",
+       fmt::format("{}, of which {} can crack", equilibrium.num_points(), set.num_crackable()));
+  for (const std::string& notice : set.notices) line("notice", notice);
+}
+
+void print_size(const Simulation& simulation) {
+  line("unknowns", fmt::format("{}", simulation.equilibrium().num_unknowns()));
+  const MemoryPrediction memory = predict_memory(simulation);
+  const auto mib = [](double bytes) { return bytes / bytes_per_mib; };
+  line("memory", fmt::format("about {:.0f} MiB: {:.0f} until here, libraries {:.0f}, factors {:.0f}, "
+                             "vectors {:.0f}, and {:.0f} if {} points crack{}",
+                             mib(memory.total()), mib(memory.until_here), mib(memory.libraries),
+                             mib(memory.factor), mib(memory.vectors), mib(memory.columns),
+                             memory.cracked_points, memory.factorises_anew ? " between factorisations" : ""));
+  if (memory.most > memory.least)
+    line("", fmt::format("some {:.0f} MiB if few points crack, some {:.0f} if many do", mib(memory.least),
+                         mib(memory.most)));
+}
+
+void print_loading(const Simulation& simulation) {
+  for (const auto& [name, reaction] : simulation.loading().reactions) line("support", name);
+  const auto& stages = simulation.equilibrium().stages();
+  for (std::size_t s = 0; s < stages.size(); ++s)
+    line("stage", fmt::format("{}{}", stages[s].name,
+                              s + 1 == stages.size() ? ", times the load factor" : ", in full first"));
+  for (const NamedGauge& gauge : simulation.gauges().gauges)
+    line("gauge", fmt::format("{} [{}]", gauge.name, label(gauge.dimension, simulation.deck().units)));
+  line("control", simulation.deck().path.control.name());
+}
+
+/// What makes results that are none.
+void print_warnings(const Simulation& simulation) {
+  constexpr std::size_t most = 6;
+  const auto tearing = tearing_warnings(simulation);
+  for (std::size_t i = 0; i < std::min(most, tearing.size()); ++i) line("warning", tearing[i]);
+  if (tearing.size() > most) line("warning", fmt::format("the same of {} more", tearing.size() - most));
+  for (const CoarseZone& zone : coarse_zones(simulation)) line("warning", text(simulation, zone));
+}
+
+/// The decks of a sweep are read, not meshed: there may be hundreds.
+int check_sweep(const CommandLine& command) {
+  const Sweep sweep = read_sweep(command.deck, command.overrides);
+  fmt::print("{} is a valid sweep{}\n", command.deck.string(), sweep.title.empty() ? "" : ": " + sweep.title);
+  line("cases",
+       fmt::format("{}, the first: {}", sweep.cases.size(), settings_text(sweep, sweep.cases.front())));
+  const std::vector<SweptKey> keys = sweep.keys();
+  for (std::size_t k = 0; k < keys.size(); ++k)
+    line("varied", fmt::format("{}: {} values{}", keys[k].name, keys[k].values.size(),
+                               sweep.key_units[k].empty() ? "" : " [" + sweep.key_units[k] + "]"));
+  return 0;
+}
+
+}  // namespace
+
+int command_check(const CommandLine& command) {
+  DeckSource source = read_source(command.deck);
+  if (is_sweep(source.root, command.overrides)) return check_sweep(command);
+  const DeckFile file = read_deck(std::move(source), command.overrides);
+  Timings timings;
+  const Simulation simulation(file.deck, timings);
+  fmt::print("{} is valid{}\n", command.deck.string(), file.deck.title.empty() ? "" : ": " + file.deck.title);
+  print_blocks(simulation);
+  print_groups(simulation);
+  print_interfaces(simulation);
+  print_size(simulation);
+  print_loading(simulation);
+  print_warnings(simulation);
+  return 0;
+}
+
+}  // namespace dda

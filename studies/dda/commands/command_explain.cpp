@@ -1,0 +1,44 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "framework/deck/explain.hpp"
+#include "studies/dda/commands/commands.hpp"
+
+namespace dda {
+namespace {
+
+constexpr const char* sweep_manual =
+    R"(Every entry is a key of the deck, a dotted path as for --set, with the values it takes:
+
+  scene.parameters.depth: [50, 100, 200]    a list of any values, maps too
+  scene.subdivision.seed: 1..20             integers
+  path.stop.load_below: 0.1..0.5 step 0.1   numbers up to the second
+  materials.concrete.young_modulus: 1000..30000 log 8   8 numbers, each by the same factor above the last
+  seed: 1..20                               every key called seed that the deck has
+  deck: [a.yaml, ../b/deck.yaml]            whole decks, from the folder of this file
+  zip: {a.key: [1, 2], another: [3, 4]}     keys that vary together; several zips as a list of maps
+
+Entries form the product; the last one runs fastest. The section stands in the deck that it varies, or in a file of
+its own with `deck: base.yaml` (or a list) and perhaps a `title`.
+
+  dda sweep FILE             runs what is missing into runs/NAME/cases/001, 002, ...; --jobs N at a time
+  dda sweep FILE --dry-run   prints the cases, and a line that does the same with GNU parallel
+  dda run FILE --set sweep=  runs the deck alone; --set sweep.KEY=VALUES varies a key that the file does not
+
+In runs/NAME: sweep.csv (a row per case: settings, status, exit code, every number of summary.json) with its units,
+sweep.json, curves.svg, sweep.yaml. Cases whose settings stay the same are kept when the file changes.
+Exit codes: 0 all reached their goals, 3 some stopped early, 4 some failed, 2 some refused their deck, 130 interrupted.
+)";
+
+}  // namespace
+
+int command_explain(const CommandLine& line) {
+  if (line.json)
+    fmt::print("{}\n", deck_schema().json_schema().dump(2));
+  else
+    fmt::print("{}{}", explain(deck_schema(), line.topic), line.topic == "sweep" ? sweep_manual : "");
+  return 0;
+}
+
+}  // namespace dda

@@ -1,0 +1,47 @@
+#include <fmt/format.h>
+
+#include "framework/base/errors.hpp"
+#include "framework/files/run_folder.hpp"
+#include "studies/dda/commands/commands.hpp"
+#include "studies/dda/report/report.hpp"
+
+namespace dda {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder below this one that has a report to give, "" when there is none.
+std::string run_below(const fs::path& folder) {
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
+    if (entry.is_directory(error) && (report::is_run(entry.path()) || report::is_sweep(entry.path())))
+      return entry.path().string();
+  return {};
+}
+
+[[noreturn]] void refuse(const fs::path& folder) {
+  const std::string below = run_below(folder);
+  throw InputError(Position{folder.string()},
+                   "is no run folder and no sweep: it has neither curve.csv nor sweep.csv; " +
+                       (below.empty() ? "give the folder that `dda run` or `dda sweep` wrote"
+                                      : fmt::format("did you mean '{}'?", below)));
+}
+
+}  // namespace
+
+int command_report(const CommandLine& line) {
+  const fs::path folder = line.runs.front();
+  require_run_folder(folder);
+  const fs::path page = line.page.empty() ? folder / "report.html" : line.page;
+  const bool is_sweep = report::is_sweep(folder);
+  if (!is_sweep && !report::is_run(folder)) refuse(folder);
+  const report::Limits limits;
+  const report::Json data =
+      is_sweep ? report::data_of_sweep(folder, page, limits) : report::data_of_run(folder, limits);
+  const std::string text = report::page_of(data);
+  write_whole(page, text, Flush::to_system);
+  fmt::print("{} ({:.1f} MB)\n", page.string(), static_cast<double>(text.size()) / 1e6);
+  return 0;
+}
+
+}  // namespace dda

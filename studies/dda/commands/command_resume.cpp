@@ -1,0 +1,34 @@
+#include <fmt/format.h>
+
+#include "studies/dda/commands/commands.hpp"
+#include "studies/dda/run/profile.hpp"
+#include "studies/dda/run/summary.hpp"
+
+namespace dda {
+namespace {
+
+/// Whether a run ended by its own rule; then there is nothing to do unless a rule or the control changes.
+bool has_reached_goal(const std::filesystem::path& folder) {
+  const auto file = folder / "summary.json";
+  if (!std::filesystem::exists(file)) return false;
+  const auto summary = nlohmann::ordered_json::parse(read_whole(file), nullptr, false);
+  return summary.is_object() && summary.value("status", "") == status_of({Ending::Kind::goal_reached, ""});
+}
+
+}  // namespace
+
+int command_resume(const CommandLine& line) {
+  const std::filesystem::path& folder = line.runs.front();
+  if (std::filesystem::exists(folder / "sweep.json")) return resume_sweep(line);
+  if (line.overrides.empty() && has_reached_goal(folder)) {
+    fmt::print("{}: goal_reached before; `--set` another stopping rule or control to go on\n",
+               folder.string());
+    return 0;
+  }
+  const RunResult result = resume_run(folder, line.overrides, line.run);
+  if (line.run.profile) fmt::print("{}", profile_table(result.summary));
+  fmt::print("{}\n", last_line(result));
+  return exit_code_of(result.ending);
+}
+
+}  // namespace dda

@@ -1,0 +1,20 @@
+#include <fmt/format.h>
+
+#include "studies/dda/commands/commands.hpp"
+#include "studies/dda/run/profile.hpp"
+#include "studies/dda/run/summary.hpp"
+#include "studies/dda/sweep/sweep.hpp"
+
+namespace dda {
+
+int command_run(const CommandLine& line) {
+  DeckSource source = read_source(line.deck);
+  if (is_sweep(source.root, line.overrides)) return command_sweep(line);
+  const DeckFile deck = read_deck(std::move(source), line.overrides);
+  const RunResult result = run_deck(deck, line.run);
+  if (line.run.profile) fmt::print("{}", profile_table(result.summary));
+  fmt::print("{}\n", last_line(result));
+  return exit_code_of(result.ending);
+}
+
+}  // namespace dda

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "studies/dda/run/run.hpp"
+
+namespace dda {
+
+/// What the program's commands take from the command line.
+struct CommandLine {
+  std::filesystem::path deck;                ///< run, sweep, check, compare
+  std::vector<std::filesystem::path> runs;   ///< plot, verify, and the one of resume and report
+  std::vector<std::string> overrides;        ///< --set
+  std::vector<std::string> controls;         ///< compare
+  std::string topic;                         ///< explain
+  std::filesystem::path out = "curves.svg";  ///< plot
+  int jobs = 0;                              ///< runs of a sweep at a time; 0: one per processor
+  bool dry_run = false;                      ///< sweep
+  std::filesystem::path page;                ///< report; report.html in the folder when empty
+  bool json = false;
+  RunOptions run;
+};
+
+/// Each does one command and gives the program's exit code. They throw InputError and OutputError.
+int command_run(const CommandLine& line);
+int command_resume(const CommandLine& line);
+int command_check(const CommandLine& line);
+int command_explain(const CommandLine& line);
+int command_plot(const CommandLine& line);
+int command_compare(const CommandLine& line);
+int command_sweep(const CommandLine& line);
+
+/// Does again what `dda sweep` was told when it made the folder `line.runs.front()`, with the copy of its
+/// file there where the file itself is gone.
+int resume_sweep(const CommandLine& line);
+int command_report(const CommandLine& line);
+/// Becomes Python's `ddapath.verify` on `line.runs`; 0 all checks hold, 3 some are refused, 2 no run.
+int command_verify(const CommandLine& line);
+
+}  // namespace dda

@@ -1,0 +1,253 @@
+#include "studies/dda/figures/stability_pictures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "framework/figure/drawing.hpp"
+#include "studies/dda/record/stability_record.hpp"
+
+namespace dda {
+namespace {
+
+constexpr double gap = std::numeric_limits<double>::quiet_NaN();  // interrupts a line
+constexpr std::size_t most_stages = 6, most_modes = 6, most_blocks = 5000;
+
+/// The pieces of a curve, one for each kind of stability, with gaps where it is of another.
+std::array<svg::Series, 4> pieces_of(const CsvTable& curve, const std::string& x, const std::string& y) {
+  const auto xs = curve.numbers(x), ys = curve.numbers(y);
+  const std::vector<Stability> kinds = stability_between(curve);
+  std::array<svg::Series, 4> out;
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    svg::Series& piece = out[static_cast<std::size_t>(kinds[i])];
+    const bool begins = i == 0 || kinds[i - 1] != kinds[i];
+    if (begins && !piece.x.empty()) {
+      piece.x.push_back(gap);
+      piece.y.push_back(gap);
+    }
+    for (const std::size_t end : {i, i + 1}) {
+      if (end == i && !begins) continue;
+      piece.x.push_back(xs[end]);
+      piece.y.push_back(ys[end]);
+    }
+  }
+  return out;
+}
+
+/// Where what is known of a run's eigenvalues stands in its curve.
+class Eigenvalues {
+ public:
+  explicit Eigenvalues(const CsvTable& curve) : steps_(curve.numbers("step")), load_(curve.numbers("load")) {
+    for (int i = 1; curve.has(fmt::format("mu_{}", i)); ++i) {
+      values_.push_back(curve.numbers(fmt::format("mu_{}", i)));
+      ratios_.push_back(curve.numbers(fmt::format("mu_ratio_{}", i)));
+    }
+    rigid_ = curve.numbers("rigid_modes");
+  }
+  std::size_t count() const { return values_.size(); }
+  std::size_t row_of(int step) const {
+    return static_cast<std::size_t>(std::ranges::find(steps_, step) - steps_.begin());
+  }
+  double load(std::size_t row) const { return load_[row]; }
+  std::string value(std::size_t row, std::size_t i) const {
+    int softer = 0;
+    for (const auto& other : values_) softer += std::abs(other[row]) < std::abs(values_[i][row]);
+    return fmt::format("μ = {:.4g}{}", values_[i][row], softer < rigid_[row] ? ", rigid" : "");
+  }
+  /// Which of the first modes the i-th lowest at a row is: "mode 2, μ/μ₀ = 0.85".
+  std::string origin(std::size_t row, std::size_t i) const {
+    const double value = values_[i][row];
+    for (std::size_t k = 0; k < ratios_.size(); ++k) {
+      constexpr double same = 1e-9;
+      const double of_first = ratios_[k][row] * values_[k].front();
+      if (std::abs(of_first - value) <= same * std::abs(value))
+        return fmt::format("mode {}, μ/μ₀ = {:.3g}", k + 1, ratios_[k][row]);
+    }
+    return "not among the first";
+  }
+
+ private:
+  std::vector<double> steps_, load_, rigid_;
+  std::vector<std::vector<double>> values_, ratios_;
+};
+
+/// First, last, and as many in between as a sheet has room for.
+std::vector<int> stages_of(const ResultsFile& results) {
+  std::vector<int> with_modes, out;
+  for (const int step : results.steps())
+    if (results.has(step, "mode_1")) with_modes.push_back(step);
+  const std::size_t n = with_modes.size(), rows = std::min(n, most_stages);
+  for (std::size_t i = 0; i < rows; ++i) out.push_back(with_modes[rows == 1 ? 0 : i * (n - 1) / (rows - 1)]);
+  return out;
+}
+
+/// The shapes of one run side by side.
+class ModeSheet {
+ public:
+  ModeSheet(const ResultsFile& results, const Fields& fields, const CsvTable& curve, const Measures& measures)
+      : results_(results), fields_(fields), eigenvalues_(curve), unit_(measures.load_unit()) {
+    for (const Block& block : fields.body().assembly.blocks)
+      for (const Vec2& x : block.outline.vertices) box_.include(x);
+  }
+
+  svg::Drawing draw() const {
+    svg::Drawing out{.title = "Modes of the physical stiffness",
+                     .caption =
+                         "rows: stages of the path; first column: deformed blocks; others: lowest "
+                         "eigenvalues of K φ = μ M φ; μ₀: of the same shape at the start",
+                     .polygons = {},
+                     .polygon_label = "",
+                     .strokes = {},
+                     .stroke_label = "",
+                     .notes = {}};
+    constexpr double room_of_shape = 190;  // [px]
+    const std::size_t modes = std::min(eigenvalues_.count(), most_modes);
+    out.width = room_of_shape * static_cast<double>(1 + modes);
+    out.height = 1e5;
+    double down = 0;
+    for (const int step : stages_of(results_)) {
+      const std::size_t row = eigenvalues_.row_of(step);
+      add_state(out, {0, -down}, step, row);
+      for (std::size_t i = 0; i < modes; ++i)
+        if (const auto name = fmt::format("mode_{}", i + 1); results_.has(step, name))
+          add(out, {static_cast<double>(i + 1) * width(), -down}, upright(results_.numbers(step, name)),
+              {eigenvalues_.value(row, i), eigenvalues_.origin(row, i)});
+      down += height();
+    }
+    return out;
+  }
+
+ private:
+  Vec2 size() const { return box_.high - box_.low; }
+  double largest() const { return 0.12 * box_.size(); }  // displacement drawn
+  double line() const { return 0.075 * width(); }        // of text
+  double width() const { return 1.15 * size().x() + 1.2 * largest(); }
+  double height() const { return size().y() + 2 * largest() + 3.5 * line(); }
+
+  /// A shape has no sign: most of it goes upwards.
+  static std::vector<double> upright(std::vector<double> shape) {
+    double sum = 0;
+    for (std::size_t i = 0; i + 2 < shape.size(); i += 3) sum += shape[i + 1] + 1e-3 * shape[i];
+    if (sum < 0)
+      for (double& value : shape) value = -value;
+    return shape;
+  }
+
+  /// The deformed structure at a stage.
+  void add_state(svg::Drawing& out, const Vec2& shift, int step, std::size_t row) const {
+    std::vector<double> shape = results_.numbers(step, "displacement");
+    double top = 0;
+    for (std::size_t i = 0; i + 2 < shape.size(); i += 3)
+      top = std::max(top, std::hypot(shape[i], shape[i + 1]));
+    for (double& value : shape) value /= top > 0 ? top : 1;
+    add(out, shift, shape,
+        {fmt::format("step {}", step), fmt::format("load {:.4g} {}", eigenvalues_.load(row), unit_)});
+  }
+
+  void add(svg::Drawing& out, const Vec2& shift, const std::vector<double>& shape,
+           const std::vector<std::string>& texts) const {
+    const double scale = largest();
+    std::size_t vertex = 0;
+    for (const Block& block : fields_.body().assembly.blocks) {
+      svg::Fill fill;
+      for (const Vec2& x : block.outline.vertices) {
+        fill.outline.push_back(x + shift + scale * Vec2(shape[3 * vertex], shape[3 * vertex + 1]));
+        ++vertex;
+      }
+      out.polygons.push_back(std::move(fill));
+    }
+    Vec2 below(box_.low.x() + 0.5 * size().x(), box_.low.y() - largest());
+    for (const std::string& text : texts) {
+      below.y() -= line();
+      out.notes.push_back({below + shift, text});
+    }
+  }
+
+  const ResultsFile& results_;
+  const Fields& fields_;
+  Eigenvalues eigenvalues_;
+  std::string unit_;
+  Box box_;
+};
+
+/// A column over another, without the rows at which it was not computed.
+svg::Series known(const CsvTable& curve, const std::string& x, const std::string& y) {
+  const auto xs = curve.numbers(x), ys = curve.numbers(y);
+  svg::Series out{.name = "", .x = {}, .y = {}};
+  for (std::size_t i = 0; i < ys.size(); ++i) {
+    if (!std::isfinite(ys[i])) continue;
+    out.x.push_back(xs[i]);
+    out.y.push_back(ys[i]);
+  }
+  return out;
+}
+
+svg::Figure over_the_path(const CsvTable& curve, const Measures& measures) {
+  const bool has_gauge = !measures.displacements().empty();
+  const Column x = has_gauge ? measures.names()[measures.displacements().front()]
+                             : Column{"dissipated_energy", measures.columns()[4].unit};
+  const std::string label = x.unit.empty() ? x.name : fmt::format("{} [{}]", x.name, x.unit);
+  svg::Panel ratios{.title = "eigenvalues",
+                    .x_label = label,
+                    .y_label = "μ/μ₀, drawn down to −1",
+                    .series = {},
+                    .markers = {}};
+  for (int i = 1; curve.has(fmt::format("mu_ratio_{}", i)); ++i) {
+    svg::Series series = known(curve, x.name, fmt::format("mu_ratio_{}", i));
+    for (double& ratio : series.y) ratio = std::max(ratio, -1.0);  // a steep crack would dwarf all the others
+    series.name = fmt::format("mode {}", i);
+    ratios.series.push_back(std::move(series));
+  }
+  svg::Panel bergan{
+      .title = "current stiffness", .x_label = label, .y_label = "(ṗ/u̇)/(ṗ/u̇)₀", .series = {}, .markers = {}};
+  bergan.series.push_back(known(curve, x.name, "current_stiffness"));
+  return {.title = "", .panels = {std::move(ratios), std::move(bergan)}};
+}
+
+}  // namespace
+
+std::vector<svg::Series> by_stability(const CsvTable& curve, const std::string& x, const std::string& y) {
+  auto pieces = pieces_of(curve, x, y);
+  constexpr int blue = 0, orange = 1, black = 6;
+  const std::array<const char*, 4> names{"stable under dead load", "stable under the control only",
+                                         "unstable", "stability not known"};
+  const std::array<int, 4> colours{blue, blue, orange, black};
+  std::vector<svg::Series> out;
+  for (std::size_t kind = 0; kind < pieces.size(); ++kind) {
+    if (pieces[kind].x.empty()) continue;
+    svg::Series& piece = pieces[kind];
+    piece.name = names[kind];
+    piece.colour = colours[kind];
+    piece.dashed = kind == 1 || kind == 2;
+    piece.dotted = kind == 3;
+    out.push_back(std::move(piece));
+  }
+  if (out.empty()) return {{"", curve.numbers(x), curve.numbers(y)}};
+  if (out.size() == 1 && out.front().name == names.front()) out.front().name.clear();
+  return out;
+}
+
+std::vector<svg::Series> by_stability(const CsvTable& curve, const std::string& x, const std::string& y,
+                                      const std::string& name, int colour) {
+  std::vector<svg::Series> out{{.name = name, .x = {}, .y = {}, .colour = colour}};  // for the legend
+  for (svg::Series& piece : by_stability(curve, x, y)) {
+    piece.name.clear();
+    piece.colour = colour;
+    out.push_back(std::move(piece));
+  }
+  return out;
+}
+
+void write_stability_pictures(const RunFolder& folder, const ResultsFile& results, const Fields& fields,
+                              const Measures& measures) {
+  const CsvTable curve = read_csv(folder.file("curve.csv"));
+  if (!curve.has("mu_1")) return;
+  write_whole(folder.file("eigenvalues.svg"), svg::to_svg(over_the_path(curve, measures)), Flush::to_system);
+  if (fields.equilibrium().num_blocks() > most_blocks) return;
+  write_whole(folder.file("modes.svg"), svg::to_svg(ModeSheet(results, fields, curve, measures).draw()),
+              Flush::to_system);
+}
+
+}  // namespace dda

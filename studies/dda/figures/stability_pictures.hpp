@@ -1,0 +1,27 @@
+#pragma once
+
+#include "framework/figure/plot.hpp"
+#include "framework/files/results_file.hpp"
+#include "framework/files/run_folder.hpp"
+#include "studies/dda/record/fields.hpp"
+#include "studies/dda/record/measures.hpp"
+
+namespace dda {
+
+/// A curve in pieces by its stability: solid where it is stable under dead load, dashed where it is so only
+/// while the control holds what it prescribes, dashed in another colour where it is not even then, dotted
+/// where that is not known. One series without a name where all of it is stable. The columns are those of
+/// curve.csv.
+std::vector<svg::Series> by_stability(const CsvTable& curve, const std::string& x, const std::string& y);
+
+/// The same in one colour under one name: dashed wherever it is not stable under dead load.
+std::vector<svg::Series> by_stability(const CsvTable& curve, const std::string& x, const std::string& y,
+                                      const std::string& name, int colour);
+
+/// Of a run with eigenvalues: eigenvalues.svg, μ/μ₀ of the tracked modes and the current stiffness over the
+/// path; and, up to `most_blocks` blocks, modes.svg, the shapes at the stored stages (rows) and modes
+/// (columns).
+void write_stability_pictures(const RunFolder& folder, const ResultsFile& results, const Fields& fields,
+                              const Measures& measures);
+
+}  // namespace dda

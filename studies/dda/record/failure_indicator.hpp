@@ -1,0 +1,70 @@
+#pragma once
+
+#include <set>
+#include <vector>
+
+#include "continuation/stability/mode_tracker.hpp"
+#include "framework/files/curve_table.hpp"
+#include "studies/dda/case/simulation.hpp"
+
+namespace dda {
+
+/// What an indicator remembers; a restart brings it back.
+struct IndicatorMemory {
+  double first_stiffness = 0;  ///< ṗ/u̇ at the start; 0 before it
+  TrackedModes modes;
+  int spare_modes = 0;  ///< computed beyond those asked for, once a tracked one was lost among them
+};
+
+/// What is known of the state at which the walker stands.
+struct IndicatorNow {
+  int step = 0;
+  std::set<EventKind> events;
+  std::optional<int> num_negative, num_negative_under_control, num_negative_work;
+};
+
+/// Lowest eigenvalues of the physical stiffness at accepted states, and what tells stable from unstable.
+///
+///     K* φ = μ M φ            K* with the stiffness p̄ of joints whose k is a device of the iteration, points
+///                             on their damage surface loading, nothing left of released points
+///     n₋                      negative eigenvalues of the path's stiffness: 0 where the state is stable
+///                             under dead load; those that are left while the control holds what it
+///                             prescribes; and those of its symmetric part
+///     S = (ṗ/u̇)/(ṗ/u̇)₀        current stiffness of the path (Bergan), p the load and u the displacement on
+///                             which it works: 1 at the start, 0 at a limit point, negative while the load
+///                             falls and u grows, infinite where u turns back, positive while both fall
+///
+/// Modes are tracked from the start (ModeTracker): the ratio μ/μ₀ belongs to a shape, not to a place in the
+/// order. A mode counts as rigid when only weak springs oppose it, |μ| ≤ 10 φᵀ K_w φ beyond rounding. Columns
+/// of steps without eigenvalues hold nan, as do those where they do not converge and the ratios of modes that
+/// are not among the lowest. Source: Pearce et al. (2000), section 6.
+class FailureIndicator {
+ public:
+  FailureIndicator(Simulation& simulation, IndicatorMemory memory);
+
+  /// `current_stiffness`, the three counts, and where eigenvalues are asked for `mu_1` … `mu_m`,
+  /// `mu_ratio_1` … `mu_ratio_m`, `rigid_modes`.
+  std::vector<Column> columns() const;
+  /// Those of the state at which the walker stands; the first call gives what ratios are relative to.
+  std::vector<TableCell> cells(const IndicatorNow& now);
+  const IndicatorMemory& memory() const { return memory_; }
+  /// Shapes of the last call, in ascending order of μ; none when it computed none.
+  const std::vector<std::vector<double>>& shapes() const { return shapes_; }
+
+ private:
+  bool is_due(const IndicatorNow& now) const;
+  double path_stiffness() const;
+  Eigenmodes modes(int count);
+  void append_eigenvalues(std::vector<TableCell>& out);
+  std::vector<double> ratios(const Eigenmodes& found);
+  bool is_rigid(const Eigenmodes& found, std::size_t mode) const;
+
+  Simulation& simulation_;
+  const EigenvalueParameters& parameters_;
+  std::vector<Mat6> mass_;
+  IndicatorMemory memory_;
+  ModeTracker tracker_;
+  std::vector<std::vector<double>> shapes_;
+};
+
+}  // namespace dda

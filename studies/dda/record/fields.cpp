@@ -1,0 +1,167 @@
+#include "studies/dda/record/fields.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "models/loading.hpp"
+
+namespace dda {
+namespace {
+
+/// Each active point's equal share of its side, in the order in which they stand along it.
+std::vector<std::array<Vec2, 2>> pieces_of_sides(const Assembly& assembly, const Equilibrium& equilibrium) {
+  std::map<std::size_t, std::vector<std::size_t>> on_side;
+  for (std::size_t p = 0; p < equilibrium.num_active(); ++p) on_side[equilibrium.point(p).side].push_back(p);
+  std::vector<std::array<Vec2, 2>> out(equilibrium.num_active());
+  for (auto& [number, points] : on_side) {
+    const Side& side = assembly.sides[number];
+    const Vec2 along = side.end - side.start;
+    std::ranges::sort(points, {}, [&](std::size_t p) { return along.dot(equilibrium.point(p).x); });
+    const auto count = static_cast<double>(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+      out[points[i]] = {side.start + static_cast<double>(i) / count * along,
+                        side.start + static_cast<double>(i + 1) / count * along};
+  }
+  return out;
+}
+
+void add_stress(const std::vector<Vec3>& from, std::vector<Vec3>& to) {
+  if (from.empty()) return;
+  to.resize(from.size(), Vec3::Zero());
+  for (std::size_t b = 0; b < from.size(); ++b) to[b] += from[b];
+}
+
+void append(const Vec2& v, std::vector<double>& to) { to.insert(to.end(), {v.x(), v.y()}); }
+void append(const Vec3& v, std::vector<double>& to) { to.insert(to.end(), v.begin(), v.end()); }
+
+std::vector<double> flat(const std::vector<Vec2>& from) {
+  std::vector<double> out;
+  for (const Vec2& v : from) append(v, out);
+  return out;
+}
+
+}  // namespace
+
+Fields::Fields(const Body& body, const ModelParameters& model, const Equilibrium& equilibrium,
+               const Units& units)
+    : body_(body),
+      equilibrium_(equilibrium),
+      units_(units),
+      segments_(pieces_of_sides(body.assembly, equilibrium)) {
+  Findings none;
+  const LoadProgramme programme = make_loads(body, model, none);
+  for (std::size_t s = 0; s + 1 < programme.stages.size(); ++s)
+    add_stress(programme.stages[s].initial_stress, dead_stress_);
+  add_stress(programme.stages.back().initial_stress, reference_stress_);
+}
+
+ResultsMesh Fields::mesh() const {
+  ResultsMesh out{.blocks = {}, .block_region = {}, .segments = segments_, .length_unit = units_.length};
+  for (const Block& block : body_.assembly.blocks) {
+    out.blocks.push_back(block.outline.vertices);
+    out.block_region.push_back(block.region);
+  }
+  return out;
+}
+
+Vec2 Fields::displacement(BlockId block, const Vec2& x, std::span<const double> d) const {
+  return displacement_rows(x - body_.block(block).moments.centroid) *
+         Eigen::Map<const Vec6>(d.data() + block_unknowns * block.value());
+}
+
+Fields::Interface Fields::interface_at(const StoredState& at) const {
+  const std::size_t n = equilibrium_.num_active();
+  std::vector<Vec2> q(n);
+  equilibrium_.gather(equilibrium_.stages().back(), at.state.d, at.state.load_factor,
+                      {q.data()->data(), 2 * n});
+  Interface out{std::vector<Vec2>(n), std::vector<Vec2>(n), std::vector<Vec2>(n), std::vector<double>(n)};
+  for (std::size_t p = 0; p < n; ++p) {
+    const InterfacePoint& point = equilibrium_.point(p);
+    if (!at.state.multipliers.empty()) q[p] += at.state.multipliers[p];
+    out.traction[p] = point.law->respond(q[p], at.history[p], point.stiffness).traction;
+    out.opening[p] = q[p] - out.traction[p].cwiseQuotient(point.trial_stiffness());
+    const Vec2 jump =
+        displacement(point.second, point.x, at.state.d) - displacement(point.first, point.x, at.state.d);
+    out.jump[p] = {point.normal.dot(jump), cross(point.normal, jump)};
+    out.damage[p] = point.law->damage(at.history[p], point.stiffness);
+  }
+  return out;
+}
+
+StoredField Fields::displacement_of_blocks(const State& state) const {
+  StoredField out{"displacement", units_.length, FieldPlace::block_vertex, 2, {}, "x y z"};
+  for (std::size_t b = 0; b < body_.assembly.num_blocks(); ++b)
+    for (const Vec2& x : body_.assembly.blocks[b].outline.vertices)
+      append(displacement(BlockId(b), x, state.d), out.values);
+  return out;
+}
+
+/// The mean of both sides, so that a crack is drawn between its faces.
+StoredField Fields::displacement_of_segments(const State& state) const {
+  StoredField out{"displacement", units_.length, FieldPlace::segment_end, 2, {}, "x y z"};
+  for (std::size_t p = 0; p < segments_.size(); ++p)
+    for (const Vec2& x : segments_[p]) {
+      const InterfacePoint& point = equilibrium_.point(p);
+      append(Vec2((displacement(point.first, x, state.d) + displacement(point.second, x, state.d)) / 2),
+             out.values);
+    }
+  return out;
+}
+
+void Fields::add_blocks(const State& state, Snapshot& out) const {
+  StoredField strain{"strain", "", FieldPlace::block, 3, {}, "xx yy 2xy"};
+  StoredField stress{"stress", label(dimension::stress, units_), FieldPlace::block, 3, {}, "xx yy xy"};
+  for (std::size_t b = 0; b < body_.assembly.num_blocks(); ++b) {
+    const Vec3 e = Eigen::Map<const Vec3>(state.d.data() + block_unknowns * b + 3);
+    Vec3 s = body_.material(BlockId(b)).stiffness() * e;
+    if (!dead_stress_.empty()) s += dead_stress_[b];
+    if (!reference_stress_.empty()) s += state.load_factor * reference_stress_[b];
+    append(e, strain.values);
+    append(s, stress.values);
+  }
+  out.fields.push_back(displacement_of_blocks(state));
+  out.fields.push_back(std::move(strain));
+  out.fields.push_back(std::move(stress));
+}
+
+/// A shape has no size of its own: its largest displacement becomes 1.
+StoredField Fields::mode_of_blocks(const std::vector<double>& shape, std::size_t number) const {
+  StoredField out = displacement_of_blocks({shape, 0});
+  out.name = "mode_" + std::to_string(number);
+  out.unit = "";
+  double largest = 0;
+  for (std::size_t i = 0; i + 1 < out.values.size(); i += 2)
+    largest = std::max(largest, std::hypot(out.values[i], out.values[i + 1]));
+  if (largest > 0)
+    for (double& value : out.values) value /= largest;
+  return out;
+}
+
+void Fields::add_points(const StoredState& at, Snapshot& out) const {
+  Interface here = interface_at(at);
+  const std::string stress = label(dimension::stress, units_);
+  out.fields.push_back(displacement_of_segments(at.state));
+  out.fields.push_back({"opening", units_.length, FieldPlace::segment, 2, flat(here.opening), "n s"});
+  out.fields.push_back({"jump", units_.length, FieldPlace::segment, 2, flat(here.jump), "n s"});
+  out.fields.push_back({"traction", stress, FieldPlace::segment, 2, flat(here.traction), "n s"});
+  out.fields.push_back({"damage", "", FieldPlace::segment, 1, std::move(here.damage), ""});
+  if (!equilibrium_.interfaces().has_fields) return;
+  StoredField strength{"strength_factor", "", FieldPlace::segment, 1, {}, ""};
+  for (std::size_t p = 0; p < segments_.size(); ++p)
+    strength.values.push_back(equilibrium_.point(p).strength_factor);
+  out.fields.push_back(std::move(strength));
+}
+
+Snapshot Fields::snapshot(const StoredState& at) const {
+  Snapshot out{.step = at.step,
+               .time = static_cast<double>(at.step),
+               .numbers = {{"load_factor", at.state.load_factor}},
+               .fields = {}};
+  add_blocks(at.state, out);
+  for (std::size_t i = 0; i < at.modes.size(); ++i) out.fields.push_back(mode_of_blocks(at.modes[i], i + 1));
+  if (!segments_.empty()) add_points(at, out);
+  return out;
+}
+
+}  // namespace dda

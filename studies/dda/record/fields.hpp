@@ -1,0 +1,65 @@
+#pragma once
+
+#include <span>
+
+#include "continuation/state/system.hpp"
+#include "framework/deck/units.hpp"
+#include "framework/files/results_file.hpp"
+#include "models/body/body.hpp"
+#include "models/parameters.hpp"
+
+namespace dda {
+
+/// What one stored step looks like, and in which history it was reached.
+struct StoredState {
+  int step = 0;
+  State state;
+  std::vector<History> history;
+  std::vector<std::vector<double>> modes = {};  ///< shapes φ, where they were computed
+};
+
+/// Turns a state into the fields of `run.h5`.
+///
+///     blocks     displacement (vertices), strain ε, stress C ε + σ0(λ)
+///     modes      φ_1, φ_2, … as displacements (vertices), the largest of each 1
+///     points     jump g = [u] (n, s),  opening w = q − P⁻¹ t,  traction t,  damage,
+///                the strength's factor where some interface has a random field
+///
+/// Interface points are the active ones (they can crack, or iterate a multiplier); each owns an equal piece
+/// of its side, a segment of the mesh.
+class Fields {
+ public:
+  Fields(const Body& body, const ModelParameters& model, const Equilibrium& equilibrium, const Units& units);
+
+  ResultsMesh mesh() const;
+  Snapshot snapshot(const StoredState& at) const;
+
+  /// The interface at a state, all of size num_active().
+  struct Interface {
+    std::vector<Vec2> opening, jump, traction;
+    std::vector<double> damage;
+  };
+  Interface interface_at(const StoredState& at) const;
+  /// Ends of the piece of side that point p owns [L].
+  const std::array<Vec2, 2>& segment(std::size_t p) const { return segments_[p]; }
+  /// Displacement of a block at x [L].
+  Vec2 displacement(BlockId block, const Vec2& x, std::span<const double> d) const;
+  const Body& body() const { return body_; }
+  const Equilibrium& equilibrium() const { return equilibrium_; }
+
+ private:
+  void add_blocks(const State& state, Snapshot& out) const;
+  void add_points(const StoredState& at, Snapshot& out) const;
+  StoredField displacement_of_blocks(const State& state) const;
+  StoredField mode_of_blocks(const std::vector<double>& shape, std::size_t number) const;
+  StoredField displacement_of_segments(const State& state) const;
+
+  const Body& body_;
+  const Equilibrium& equilibrium_;
+  Units units_;
+  std::vector<std::array<Vec2, 2>> segments_;
+  std::vector<Vec3> dead_stress_,
+      reference_stress_;  ///< initial stress by block [F/L²]; empty when there is none
+};
+
+}  // namespace dda

@@ -1,0 +1,94 @@
+#include "studies/dda/record/interface_record.hpp"
+
+#include <cmath>
+
+namespace dda {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json at(const Vec2& x) { return Json::array({x.x(), x.y()}); }
+
+/// What the points of one interface have come to.
+struct Tally {
+  double dissipated = 0, area = 0, cracked_area = 0, opening = 0, sliding = 0;
+  Vec2 widest{0, 0}, farthest{0, 0};
+
+  void add(const InterfacePoint& point, const History& h, const Vec2& w) {
+    dissipated += point.weight * h.dissipated;
+    area += point.weight;
+    if (h.dissipated <= 0) return;
+    cracked_area += point.weight;
+    if (w.x() > opening) {
+      opening = w.x();
+      widest = point.x;
+    }
+    if (std::abs(w.y()) > sliding) {
+      sliding = std::abs(w.y());
+      farthest = point.x;
+    }
+  }
+
+  Json json(const FirstCrack& first) const {
+    Json out{{"dissipated_energy", dissipated}, {"cracked_share", area > 0 ? cracked_area / area : 0}};
+    if (first.step < 0) return out;
+    out["first_crack"] = {{"step", first.step}, {"at", at(first.at)}};
+    out["widest"] = {{"opening", opening}, {"at", at(widest)}};
+    out["farthest"] = {{"sliding", sliding}, {"at", at(farthest)}};
+    return out;
+  }
+};
+
+}  // namespace
+
+InterfaceRecord::InterfaceRecord(const Equilibrium& equilibrium, const Units& units, RunMemory& memory)
+    : equilibrium_(equilibrium), energy_unit_(unit_of(dimension::energy, units)), memory_(memory) {
+  memory_.first_cracks.resize(equilibrium.interfaces().names.size());
+}
+
+std::vector<Column> InterfaceRecord::columns() const {
+  std::vector<Column> out;
+  for (const std::string& name : equilibrium_.interfaces().names)
+    out.push_back({"dissipated_energy_" + name, energy_unit_});
+  return out;
+}
+
+std::vector<TableCell> InterfaceRecord::cells(int step, const std::vector<History>& history) {
+  note_first_cracks(step, history);
+  std::vector<double> energies(memory_.first_cracks.size());
+  for (std::size_t p = 0; p < equilibrium_.num_active(); ++p) {
+    const InterfacePoint& point = equilibrium_.point(p);
+    if (point.interface >= 0)
+      energies[static_cast<std::size_t>(point.interface)] += point.weight * history[p].dissipated;
+  }
+  return {energies.begin(), energies.end()};
+}
+
+void InterfaceRecord::note_first_cracks(int step, const std::vector<History>& history) {
+  std::vector<double> most(memory_.first_cracks.size());
+  for (std::size_t p = 0; p < equilibrium_.num_active(); ++p) {
+    const InterfacePoint& point = equilibrium_.point(p);
+    if (point.interface < 0) continue;
+    const auto i = static_cast<std::size_t>(point.interface);
+    FirstCrack& first = memory_.first_cracks[i];
+    if ((first.step >= 0 && first.step < step) || history[p].dissipated <= most[i]) continue;
+    most[i] = history[p].dissipated;
+    first = {step, point.x};
+  }
+}
+
+Json InterfaceRecord::summary(const Fields& fields, const StoredState& end) const {
+  const auto& names = equilibrium_.interfaces().names;
+  std::vector<Tally> tallies(names.size());
+  const Fields::Interface here = fields.interface_at(end);
+  for (std::size_t p = 0; p < equilibrium_.num_active(); ++p) {
+    const InterfacePoint& point = equilibrium_.point(p);
+    if (point.interface >= 0)
+      tallies[static_cast<std::size_t>(point.interface)].add(point, end.history[p], here.opening[p]);
+  }
+  Json out = Json::object();
+  for (std::size_t i = 0; i < names.size(); ++i) out[names[i]] = tallies[i].json(memory_.first_cracks[i]);
+  return out;
+}
+
+}  // namespace dda

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "continuation/path/path.hpp"
+#include "framework/deck/units.hpp"
+#include "framework/files/curve_table.hpp"
+
+namespace dda {
+
+/// One accepted state in the numbers of `curve.csv`.
+struct Measurement {
+  int step = 0;
+  double load_factor = 0;
+  std::string control;
+  int newton_iterations = 0;
+  double dissipated = 0, stored = 0, work = 0;  ///< since the start of the run [FL]
+  double load = 0;
+  std::vector<double> values;  ///< gauges and reactions, see Measures
+};
+
+/// What is recorded of every accepted state: the path's own numbers, every gauge and every reaction.
+class Measures {
+ public:
+  Measures(const Loading& loading, Functional load, std::string load_unit, const Units& units);
+
+  /// A reaction whose name is taken by a gauge or a fixed column is called reaction_<name>.
+  std::vector<Column> columns() const;
+  Measurement measure(const Walker& walker, int step, const std::string& control,
+                      int newton_iterations) const;
+  static std::vector<TableCell> cells(const Measurement& measurement);
+
+  /// Names and units in the order of Measurement::values; gauges stand first.
+  const std::vector<Column>& names() const { return names_; }
+  std::size_t num_gauges() const { return num_gauges_; }
+  const std::vector<Functional>& functionals() const { return functionals_; }
+  const std::string& load_unit() const { return load_unit_; }
+  const Functional& load() const { return load_; }
+  /// Indices of the gauges that are displacements.
+  const std::vector<std::size_t>& displacements() const { return displacements_; }
+
+ private:
+  void add(const std::string& name, Dimension dimension, const Functional& functional, const Units& units);
+  bool is_taken(const std::string& name) const;
+
+  Functional load_;
+  std::string load_unit_, energy_unit_;
+  std::vector<Column> names_;
+  std::vector<Functional> functionals_;
+  std::vector<std::size_t> displacements_;
+  std::size_t num_gauges_ = 0;
+};
+
+/// The unit of a column: "" where `label` says "-".
+std::string unit_of(Dimension dimension, const Units& units);
+
+}  // namespace dda

@@ -1,0 +1,65 @@
+#include "studies/dda/record/path_peak.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "continuation/path/path.hpp"
+
+namespace dda {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Share of the peak by which loads that are the same differ.
+constexpr double round_off = 1e-9;
+
+bool reaches(double load, double peak) {
+  return load * std::copysign(1, peak) >= (1 - round_off) * std::abs(peak);
+}
+
+bool is_as_high(const Json& event, double peak) {
+  return event["kind"] == "limit_point" && reaches(event["load"].get<double>(), peak);
+}
+
+Json limit_point(const Json& peak, double dissipated) {
+  return {{"kind", "limit_point"},
+          {"of", "load"},
+          {"extremum", peak["load"] > 0 ? "maximum" : "minimum"},
+          {"located", "at_step"},
+          {"uncertainty", 0.0},
+          {"step", peak["step"]},
+          {"load", peak["load"]},
+          {"load_factor", peak["load_factor"]},
+          {"dissipated_energy", dissipated},
+          {"gauges", peak["gauges"]}};
+}
+
+}  // namespace
+
+bool is_passed(const CsvTable& curve, std::size_t peak) {
+  const std::vector<double> loads = curve.numbers("load"), works = curve.numbers("external_work");
+  const double highest = loads.at(peak);
+  const auto falls = [&](double load) { return !reaches(load, highest); };
+  if (std::any_of(loads.begin() + static_cast<std::ptrdiff_t>(peak), loads.end(), falls)) return true;
+  const auto first = std::ranges::find_if_not(loads, falls) - loads.begin();
+  const double moved = works.back() - works[static_cast<std::size_t>(first)];
+  return std::abs(moved) > turn_depth * std::abs(works.back());
+}
+
+Json with_peak(Json events, const Json& peak, const CsvTable& curve) {
+  const auto step = peak["step"].get<std::size_t>();
+  const auto load = peak["load"].get<double>();
+  if (step == 0 || !is_passed(curve, step)) return events;
+  if (std::ranges::any_of(events, [&](const Json& event) { return is_as_high(event, load); })) return events;
+  const Json found = limit_point(peak, curve.numbers("dissipated_energy").at(step));
+  const auto place = [](const Json& event) {
+    return std::pair{event["step"].get<std::size_t>(), event["dissipated_energy"].get<double>()};
+  };
+  const auto later =
+      std::ranges::find_if(events, [&](const Json& event) { return place(event) > place(found); });
+  events.insert(later, found);
+  return events;
+}
+
+}  // namespace dda

@@ -1,0 +1,177 @@
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+
+#include "framework/files/base64.hpp"
+#include "studies/dda/report/report.hpp"
+
+namespace dda::report {
+namespace {
+
+/// Numbers as 16 bits: value = scale · integer. The error is 1/65534 of the largest; of zeros the scale is
+/// zero.
+Json quantised(const std::vector<double>& values) {
+  double largest = 0;
+  for (const double value : values)
+    if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+  const double scale = largest / 32767;
+  const auto integer = [&](double value) {
+    return static_cast<std::int16_t>(scale > 0 && std::isfinite(value) ? std::lround(value / scale) : 0);
+  };
+  std::vector<std::int16_t> integers;
+  integers.reserve(values.size());
+  for (const double value : values) integers.push_back(integer(value));
+  return {{"scale", scale}, {"integers", base64_of(std::span<const std::int16_t>(integers))}};
+}
+
+std::string singles(const std::vector<double>& values) {
+  const std::vector<float> shorter(values.begin(), values.end());
+  return base64_of(std::span<const float>(shorter));
+}
+
+std::string integers(const std::vector<std::uint32_t>& values) {
+  return base64_of(std::span<const std::uint32_t>(values));
+}
+
+/// u(x) = u0 + G (x − c), c the mean of the vertices: the whole motion of a block of uniform strain.
+struct Motion {
+  Vec2 mean = Vec2::Zero();
+  Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();
+};
+
+/// By least squares over the vertices; `moved` holds three components for each.
+Motion motion_of(const std::vector<Vec2>& outline, const double* moved) {
+  const auto count = static_cast<double>(outline.size());
+  Vec2 centre = Vec2::Zero();
+  Motion out;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    centre += outline[i] / count;
+    out.mean += Vec2(moved[3 * i], moved[3 * i + 1]) / count;
+  }
+  Eigen::Matrix2d product = Eigen::Matrix2d::Zero(), moment = Eigen::Matrix2d::Zero();
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vec2 x = outline[i] - centre, u = Vec2(moved[3 * i], moved[3 * i + 1]) - out.mean;
+    product += u * x.transpose();
+    moment += x * x.transpose();
+  }
+  if (moment.determinant() > 0) out.gradient = product * moment.inverse();
+  return out;
+}
+
+Json motions(const ResultsMesh& mesh, const std::vector<double>& moved) {
+  std::vector<double> means, gradients;
+  const double* next = moved.data();
+  for (const auto& outline : mesh.blocks) {
+    const Motion motion = motion_of(outline, next);
+    means.insert(means.end(), {motion.mean.x(), motion.mean.y()});
+    const Eigen::Matrix2d& g = motion.gradient;
+    gradients.insert(gradients.end(), {g(0, 0), g(0, 1), g(1, 0), g(1, 1)});
+    next += 3 * outline.size();
+  }
+  return {{"mean", quantised(means)}, {"gradient", quantised(gradients)}};
+}
+
+std::vector<std::uint32_t> damaged(const std::vector<double>& damage) {
+  std::vector<std::uint32_t> out;
+  for (std::size_t p = 0; p < damage.size(); ++p)
+    if (damage[p] > 0) out.push_back(static_cast<std::uint32_t>(p));
+  return out;
+}
+
+/// The interface points with damage: where their ends move, opening max(w_n, 0), sliding |w_s| and damage.
+Json cracks(const ResultsReader& results, int step) {
+  const std::vector<double> damage = results.values(step, "segments/damage");
+  const std::vector<double> opening = results.values(step, "segments/opening");
+  const std::vector<double> moved = results.values(step, "segments/displacement");
+  std::vector<double> widths, slips, damages, ends;
+  const std::vector<std::uint32_t> points = damaged(damage);
+  for (const std::uint32_t p : points) {
+    widths.push_back(std::max(opening[3 * p], 0.0));
+    slips.push_back(std::abs(opening[3 * p + 1]));
+    damages.push_back(damage[p]);
+    for (const std::size_t i : {6 * p, 6 * p + 1, 6 * p + 3, 6 * p + 4}) ends.push_back(moved[i]);
+  }
+  return {{"points", integers(points)},
+          {"opening", singles(widths)},
+          {"sliding", singles(slips)},
+          {"damage", singles(damages)},
+          {"ends", quantised(ends)}};
+}
+
+Json geometry(const ResultsMesh& mesh) {
+  std::vector<std::uint16_t> counts;
+  std::vector<double> vertices, segments;
+  for (const auto& outline : mesh.blocks) {
+    for (const Vec2& x : outline) vertices.insert(vertices.end(), {x.x(), x.y()});
+    counts.push_back(static_cast<std::uint16_t>(outline.size()));
+  }
+  for (const auto& [start, end] : mesh.segments)
+    segments.insert(segments.end(), {start.x(), start.y(), end.x(), end.y()});
+  return {{"length_unit", mesh.length_unit},
+          {"counts", base64_of(std::span<const std::uint16_t>(counts))},
+          {"vertices", singles(vertices)},
+          {"segments", singles(segments)}};
+}
+
+constexpr std::size_t coded(std::size_t bytes) { return (bytes + 2) / 3 * 4; }
+
+/// Characters that a step takes on the page.
+std::size_t size_of_step(const ResultsReader& results, int step, std::size_t num_blocks) {
+  constexpr std::size_t of_block = 2 * (2 + 4 + 3), of_crack = 4 * 4 + 4 * 2, frame = 600;
+  std::size_t out = coded(of_block * num_blocks) + frame;
+  if (results.has(step, "segments/damage"))
+    out += coded(of_crack * damaged(results.values(step, "segments/damage")).size());
+  return out;
+}
+
+Json step_data(const ResultsReader& results, const ResultsMesh& mesh, int step) {
+  Json out{{"step", step}, {"motion", motions(mesh, results.values(step, "displacement"))}};
+  if (results.has(step, "stress")) out["stress"] = quantised(results.values(step, "stress"));
+  if (results.has(step, "segments/damage")) out["cracks"] = cracks(results, step);
+  return out;
+}
+
+}  // namespace
+
+std::vector<std::size_t> thinned(std::span<const std::size_t> sizes, std::size_t room, std::size_t must) {
+  for (std::size_t count = sizes.size(); count > 0; --count) {
+    std::vector<std::size_t> out;
+    for (std::size_t i = 0; i < count; ++i)
+      out.push_back(count == 1 ? sizes.size() - 1 : i * (sizes.size() - 1) / (count - 1));
+    // The wanted one takes the place of its nearest neighbour, but of neither end.
+    const bool is_missing = must < sizes.size() && std::ranges::find(out, must) == out.end();
+    if (is_missing && out.size() > 2) {
+      const auto distance = [&](std::size_t i) { return i > must ? i - must : must - i; };
+      *std::ranges::min_element(out.begin() + 1, out.end() - 1, {}, distance) = must;
+    }
+    std::ranges::sort(out);
+    out.erase(std::ranges::unique(out).begin(), out.end());
+    const auto total = std::accumulate(out.begin(), out.end(), std::size_t{0},
+                                       [&](std::size_t sum, std::size_t i) { return sum + sizes[i]; });
+    if (total <= room) return out;
+  }
+  return {};
+}
+
+Json data_of_blocks(const ResultsReader& results, int peak_step, const Limits& limits) {
+  const ResultsMesh mesh = results.mesh();
+  Json out = geometry(mesh);
+  const std::size_t geometry_size = out.dump().size();
+  const std::size_t room = limits.fields > geometry_size ? limits.fields - geometry_size : 0;
+  std::vector<std::size_t> sizes;
+  for (const int step : results.steps()) sizes.push_back(size_of_step(results, step, mesh.blocks.size()));
+  const auto peak =
+      static_cast<std::size_t>(std::ranges::find(results.steps(), peak_step) - results.steps().begin());
+  out["stored"] = results.steps().size();
+  out["steps"] = Json::array();
+  for (const std::size_t i : thinned(sizes, room, peak))
+    out["steps"].push_back(step_data(results, mesh, results.steps()[i]));
+  if (!results.steps().empty() && results.has(results.steps().front(), "stress"))
+    out["stress_unit"] = results.unit(results.steps().front(), "stress");
+  if (!out["steps"].empty()) return out;
+  return {{"stored", results.steps().size()}, {"blocks", mesh.blocks.size()}, {"steps", Json::array()}};
+}
+
+}  // namespace dda::report

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <optional>
+#include <utility>
+
+#include "framework/files/run_folder.hpp"
+#include "framework/messages/log.hpp"
+#include "framework/messages/progress.hpp"
+#include "studies/dda/case/simulation.hpp"
+#include "studies/dda/record/failure_indicator.hpp"
+#include "studies/dda/record/interface_record.hpp"
+#include "studies/dda/record/run_memory.hpp"
+#include "studies/dda/record/torn_pieces.hpp"
+#include "studies/dda/record/trace.hpp"
+
+namespace dda {
+
+/// Writes everything that a run folder holds while a path is followed.
+///
+/// Every accepted step is a row of curve.csv and a line of log.jsonl; fields and the restart file follow at
+/// landings, at the peak, every record.fields_every steps and at the end. summary.json comes last: a folder
+/// without it does not hold a whole result. Throws OutputError.
+class RunRecorder {
+ public:
+  /// `effective` is effective_deck(deck); `memory` is that of the run to be continued, or nothing for a new
+  /// one.
+  RunRecorder(const RunFolder& folder, Simulation& simulation, const DeckFile& deck, std::string effective,
+              Timings& timings, std::optional<RunMemory> memory = {});
+
+  void record(const Point& point);
+  /// Fields of the end, restart file, figures, summary; gives the summary.
+  nlohmann::ordered_json finish(const Ending& ending);
+
+  Log& log() { return log_; }
+  const Measures& measures() const { return measures_; }
+  const RunMemory& memory() const { return memory_; }
+  const std::vector<TracePoint>& trace() const { return trace_; }
+  /// What the progress line shows of the last step.
+  ProgressPoint progress() const;
+  /// What the user is to be told besides, once; "" if nothing.
+  std::string take_warning() { return std::exchange(warning_, {}); }
+
+ private:
+  void start();
+  void keep_peak(const Point& point, const Measurement& now);
+  void store(const StoredState& at);
+  void store_here();
+  void write_restart_file();
+  void write_stiffness() const;
+  /// What the end shows of results that are none: pieces torn out, cohesive zones that the sides are too long
+  /// for.
+  void look_back();
+  Flush durability() const;
+  void log_step(const Point& point, const Measurement& now);
+  void look_for_crawling();
+  std::vector<Column> columns() const;
+  void append_row(const Measurement& now, const Point& point);
+  bool is_due(const Point& point) const;
+  StoredState here() const;
+
+  const RunFolder& folder_;
+  Simulation& simulation_;
+  const DeckFile& deck_;
+  const std::string effective_;
+  Timings& timings_;
+  Measures measures_;
+  FailureIndicator indicator_;
+  Fields fields_;
+  RunMemory memory_;
+  PathEvents events_;
+  std::set<EventKind> events_here_;
+  InterfaceRecord interfaces_;
+  Log log_;
+  CurveTable curve_;
+  ResultsFile results_;
+  int last_stored_ = -1;
+  double restart_written_ = -1e9;  ///< when [s]
+  Measurement last_;
+  std::vector<TornPiece> torn_;
+  std::vector<std::string> notices_;  ///< of the simulation, and of the end
+  std::vector<TracePoint> trace_;
+  double goal_before_ = 0;  ///< share of the way when it was last looked at
+  std::string warning_;
+};
+
+}  // namespace dda

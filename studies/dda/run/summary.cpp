@@ -1,0 +1,131 @@
+#include "studies/dda/run/summary.hpp"
+
+#include <cmath>
+
+#include "continuation/linear/matrix_quality.hpp"
+#include "framework/base/threads.hpp"
+#include "framework/messages/provenance.hpp"
+#include "studies/dda/record/small_extrema.hpp"
+
+namespace dda {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json gauges_at(const Measurement& at, const Measures& measures) {
+  Json out = Json::object();
+  for (std::size_t i = 0; i < measures.num_gauges(); ++i) out[measures.names()[i].name] = at.values[i];
+  return out;
+}
+
+/// JSON knows no infinity: nlohmann-json writes it as null.
+Json to_json(const MatrixQuality& quality) {
+  return {{"condition", quality.condition},
+          {"smallest_pivot", quality.smallest_pivot},
+          {"largest_pivot", quality.largest_pivot},
+          {"negative_pivots", quality.negative_pivots},
+          {"null_pivots", quality.null_pivots}};
+}
+
+/// How far the peak is from that of a straight crack, say: what the blocks' pattern adds.
+void add_mesh_bias(const std::optional<ReferencePeak>& reference, double peak, Json& out) {
+  if (!reference) return;
+  out["reference_peak"] = {{"load", reference->load}, {"text", reference->text}, {"at", reference->at}};
+  out["mesh_bias"] = std::abs(peak) / reference->load - 1;
+}
+
+Json units_of(const Units& units) { return {{"length", units.length}, {"force", units.force}}; }
+
+}  // namespace
+
+std::string status_of(const Ending& ending) {
+  switch (ending.kind) {
+    case Ending::Kind::goal_reached:
+      return "goal_reached";
+    case Ending::Kind::interrupted:
+      return "interrupted";
+    case Ending::Kind::running:
+    case Ending::Kind::stopped_early:
+      break;
+  }
+  return "stopped_early";
+}
+
+int exit_code_of(const Ending& ending) {
+  if (ending.kind == Ending::Kind::goal_reached) return 0;
+  return ending.kind == Ending::Kind::interrupted ? 130 : 3;
+}
+
+double energy_balance_error(const Measurement& start, const Measurement& end, double jump_energy) {
+  const double work = end.work - start.work;
+  if (work == 0) return 0;
+  const double stored = end.stored - start.stored, dissipated = end.dissipated - start.dissipated;
+  return std::abs(work - stored - dissipated - jump_energy) / std::abs(work);
+}
+
+Json peak_of(const RunMemory& memory, const Measures& measures) {
+  const Measurement& peak = memory.peak;
+  Json out{{"step", peak.step}, {"load_factor", peak.load_factor}, {"load", peak.load}};
+  out["gauges"] = gauges_at(peak, measures);
+  return out;
+}
+
+Json stiffness_quality(const Simulation& simulation) {
+  return {{"start", to_json(assess(simulation.equilibrium().intact()))},
+          {"end", to_json(assess(simulation.system().stiffness(simulation.walker().state())))}};
+}
+
+Json to_json(const Timings& timings) {
+  Json out = Json::object();
+  for (const Timings::Phase& phase : timings.phases()) out[phase.name] = phase.seconds;
+  out["total"] = timings.total();
+  out["start_up"] = timings.start_up();
+  return out;
+}
+
+Json summarise(const Simulation& simulation, const RunMemory& memory, const Measures& measures,
+               const Ending& ending) {
+  const Walker& walker = simulation.walker();
+  const Effort& effort = walker.effort();
+  const Equilibrium& equilibrium = simulation.equilibrium();
+  const double jump_energy = simulation.path().memory().jump_energy;
+  const Measurement end = measures.measure(walker, effort.accepted, "", 0);
+  Json out{{"title", simulation.deck().title}, {"status", status_of(ending)}, {"reason", ending.reason}};
+  out["blocks"] = equilibrium.num_blocks();
+  out["interface_points"] = equilibrium.num_points();
+  out["crackable_points"] = equilibrium.interfaces().num_crackable();
+  out["unknowns"] = equilibrium.num_unknowns();
+  out["steps"] = effort.accepted;
+  out["rejected_steps"] = effort.rejected;
+  out["newton_iterations"] = effort.newton_iterations;
+  out["reduced_iterations"] = effort.reduced_iterations;
+  out["relaxation_iterations"] = effort.relaxation_iterations;
+  out["factorisations"] =
+      memory.num_factorisations + static_cast<long long>(simulation.system().linear().num_factorisations());
+  out["rescues"] = effort.rescues;
+  if (simulation.system().iterates_multipliers()) {
+    out["multiplier_iterations"] = effort.multiplier_iterations;
+    out["largest_gap"] = memory.largest_gap;
+  }
+  out["peak"] = peak_of(memory, measures);
+  add_mesh_bias(simulation.deck().record.reference_peak, memory.peak.load, out);
+  out["external_work"] = end.work;
+  out["stored_energy"] = end.stored;
+  out["dissipated_energy"] = end.dissipated;
+  const ListedEvents events = listed_events(memory.events, memory.start, end, measures.names());
+  out["events"] = events.listed;
+  if (!events.small.is_null()) out["small_extrema"] = events.small;
+  out["energy_balance_error"] = energy_balance_error(memory.start, end, jump_energy);
+  out["energy_balance_scatter"] =
+      end.work == 0 ? 0.0 : simulation.path().memory().unaccounted / std::abs(end.work);
+  out["jump_energy"] = jump_energy;
+  out["external_work"] = end.work;
+  out["dissipated_energy"] = end.dissipated;
+  out["stored_energy"] = end.stored;
+  out["units"] = units_of(simulation.deck().units);
+  out["threads"] = num_threads();
+  out["version"] = provenance().version;
+  return out;
+}
+
+}  // namespace dda

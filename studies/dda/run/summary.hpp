@@ -1,0 +1,34 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "studies/dda/case/simulation.hpp"
+#include "studies/dda/record/run_memory.hpp"
+
+namespace dda {
+
+/// "goal_reached", "stopped_early" or "interrupted": what summary.json and the last line call an ending.
+std::string status_of(const Ending& ending);
+
+/// 0 goal_reached, 3 stopped_early, 130 interrupted.
+int exit_code_of(const Ending& ending);
+
+/// Work that neither stored nor dissipated energy nor a booked jump accounts for, relative to the work of the
+/// path.
+double energy_balance_error(const Measurement& start, const Measurement& end, double jump_energy);
+
+/// Step, load factor, load and gauges of the largest load.
+nlohmann::ordered_json peak_of(const RunMemory& memory, const Measures& measures);
+
+/// The content of summary.json, but for the log's notices.
+nlohmann::ordered_json summarise(const Simulation& simulation, const RunMemory& memory,
+                                 const Measures& measures, const Ending& ending);
+
+/// MatrixQuality of the intact stiffness, `start`, and of the tangent at the last accepted state, `end`.
+/// A condition beyond what can be estimated is null.
+nlohmann::ordered_json stiffness_quality(const Simulation& simulation);
+
+/// Seconds by phase, `total` and `start_up`.
+nlohmann::ordered_json to_json(const Timings& timings);
+
+}  // namespace dda

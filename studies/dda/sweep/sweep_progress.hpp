@@ -1,0 +1,45 @@
+#pragma once
+
+#include <chrono>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "framework/messages/progress.hpp"
+#include "studies/dda/sweep/sweep_folder.hpp"
+
+namespace dda {
+
+/// What the user sees of a sweep: a line for every case that ends and, on a terminal, below them a table of
+/// those that run, which renews itself.
+class SweepProgress {
+ public:
+  SweepProgress(const Sweep& sweep, std::filesystem::path folder, bool quiet);
+  ~SweepProgress();
+  SweepProgress(const SweepProgress&) = delete;
+  SweepProgress& operator=(const SweepProgress&) = delete;
+
+  /// A line that stays.
+  void note(const std::string& text);
+  void ended(std::size_t index, const CaseState& state);
+  /// The table anew, at most a few times a second.
+  void show(const std::vector<CaseState>& states);
+
+ private:
+  void clear();
+  std::string running_line(std::size_t index) const;
+
+  const Sweep& sweep_;
+  const std::filesystem::path folder_;
+  const Progress::Style style_;
+  std::chrono::steady_clock::time_point start_, shown_at_{};
+  std::size_t lines_ = 0;  ///< of the table now on the terminal
+};
+
+/// "36 cases: 34 goal_reached, 1 stopped_early, 1 failed".
+std::string count_text(const std::vector<CaseState>& states);
+
+/// "12.3 s" or "1:02:03".
+std::string duration_text(double seconds);
+
+}  // namespace dda

@@ -1,0 +1,60 @@
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "continuation/state/standstill.hpp"
+
+namespace dda {
+namespace {
+
+Station station(double moved, double load_factor, bool is_rescue = false) {
+  return {.d = {moved, 0, 0, 0, 0, 0}, .load_factor = load_factor, .dissipated = 0, .is_rescue = is_rescue};
+}
+
+/// Steps until a path is said to stand still; −1 if it never is.
+template <class Step>
+int steps_until_still(Step step) {
+  Standstill standstill({1}, 100);
+  for (int i = 0; i < 1000; ++i)
+    if (!standstill.add(step(i)).empty()) return i;
+  return -1;
+}
+
+TEST(Standstill, IsSeenAfterAFewStepsThatChangeNothing) {
+  EXPECT_EQ(steps_until_still([](int) { return station(1, 2); }), 8);
+  EXPECT_EQ(steps_until_still([](int) { return station(0, 0); }), 8) << "nothing has moved at all";
+  EXPECT_EQ(steps_until_still([](int i) { return station(1e-15 * std::sin(i), 1e-17 * i); }), 8)
+      << "a load factor that is rounding moves nothing";
+}
+
+TEST(Standstill, IsSeenWhereTheStateComesBackAndForth) {
+  EXPECT_EQ(steps_until_still([](int i) { return station(1, 1 + 1e-12 * (i % 2)); }), 8);
+}
+
+TEST(Standstill, CreepIsSeenLater) {
+  const int seen = steps_until_still([](int i) { return station(1 + 1e-9 * i, 1); });
+  EXPECT_GT(seen, 8);
+  EXPECT_LT(seen, 100);
+}
+
+TEST(Standstill, RescuesMayChangeLess) {
+  const auto creeps = [](bool is_rescue) {
+    return steps_until_still([&](int i) { return station(1 + 2e-6 * i, 1, is_rescue); });
+  };
+  EXPECT_EQ(creeps(false), -1);
+  EXPECT_GT(creeps(true), 8);
+}
+
+TEST(Standstill, AnyQuantityThatChangesIsProgress) {
+  EXPECT_EQ(steps_until_still([](int i) { return station(1, 1 + 0.001 * i); }), -1);
+  EXPECT_EQ(steps_until_still([](int i) { return station(1 + 0.001 * i, 1); }), -1);
+  EXPECT_EQ(steps_until_still([](int i) {
+              Station out = station(1, 1);
+              out.dissipated = 1 + 0.001 * i;
+              return out;
+            }),
+            -1);
+}
+
+}  // namespace
+}  // namespace dda

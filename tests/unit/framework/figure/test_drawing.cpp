@@ -1,0 +1,80 @@
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <regex>
+
+#include "framework/figure/colour_map.hpp"
+#include "framework/figure/drawing.hpp"
+
+namespace dda::svg {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+Drawing two_blocks() {
+  Drawing drawing;
+  drawing.polygons = {{{{0, 0}, {2, 0}, {2, 1}, {0, 1}}, -3}, {{{2, 0}, {4, 0}, {4, 1}, {2, 1}}, 5}};
+  drawing.polygon_label = "σxx [MPa]";
+  drawing.strokes = {{{2, 0}, {2, 1}, 0.01, 2}};
+  return drawing;
+}
+
+/// Corners of the first polygon on the picture.
+std::vector<Vec2> first_polygon(const std::string& svg) {
+  std::smatch path;
+  std::regex_search(svg, path, std::regex("<path d=\"(M[^\"]*)Z\""));
+  const std::string data = path[1];
+  const std::regex pair("[ML]([-0-9.]+) ([-0-9.]+)");
+  std::vector<Vec2> corners;
+  for (std::sregex_iterator it(data.begin(), data.end(), pair), end; it != end; ++it) {
+    corners.emplace_back(std::stod((*it)[1]), std::stod((*it)[2]));
+  }
+  return corners;
+}
+
+TEST(Drawing, KeepsTheAspectAndPointsUp) {
+  const std::vector<Vec2> corners = first_polygon(to_svg(two_blocks()));
+  ASSERT_EQ(corners.size(), 4u);
+  EXPECT_NEAR((corners[1] - corners[0]).norm(), 2 * (corners[2] - corners[1]).norm(), 0.05);
+  EXPECT_GT(corners[0].y(), corners[3].y()) << "larger y is higher on the picture";
+}
+
+TEST(Drawing, ColoursFollowTheValues) {
+  const std::string svg = to_svg(two_blocks());
+  EXPECT_THAT(svg, HasSubstr("fill=\"" + colour(ColourMap::viridis, 0) + "\" stroke=\"#00000040\""));
+  EXPECT_THAT(svg, HasSubstr("fill=\"" + colour(ColourMap::viridis, 1) + "\" stroke=\"#00000040\""));
+  EXPECT_THAT(svg, HasSubstr("σxx [MPa]"));
+}
+
+TEST(Drawing, NoLabelNoColourBar) {
+  Drawing drawing = two_blocks();
+  drawing.polygon_label = "";
+  const std::string svg = to_svg(drawing);
+  EXPECT_THAT(svg, HasSubstr("#eeeeee"));
+  EXPECT_THAT(svg, HasSubstr("#8b0000"));
+  EXPECT_THAT(svg, Not(HasSubstr(colour(ColourMap::viridis, 0))));
+}
+
+TEST(Drawing, StrangeInputStillGivesAPicture) {
+  Drawing drawing = two_blocks();
+  drawing.polygons[0].value = std::nan("");
+  drawing.polygons.push_back({{{std::nan(""), 0}, {1, 1}, {0, 1}}, 1});
+  drawing.polygons.push_back({{}, 1});
+  EXPECT_THAT(to_svg(drawing), Not(HasSubstr("nan")));
+  EXPECT_THAT(to_svg(Drawing{}), HasSubstr("nothing to draw"));
+  Drawing point;
+  point.polygons = {{{{1, 1}, {1, 1}, {1, 1}}, 1}};
+  EXPECT_THAT(to_svg(point), Not(HasSubstr("nan")));
+}
+
+TEST(ColourMap, EndsAndLimits) {
+  EXPECT_EQ(colour(ColourMap::viridis, 0), "#440154");
+  EXPECT_EQ(colour(ColourMap::viridis, 1), "#fde725");
+  EXPECT_EQ(colour(ColourMap::viridis, 7), "#fde725");
+  EXPECT_EQ(colour(ColourMap::viridis, -7), "#440154");
+  EXPECT_EQ(colour(ColourMap::viridis, std::nan("")), "#d9d9d9");
+}
+
+}  // namespace
+}  // namespace dda::svg
