@@ -115,8 +115,14 @@ bool inside(const Polygon& polygon, const Vec2& x) {
 
 std::string text(const Vec2& x) { return fmt::format("({:.6g}, {:.6g})", x.x(), x.y()); }
 
+struct Segment {
+  Vec2 from, to;
+};
+
 /// Do the closed segments ab and cd come closer than `tolerance`?
-bool meet(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d, double tolerance) {
+bool meet(const Segment& one, const Segment& other, double tolerance) {
+  const auto& [a, b] = one;
+  const auto& [c, d] = other;
   const double end = std::min({distance(a, c, d), distance(b, c, d), distance(c, a, b), distance(d, a, b)});
   if (end <= tolerance) return true;
   return cross(b - a, c - a) * cross(b - a, d - a) < 0 && cross(d - c, a - c) * cross(d - c, b - c) < 0;
@@ -134,7 +140,7 @@ std::optional<std::string> crossing(const Polygon& polygon, double tolerance) {
     if (has_spike(polygon, i, tolerance)) return "crosses itself near " + text(polygon.at(i + 1));
     for (std::size_t j = i + 2; j < n; ++j)
       if (!(i == 0 && j == n - 1) &&
-          meet(polygon.at(i), polygon.at(i + 1), polygon.at(j), polygon.at(j + 1), tolerance))
+          meet({polygon.at(i), polygon.at(i + 1)}, {polygon.at(j), polygon.at(j + 1)}, tolerance))
         return "crosses itself near " + text(polygon.at(j));
   }
   return {};

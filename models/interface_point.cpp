@@ -181,13 +181,20 @@ class PointMaker {
     return {c, trace_constant(body_.block(id), c), body_.material(id).modulus()};
   }
 
+  SideFaces faces_of(const Side& side) const {
+    const Vec2 edge = side.end - side.start;
+    const double distance =
+        (body_.block(side.second).moments.centroid - body_.block(side.first).moments.centroid).norm();
+    return {faces_[side.first.value()], faces_[side.second.value()], distance, edge.norm(),
+            Vec2(edge.y(), -edge.x()) / edge.norm()};
+  }
+
   void add_side(std::size_t index, Interface& interface, InterfaceSet& out) {
     const Side& side = body_.assembly.sides[index];
     const Vec2 edge = side.end - side.start;
     const Vec2 centre = body_.block(side.first).moments.centroid,
                other = body_.block(side.second).moments.centroid;
-    const SideFaces faces{faces_[side.first.value()], faces_[side.second.value()], (other - centre).norm(),
-                          edge.norm(), Vec2(edge.y(), -edge.x()) / edge.norm()};
+    const SideFaces faces = faces_of(side);
     const auto places = quadrature(interface.points);
     std::vector<Local> laws;
     for (const auto& [xi, share] : places) laws.push_back(local_law(interface, side.start + xi * edge));

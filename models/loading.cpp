@@ -59,16 +59,15 @@ Functional driven_reaction(const Spring& spring, double dead, double reference) 
 /// Builds the Loading of each stage in turn.
 class StageMaker {
  public:
-  StageMaker(const Body& body, const ModelParameters& model, const InterfaceSet& interfaces,
-             const std::vector<Spring>& supports, const LoadProgramme& programme, Findings& findings)
-      : body_(body),
-        model_(model),
-        interfaces_(interfaces),
-        supports_(supports),
+  StageMaker(const Structure& structure, const LoadProgramme& programme, Findings& findings)
+      : body_(structure.body),
+        model_(structure.model),
+        interfaces_(structure.interfaces),
+        supports_(structure.supports),
         programme_(programme),
-        stages_(model.loaded_stages()),
+        stages_(model_.loaded_stages()),
         findings_(findings) {
-    const std::size_t n = block_unknowns * body.assembly.num_blocks();
+    const std::size_t n = block_unknowns * body_.assembly.num_blocks();
     so_far_.dead.assign(n, 0.0);
     so_far_.dead_work.assign(n, 0.0);
     driven_so_far_.assign(programme.driven.size(), 0.0);
@@ -181,10 +180,9 @@ LoadProgramme make_loads(const Body& body, const ModelParameters& model, Finding
   return out;
 }
 
-std::vector<Loading> make_stages(const Body& body, const ModelParameters& model,
-                                 const InterfaceSet& interfaces, const std::vector<Spring>& supports,
-                                 const LoadProgramme& programme, Findings& findings) {
-  return StageMaker(body, model, interfaces, supports, programme, findings).make();
+std::vector<Loading> make_stages(const Structure& structure, const LoadProgramme& programme,
+                                 Findings& findings) {
+  return StageMaker(structure, programme, findings).make();
 }
 
 }  // namespace dda

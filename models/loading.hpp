@@ -13,10 +13,17 @@ struct LoadProgramme {
 /// Asks the loads of every stage for their forces; places outside the structure are findings.
 LoadProgramme make_loads(const Body& body, const ModelParameters& model, Findings& findings);
 
+/// What loads act on.
+struct Structure {
+  const Body& body;
+  const ModelParameters& model;
+  const InterfaceSet& interfaces;
+  const std::vector<Spring>& supports;
+};
+
 /// The stages as Loading: forces before a stage are dead in it; offsets of initial stress; reactions and
 /// gauges.
-std::vector<Loading> make_stages(const Body& body, const ModelParameters& model,
-                                 const InterfaceSet& interfaces, const std::vector<Spring>& supports,
-                                 const LoadProgramme& programme, Findings& findings);
+std::vector<Loading> make_stages(const Structure& structure, const LoadProgramme& programme,
+                                 Findings& findings);
 
 }  // namespace dda

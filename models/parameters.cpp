@@ -28,6 +28,18 @@ Kind<InterfaceParameters> interface_kind() {
       .kind();
 }
 
+void check_support(const SupportParameters& p, const Position& where, Findings& findings) {
+  if (p.at.has_value() + p.over.has_value() + p.on.has_value() != 1)
+    findings.add(where, "a support needs one of `at`, `over` and `on`");
+  if (p.over && p.over->size() != 2)
+    findings.add(where, "`over` takes the two ends of the patch: [from, to]");
+  if (p.fix.has_value() == p.direction.has_value())
+    findings.add(where, "a support needs either `fix` or `direction`");
+  if (p.direction && p.direction->norm() == 0) findings.add(where, "`direction` must not be zero");
+  if (p.at && p.fix == Fix::normal)
+    findings.add(where, "`fix: normal` needs a boundary (`on`) or a patch (`over`)");
+}
+
 Kind<SupportParameters> support_kind() {
   using P = SupportParameters;
   return Schema<P>("Stiff springs at a point, at the mean of a patch, or along a boundary.")
@@ -56,17 +68,7 @@ Kind<SupportParameters> support_kind() {
               {.dimension = dimension::stiffness,
                .bounds = above(0),
                .text = "Spring stiffness; the deck's default if absent."})
-      .check([](const P& p, const Position& where, Findings& findings) {
-        if (p.at.has_value() + p.over.has_value() + p.on.has_value() != 1)
-          findings.add(where, "a support needs one of `at`, `over` and `on`");
-        if (p.over && p.over->size() != 2)
-          findings.add(where, "`over` takes the two ends of the patch: [from, to]");
-        if (p.fix.has_value() == p.direction.has_value())
-          findings.add(where, "a support needs either `fix` or `direction`");
-        if (p.direction && p.direction->norm() == 0) findings.add(where, "`direction` must not be zero");
-        if (p.at && p.fix == Fix::normal)
-          findings.add(where, "`fix: normal` needs a boundary (`on`) or a patch (`over`)");
-      })
+      .check(check_support)
       .kind();
 }
 

@@ -99,16 +99,22 @@ class SupportMaker {
   std::vector<Spring>& out_;
 };
 
+/// Blocks that hang together.
+struct Group {
+  std::vector<bool> member;  ///< of all blocks
+  Vec2 centre = Vec2::Zero();
+  double size = 0;
+};
+
 /// Rows of the springs of a group on its three rigid motions (x, y, rotation about the centre, scaled to
 /// lengths).
-Eigen::MatrixXd rigid_rows(const Body& body, const std::vector<Spring>& springs,
-                           const std::vector<bool>& member, const Vec2& centre, double size) {
+Eigen::MatrixXd rigid_rows(const Body& body, const std::vector<Spring>& springs, const Group& group) {
   Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(springs.size()), 3);
   for (std::size_t s = 0; s < springs.size(); ++s)
     for (const auto& [block, row] : springs[s].displacement.rows) {
-      if (!member[block.value()]) continue;
-      const Vec2 x = body.block(block).moments.centroid - centre;
-      const double turn = (row[2] - row[0] * x.y() + row[1] * x.x()) / size;
+      if (!group.member[block.value()]) continue;
+      const Vec2 x = body.block(block).moments.centroid - group.centre;
+      const double turn = (row[2] - row[0] * x.y() + row[1] * x.x()) / group.size;
       rows.row(static_cast<Eigen::Index>(s)) += Eigen::RowVector3d(row[0], row[1], turn);
     }
   for (Eigen::Index r = 0; r < rows.rows(); ++r)  // zero for the springs of other groups
@@ -158,21 +164,20 @@ std::vector<Spring> make_supports(const Body& body, const ModelParameters& model
 
 void check_rigid_motions(const Body& body, const std::vector<Spring>& springs, const Position& where,
                          Findings& findings) {
-  for (const auto& group : connected_groups(body.assembly)) {
-    std::vector<bool> member(body.assembly.num_blocks(), false);
-    Vec2 centre = Vec2::Zero();
+  for (const auto& blocks : connected_groups(body.assembly)) {
+    Group group{.member = std::vector<bool>(body.assembly.num_blocks(), false)};
     double area = 0;
-    for (const BlockId id : group) {
-      member[id.value()] = true;
-      centre += body.block(id).moments.area * body.block(id).moments.centroid;
+    for (const BlockId id : blocks) {
+      group.member[id.value()] = true;
+      group.centre += body.block(id).moments.area * body.block(id).moments.centroid;
       area += body.block(id).moments.area;
     }
-    centre /= area;
-    const double size = std::sqrt(area);
-    const std::string names = free_motions(rigid_rows(body, springs, member, centre, size), centre, size);
+    group.centre /= area;
+    group.size = std::sqrt(area);
+    const std::string names = free_motions(rigid_rows(body, springs, group), group.centre, group.size);
     if (!names.empty())
       findings.add(where, fmt::format("no support holds the {} blocks around ({:.4g}, {:.4g}) against: {}",
-                                      group.size(), centre.x(), centre.y(), names));
+                                      blocks.size(), group.centre.x(), group.centre.y(), names));
   }
 }
 

@@ -19,9 +19,8 @@ bool ContactMatrix::move_to(const ContactProblem& problem, const std::vector<Mat
   if (2 * moved.size() > inverse_.size() / per_change) return factor(problem, changes);
   for (const std::size_t i : moved) {
     const Mat2 by = changes[i] - changes_[i];
-    changes_[i] = changes[i];
     for (int column = 0; column < 2; ++column)
-      if (!by.col(column).isZero(0)) add_rank_one(problem, i, by.col(column), Vec2::Unit(column));
+      if (!by.col(column).isZero(0)) add(problem, {i, by.col(column), Vec2::Unit(column), changes[i]});
     if (is_worn()) return factor(problem, changes);
   }
   return true;
@@ -53,17 +52,11 @@ bool ContactMatrix::factor(const ContactProblem& problem, const std::vector<Mat2
   return is_regular;
 }
 
-double ContactMatrix::add(const ContactProblem& problem, std::size_t point, const Mat2& change, const Vec2& u,
-                          const Vec2& v) {
-  changes_[point] = change;
-  return add_rank_one(problem, point, u, v);
-}
-
-double ContactMatrix::add_rank_one(const ContactProblem& problem, std::size_t point, const Vec2& u,
-                                   const Vec2& v) {
+double ContactMatrix::add(const ContactProblem& problem, const RankOne& change) {
+  changes_[change.point] = change.sum;
   constexpr double singular = 1e-11;
-  const double ratio =
-      inverse_.add(problem.couplings.middleCols<2>(place(point)).lazyProduct(u), place(point), v);
+  const auto columns = problem.couplings.middleCols<2>(place(change.point));
+  const double ratio = inverse_.add(columns.lazyProduct(change.u), place(change.point), change.v);
   is_nearly_singular_ = is_nearly_singular_ || !(std::abs(ratio) >= singular);
   return ratio;
 }

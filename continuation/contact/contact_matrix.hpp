@@ -21,9 +21,14 @@ class ContactMatrix {
   bool move_to(const ContactProblem& problem, const std::vector<Mat2>& changes);
   /// Factorises it anew.
   bool factor(const ContactProblem& problem, const std::vector<Mat2>& changes);
-  /// Adds u vᵀ to the E of a point, which makes it `change`; the factor by which the determinant changes.
-  double add(const ContactProblem& problem, std::size_t point, const Mat2& change, const Vec2& u,
-             const Vec2& v);
+  /// u vᵀ, which is added to the E of a point and makes it `sum`.
+  struct RankOne {
+    std::size_t point = 0;
+    Vec2 u, v;
+    Mat2 sum;
+  };
+  /// The factor by which the determinant changes.
+  double add(const ContactProblem& problem, const RankOne& change);
   /// Whether so many changes have been added, or one that nearly made it singular, that it is better
   /// factorised anew.
   bool is_worn() const;
@@ -37,7 +42,6 @@ class ContactMatrix {
 
  private:
   bool has_factors() const { return !changes_.empty(); }
-  double add_rank_one(const ContactProblem& problem, std::size_t point, const Vec2& u, const Vec2& v);
 
   ChangingInverse inverse_;
   std::vector<Mat2> changes_;  ///< E; none without factors

@@ -228,7 +228,7 @@ class Walk {
     left_ = pieces_[i];
     pieces_[i] = to;
     const double by = residual_of(i, residual_.share).of_law * point.weight;
-    if (matrix_.add(problem_, i, change_of(i), by * change.u, change.v) < 0) direction_ = -direction_;
+    if (matrix_.add(problem_, {i, by * change.u, change.v, change_of(i)}) < 0) direction_ = -direction_;
     if (!matrix_.is_worn()) {
       matrix_.update(way_);
     } else {

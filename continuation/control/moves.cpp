@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "continuation/contact/contact_piece.hpp"
 #include "continuation/control/control.hpp"
 #include "continuation/state/reach.hpp"
 
@@ -67,6 +68,28 @@ Move event_move(const Walker& walker) {
 Move dissipation_move(const Walker& walker) {
   return {
       .control = "dissipation", .equation = make_dissipation_equation(walker.system()), .arc = {}, .rate = 1};
+}
+
+double next_contact_change(const Walker& walker) {
+  const System& system = walker.system();
+  const LawValues laws = system.laws(walker.state().d, walker.state().load_factor);
+  const std::vector<Vec2>& rates = walker.leaving().opening;
+  double fastest = 0, widest = 0;
+  for (std::size_t p = 0; p < rates.size(); ++p) {
+    fastest = std::max(fastest, rates[p].norm());
+    widest = std::max(widest, laws.opening[p].norm());
+  }
+  constexpr double round_off = 1e-10;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t p = 0; p < rates.size(); ++p) {
+    const InterfacePoint& point = system.equilibrium().point(p);
+    const auto contact = point.law->contact(system.history()[p], point.stiffness);
+    if (!contact || rates[p].norm() <= round_off * fastest) continue;
+    const ContactPiece piece = piece_at(*contact, laws.opening[p], system.history()[p].sliding);
+    const auto end = end_of_piece(*contact, piece, laws.opening[p], rates[p]);
+    if (end && end->length * rates[p].norm() > round_off * widest) nearest = std::min(nearest, end->length);
+  }
+  return nearest;
 }
 
 }  // namespace dda

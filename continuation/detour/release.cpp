@@ -5,6 +5,7 @@
 
 #include "continuation/detour/increment/load_increment.hpp"
 #include "continuation/solve/held_equilibrium.hpp"
+#include "continuation/state/history_guard.hpp"
 #include "continuation/state/reach.hpp"
 
 namespace dda {
@@ -32,6 +33,7 @@ class Release {
   }
 
   std::optional<ReleasedPiece> next(const Functional* held, double most) {
+    const HistoryGuard back(system_, start_.multipliers);
     const Functional own = held ? Functional{} : held_opening();
     const Functional& gauge = held ? *held : own;
     HeldEquilibrium equilibrium(system_, parameters_, gauge, gauge.value(start_.d, start_.load_factor));
@@ -45,14 +47,9 @@ class Release {
       gone *= share;
       out = at_share(equilibrium, gone, out->state);
     }
-    std::optional<ReleasedPiece> piece;
-    if (out) {
-      const bool turns = out->state.load_factor * start_.load_factor < 0;
-      piece = ReleasedPiece{*out, !turns || is_straight(equilibrium, gone, *out)};
-    }
-    system_.set_history(before_);
-    system_.set_multipliers(start_.multipliers);
-    return piece;
+    if (!out) return {};
+    const bool turns = out->state.load_factor * start_.load_factor < 0;
+    return ReleasedPiece{*out, !turns || is_straight(equilibrium, gone, *out)};
   }
 
  private:
@@ -124,9 +121,8 @@ bool is_release_pending(const System& system) {
 }
 
 std::optional<ReleasedPiece> release_piece(System& system, const State& start,
-                                           const StepperParameters& parameters, const Functional* held,
-                                           double most) {
-  return Release(system, start, parameters).next(held, most);
+                                           const StepperParameters& parameters, const ReleaseAim& aim) {
+  return Release(system, start, parameters).next(aim.held, aim.most);
 }
 
 namespace {
@@ -165,19 +161,16 @@ class AtGauge final : public LoadSolver {
 
 std::optional<Settled> release_at_load(System& system, const State& start,
                                        const StepperParameters& parameters, double load_factor) {
-  return release_at_gauge(system, start, parameters, {.rows = {}, .per_load_factor = 1}, load_factor);
+  const Functional load{.rows = {}, .per_load_factor = 1};
+  return release_at_gauge(system, start, parameters, {load, load_factor});
 }
 
 std::optional<Settled> release_at_gauge(System& system, const State& start,
-                                        const StepperParameters& parameters, const Functional& gauge,
-                                        double value) {
-  const std::vector<History> before = system.history();
+                                        const StepperParameters& parameters, const WantedGauge& wanted) {
+  const HistoryGuard back(system, start.multipliers);
   release_pending(system, start);
-  AtGauge solver(gauge, value);
-  auto out = load_increment(system, start, {0, solver}, parameters).settled;
-  system.set_history(before);
-  system.set_multipliers(start.multipliers);
-  return out;
+  AtGauge solver(wanted.gauge, wanted.value);
+  return load_increment(system, start, {0, solver}, parameters).settled;
 }
 
 }  // namespace dda

@@ -24,12 +24,16 @@ struct ReleasedPiece {
   bool is_straight = true;  ///< asked only where the load factor changes its sign
 };
 
+/// How far a piece of a release may go, and what stays meanwhile.
+struct ReleaseAim {
+  const Functional* held = nullptr;  ///< none: the pending points' own opening; load control holds the load
+  double most = 1;                   ///< share of what pending points still bear
+};
+
 /// Next vertex of a release from an equilibrium: all pending points released, or the next point at its
-/// strength, or the share `most` of what pending points still bear gone. `held` replaces the held opening by
-/// a gauge (load control holds the load). Nothing when there is no equilibrium.
+/// strength, or as far as is aimed at. Nothing when there is no equilibrium.
 std::optional<ReleasedPiece> release_piece(System& system, const State& start,
-                                           const StepperParameters& parameters, const Functional* held,
-                                           double most);
+                                           const StepperParameters& parameters, const ReleaseAim& aim);
 
 /// Everything pending released in full at a load factor given, and whatever is beyond its strength there: a
 /// release that no continuous path leads through, because friction turns over on the way, jumps to an
@@ -39,7 +43,6 @@ std::optional<Settled> release_at_load(System& system, const State& start,
 
 /// The same with the load factor free and a gauge held at a value.
 std::optional<Settled> release_at_gauge(System& system, const State& start,
-                                        const StepperParameters& parameters, const Functional& gauge,
-                                        double value);
+                                        const StepperParameters& parameters, const WantedGauge& wanted);
 
 }  // namespace dda

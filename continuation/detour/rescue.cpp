@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "continuation/state/history_guard.hpp"
 #include "continuation/state/reach.hpp"
 
 namespace dda {
@@ -209,8 +210,8 @@ class SecantWalk {
 }  // namespace
 
 std::optional<Settled> sequentially_linear(System& system, const State& start, double quantum) {
-  const std::vector<History> before = system.history();
-  const double goal = system.dissipated(before) + quantum;
+  const HistoryGuard back(system, start.multipliers);
+  const double goal = system.dissipated(system.history()) + quantum;
   system.set_frozen(true);
   SecantWalk walk(system, start);
   std::optional<Settled> out;
@@ -223,9 +224,6 @@ std::optional<Settled> sequentially_linear(System& system, const State& start, d
     out->history[walk.critical()].loading = true;
     is_enough = system.dissipated(system.history()) >= goal;
   }
-  system.set_frozen(false);
-  system.set_history(before);
-  system.set_multipliers(start.multipliers);
   return out;
 }
 

@@ -4,9 +4,13 @@
 
 namespace dda {
 
-/// One step with contact and friction solved exactly (reduced.hpp), iterated multipliers carried over until
-/// no gap is left; the control has been started, and `guess` is where the search begins.
-Attempt contact_step(System& system, const State& start, const ControlEquation& control, double step,
-                     const State& guess, const StepperParameters& parameters, Thoroughness thoroughness);
+/// One step with contact and friction solved exactly (contact_solver.hpp), iterated multipliers carried over
+/// until no gap is left; the control has been started.
+Attempt contact_step(System& system, const StepGoal& goal, const StepperParameters& parameters,
+                     Thoroughness thoroughness);
+
+/// Points that may take part in it: everywhere where bodies touch that were never bonded, and elsewhere few
+/// until shorter steps have not helped, since their dense equations grow with the third power.
+std::size_t most_contacts(const System& system, Thoroughness thoroughness);
 
 }  // namespace dda

@@ -33,7 +33,7 @@ std::optional<State> HeldEquilibrium::solve_contacts_from(const State& at) {
   control->start_at({at.d, at.load_factor, *system_.laws_at(at.d, at.load_factor)},
                     std::max(std::abs(now), std::abs(value_)));
   const Attempt found =
-      contact_step(system_, at, *control, value_ - now, at, parameters_, Thoroughness::full);
+      contact_step(system_, {at, *control, value_ - now, at}, parameters_, Thoroughness::full);
   iterations_ += found.reduced_iterations;
   return found.converged ? std::optional(found.state) : std::nullopt;
 }

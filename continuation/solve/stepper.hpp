@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "continuation/equation/control_equation.hpp"
+#include "continuation/solve/step_goal.hpp"
 #include "framework/deck/node.hpp"
 
 namespace dda {
@@ -54,10 +54,9 @@ struct ArcLength {
 /// How much is tried before a step is given up: where a shorter one may do, no large dense problem.
 enum class Thoroughness { usual, full };
 
-/// One step from an equilibrium to where the control holds, Newton starting from `guess`: on the cracked
+/// One step from an equilibrium to where the control holds: on the cracked
 /// points alone where that is all there is to solve, else by LOCA (TrilinosModule::controlled_step).
-Attempt controlled_step(System& system, const State& start, ControlEquation& control, double step,
-                        const State& guess, const StepperParameters& parameters,
+Attempt controlled_step(System& system, const StepGoal& goal, const StepperParameters& parameters,
                         Thoroughness thoroughness = Thoroughness::usual);
 
 /// One LOCA::Stepper step by LOCA's arc length in λ with the tangent predictor.

@@ -9,9 +9,8 @@ namespace dda {
 /// symbols takes longer than many a run, and most runs end without them.
 struct TrilinosModule {
   /// One LOCA::Stepper step: natural continuation in the path parameter s, closed by the control as a LOCA
-  /// constraint with unknown λ. Newton starts from `guess` (LOCA's predictor, given by the caller).
-  Attempt (*controlled_step)(System& system, const State& start, ControlEquation& control, double step,
-                             const State& guess, const StepperParameters& parameters);
+  /// constraint with unknown λ. Newton starts from the guess (LOCA's predictor, given by the caller).
+  Attempt (*controlled_step)(System& system, const StepGoal& goal, const StepperParameters& parameters);
   /// See arc_length_step.
   Attempt (*arc_length_step)(System& system, const State& start, const ArcLength& arc,
                              const StepperParameters& parameters);

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "continuation/stability/stiffness_modes.hpp"
+#include "continuation/state/history_guard.hpp"
 
 namespace dda {
 namespace {
@@ -125,7 +126,7 @@ std::vector<double> freed(const Surface& surface, const std::vector<double>& mod
 }  // namespace
 
 std::vector<Branch> branches_at(System& system, const Candidate& here, const DirectSolverChoice& solver) {
-  const std::vector<History> before = system.history();
+  const HistoryGuard back(system);
   system.set_history(here.history);
   const Surface surface(system, here);
   std::vector<std::vector<bool>> known{surface.loading(here.history)};
@@ -144,7 +145,6 @@ std::vector<Branch> branches_at(System& system, const Candidate& here, const Dir
       out.push_back(*branch);
     }
   }
-  system.set_history(before);
   return out;
 }
 

@@ -36,10 +36,19 @@ double dot(const std::vector<double>& a, const std::vector<double>& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
-/// With step 0 the rates are those of the chord: the trapezoid.
-Ends ends(double from, double to, double rate_from, double rate_to, double step) {
-  if (step == 0) return {from, to, to - from, to - from};
-  return {from, to, step * rate_from, step * rate_to};
+/// A gauge over a step; without tangents its rates are those of the chord, which gives the trapezoid.
+Ends ends_of(const Functional& gauge, const Stretch& step) {
+  const double from = gauge.value(step.from.d, step.from.load_factor),
+               to = gauge.value(step.to.d, step.to.load_factor);
+  if (step.length == 0) return {from, to, to - from, to - from};
+  return {from, to, step.length * step.leaving.rate(gauge), step.length * step.arriving.rate(gauge)};
+}
+
+/// The same of the displacements' product with some forces.
+Ends ends_of(const std::vector<double>& force, const Stretch& step) {
+  const double from = dot(force, step.from.d), to = dot(force, step.to.d);
+  if (step.length == 0) return {from, to, to - from, to - from};
+  return {from, to, step.length * dot(force, step.leaving.d), step.length * dot(force, step.arriving.d)};
 }
 
 }  // namespace
@@ -53,21 +62,14 @@ Functional displacement_of_load(const Loading& loading) {
   return out;
 }
 
-double external_work(const System& system, const State& from, const State& to, const Tangent& leaving,
-                     const Tangent& arriving, double step) {
+double external_work(const System& system, const Stretch& step) {
   const Loading& loading = system.loading();
-  const auto scalar = [&](const Functional& gauge) {
-    return step == 0 ? ends(gauge.value(from.d, from.load_factor), gauge.value(to.d, to.load_factor), 0, 0, 0)
-                     : ends(gauge.value(from.d, from.load_factor), gauge.value(to.d, to.load_factor),
-                            leaving.rate(gauge), arriving.rate(gauge), step);
-  };
-  const Ends load = scalar({.rows = {}, .per_load_factor = 1});
-  const Ends displacement =
-      step == 0 ? ends(dot(loading.reference_work, from.d), dot(loading.reference_work, to.d), 0, 0, 0)
-                : ends(dot(loading.reference_work, from.d), dot(loading.reference_work, to.d),
-                       dot(loading.reference_work, leaving.d), dot(loading.reference_work, arriving.d), step);
+  const State &from = step.from, &to = step.to;
+  const Ends load = ends_of(Functional{.rows = {}, .per_load_factor = 1}, step);
+  const Ends displacement = ends_of(loading.reference_work, step);
   double work = integral(load, displacement) + dot(loading.dead_work, to.d) - dot(loading.dead_work, from.d);
-  for (const WorkPair& pair : loading.driven) work += integral(scalar(pair.force), scalar(pair.displacement));
+  for (const WorkPair& pair : loading.driven)
+    work += integral(ends_of(pair.force, step), ends_of(pair.displacement, step));
   if (!loading.reference_offset.empty()) {
     const auto power = [&](const State& state) {
       const LawValues laws = system.laws(state.d, state.load_factor);

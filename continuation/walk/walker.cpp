@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "continuation/state/history_guard.hpp"
+
 namespace dda {
 
 Walker::Walker(System& system, StepperParameters parameters)
@@ -23,7 +25,7 @@ void Walker::begin_stage(std::size_t stage) {
 
 Attempt Walker::attempt(ControlEquation& control, double step, const State& guess,
                         Thoroughness thoroughness) {
-  Attempt out = controlled_step(system_, here_.state, control, step, guess, parameters_, thoroughness);
+  Attempt out = controlled_step(system_, {here_.state, control, step, guess}, parameters_, thoroughness);
   effort_.newton_iterations += out.newton_iterations;
   effort_.reduced_iterations += out.reduced_iterations;
   effort_.multiplier_iterations += out.multiplier_iterations;
@@ -73,16 +75,14 @@ Candidate Walker::evaluate(const Attempt& attempt) {
                 .residual = attempt.residual,
                 .multiplier_iterations = attempt.multiplier_iterations,
                 .gap = attempt.gap};
-  const std::vector<History> before = system_.history();
+  const HistoryGuard back(system_, here_.state.multipliers);
   system_.set_history(out.history);
   fill_arriving(out);
   fill_energies(out);
   const double dissipated = out.dissipated - here_.dissipated;
   const bool smooth = dissipated > 0 && leaving_.dissipates && out.arriving.dissipates;
-  out.work = here_.work + external_work(system_, here_.state, out.state, leaving_, out.arriving,
-                                        smooth ? dissipated : 0.0);
-  system_.set_history(before);
-  system_.set_multipliers(here_.state.multipliers);
+  out.work = here_.work + external_work(system_, {here_.state, out.state, leaving_, out.arriving,
+                                                  smooth ? dissipated : 0.0});
   return out;
 }
 
@@ -98,16 +98,14 @@ void Walker::accept(Candidate candidate) {
 
 Candidate Walker::settled(const Settled& found) {
   Candidate next{.state = found.state, .history = found.history, .arriving = {}};
-  const std::vector<History> before = system_.history();
+  const HistoryGuard back(system_, here_.state.multipliers);
   system_.set_history(next.history);
   system_.set_multipliers(next.state.multipliers);
   fill_energies(next);
   next.residual = system_.excess_residual(next.state);
   if (system_.iterates_multipliers())
     next.gap = system_.relative_gap(*system_.laws_at(next.state.d, next.state.load_factor));
-  next.work = here_.work + external_work(system_, here_.state, next.state, leaving_, {}, 0.0);
-  system_.set_history(before);
-  system_.set_multipliers(here_.state.multipliers);
+  next.work = here_.work + external_work(system_, {here_.state, next.state, leaving_, {}});
   return next;
 }
 

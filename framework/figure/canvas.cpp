@@ -73,9 +73,9 @@ std::string coordinate(double value) {
   return text == "-0" ? "0" : text;
 }
 
-void Canvas::line(double x1, double y1, double x2, double y2, const LineStyle& style) {
-  body_ += fmt::format("<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" {}/>\n", coordinate(x1), coordinate(y1),
-                       coordinate(x2), coordinate(y2), stroke_of(style));
+void Canvas::line(const Segment& at, const LineStyle& style) {
+  body_ += fmt::format("<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" {}/>\n", coordinate(at.x1),
+                       coordinate(at.y1), coordinate(at.x2), coordinate(at.y2), stroke_of(style));
 }
 
 void Canvas::rectangle(const Box& box, const std::string& fill, const std::string& stroke) {

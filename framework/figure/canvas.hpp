@@ -26,6 +26,10 @@ struct LineStyle {
   bool dotted = false;     ///< instead of dashed
 };
 
+struct Segment {
+  double x1, y1, x2, y2;
+};
+
 /// A rectangle of the picture, y downwards [px].
 struct Box {
   double x = 0, y = 0, width = 0, height = 0;
@@ -43,7 +47,7 @@ std::string coordinate(double value);
 /// Collects SVG elements; coordinates in px, y downwards.
 class Canvas {
  public:
-  void line(double x1, double y1, double x2, double y2, const LineStyle& style);
+  void line(const Segment& at, const LineStyle& style);
   void rectangle(const Box& box, const std::string& fill, const std::string& stroke);
   void circle(double x, double y, double radius);
   void text(double x, double y, std::string_view text, const TextStyle& style);

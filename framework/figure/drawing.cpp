@@ -133,7 +133,7 @@ double paint_bar(Canvas& canvas, const Scale& scale, const Box& room) {
   for (const Tick& tick : axis.ticks) {
     const double y =
         room.bottom() - room.height * ((tick.value - axis.range.low) / (axis.range.high - axis.range.low));
-    canvas.line(room.x + bar_width, y, room.x + bar_width + 4, y, {ink, 1});
+    canvas.line({room.x + bar_width, y, room.x + bar_width + 4, y}, {ink, 1});
     canvas.text(room.x + bar_width + 7, y + 3.5, tick.label, {small});
     widest = std::max(widest, text_width(tick.label, small));
   }

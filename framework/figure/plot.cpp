@@ -102,15 +102,15 @@ class PanelPainter {
   void grid() {
     canvas_.rectangle(frame_, "white", "none");
     for (const Tick& tick : x_.ticks) {
-      canvas_.line(px(tick.value), frame_.y, px(tick.value), frame_.bottom(), {faint, 0.8});
+      canvas_.line({px(tick.value), frame_.y, px(tick.value), frame_.bottom()}, {faint, 0.8});
     }
     for (const Tick& tick : y_.ticks) {
-      canvas_.line(frame_.x, py(tick.value), frame_.right(), py(tick.value), {faint, 0.8});
+      canvas_.line({frame_.x, py(tick.value), frame_.right(), py(tick.value)}, {faint, 0.8});
     }
     if (y_.range.low < 0 && y_.range.high > 0)
-      canvas_.line(frame_.x, py(0), frame_.right(), py(0), {grey, 0.8});
+      canvas_.line({frame_.x, py(0), frame_.right(), py(0)}, {grey, 0.8});
     if (x_.range.low < 0 && x_.range.high > 0)
-      canvas_.line(px(0), frame_.y, px(0), frame_.bottom(), {grey, 0.8});
+      canvas_.line({px(0), frame_.y, px(0), frame_.bottom()}, {grey, 0.8});
     canvas_.rectangle(frame_, "none", ink);
   }
 
@@ -235,7 +235,7 @@ double paint_legend(Canvas& canvas, const std::vector<LegendEntry>& entries, con
     }
     double x = room.x + std::max(0.0, (room.width - used + gap) / 2);
     for (std::size_t i = 0; i < names.size(); ++i) {
-      canvas.line(x, y + 8, x + sample, y + 8, entries[first + i].style);
+      canvas.line({x, y + 8, x + sample, y + 8}, entries[first + i].style);
       canvas.text(x + sample + 6, y + 11.5, names[i], {small});
       x += sample + 6 + text_width(names[i], small) + gap;
     }

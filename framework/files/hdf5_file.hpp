@@ -11,7 +11,7 @@
 
 namespace dda {
 
-/// HDF5 could not do what was asked; says what, without the file's name. Stays inside framework/output.
+/// HDF5 could not do what was asked; says what, without the file's name. Stays inside framework/files.
 class Hdf5Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

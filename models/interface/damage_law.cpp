@@ -173,7 +173,8 @@ DamageLaw::Spent DamageLaw::spent(double kappa, double mixity, double k) const {
 
 /// Energy of the damage growing from one κ to another: the mean of the modes in which it grew last and grows
 /// now.
-double DamageLaw::growth_energy(double from, double to, double mixity, const History& h, double k) const {
+double DamageLaw::growth_energy(const Growth& kappa, double mixity, const History& h, double k) const {
+  const auto [from, to] = kappa;
   const auto at = [&](double mode) { return spent(to, mode, k).value - spent(from, mode, k).value; };
   if (!has_modes() || from <= initial_kappa(k)) return at(mixity);
   return 0.5 * (at(h.mixity) + at(mixity));
@@ -184,7 +185,7 @@ Spending DamageLaw::spending(const Vec2& q, const History& h, double k) const {
   const double reached = kappa(h, k), now = std::max(reached, at.kappa), kappa0 = initial_kappa(k);
   const bool loads = is_loading(at.kappa, reached, h.loading);
   Spending out;
-  if (now > reached) out.value = growth_energy(reached, now, at.mixity, h, k);
+  if (now > reached) out.value = growth_energy({reached, now}, at.mixity, h, k);
   if (loads) {
     const Spent here = spent(now, at.mixity, k);
     const bool averaged = has_modes() && reached > kappa0;
@@ -265,7 +266,7 @@ History DamageLaw::grown(const History& h, double k, double factor) const {
   History out = h;
   const double from = kappa(h, k);
   out.kappa = std::min(factor * from, rupture_kappa(k));
-  out.dissipated += growth_energy(from, out.kappa, h.mixity, h, k);
+  out.dissipated += growth_energy({from, out.kappa}, h.mixity, h, k);
   return out;
 }
 

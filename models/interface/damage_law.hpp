@@ -20,11 +20,12 @@ struct SofteningNumbers {
 
 /// A law that softens by scalar damage and unloads to the origin, with Coulomb friction on what is damaged.
 ///
-///     x    = sign(q_s) ⟨|q_s| − m ⟨−q_n⟩⟩,   m = tan φ/β²          sliding beyond what friction alone holds
+///     x    = sign(q_s) ⟨|q_s| − m ⟨−q_n⟩⟩,   m = tan φ/β²      sliding beyond what friction alone holds
 ///     q_eq = √(⟨q_n⟩² + (β x)²),   κ = max(h.κ, q_eq),   κ0 = ft/k
-///     t_n  = r ⟨q_n⟩ − k ⟨−q_n⟩,   t_s = β² (r q_s + (k − r) e),   r = t_eq(κ)/κ (k intact), 1 − r/k =
-///     damage e    = clip(q_s − s, ± m ⟨−q_n⟩)                              friction, slip s ψ    = ½ r
-///     (⟨q_n⟩² + β² q_s²) + ½ k ⟨−q_n⟩² + ½ (k − r) β² e²
+///     r    = t_eq(κ)/κ                                       secant; k where intact, damage 1 − r/k
+///     e    = clip(q_s − s, ± m ⟨−q_n⟩)                        friction, s the slip
+///     t_n  = r ⟨q_n⟩ − k ⟨−q_n⟩,   t_s = β² (r q_s + (k − r) e)
+///     ψ    = ½ r (⟨q_n⟩² + β² q_s²) + ½ k ⟨−q_n⟩² + ½ (k − r) β² e²
 ///
 /// So a closed joint starts to slide at |t_s| = c − t_n tan φ, c = β ft (Mohr-Coulomb), and ends at pure
 /// friction; without friction, and with one fracture energy, the law has a potential and D is symmetric. The
@@ -93,7 +94,10 @@ class DamageLaw final : public InterfaceLaw {
     double value = 0, per_kappa = 0, per_mixity = 0;
   };
   Spent spent(double kappa, double mixity, double k) const;
-  double growth_energy(double from, double to, double mixity, const History& h, double k) const;
+  struct Growth {
+    double from = 0, to = 0;
+  };
+  double growth_energy(const Growth& kappa, double mixity, const History& h, double k) const;
 
   SofteningNumbers n_;
   std::unique_ptr<SofteningShape> shape_;

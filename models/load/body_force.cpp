@@ -22,7 +22,7 @@ class BodyForce final : public Load {
       if (!acts_on(body.assembly.regions[static_cast<std::size_t>(body.assembly.blocks[i].region)].material))
         continue;
       const Vec2 force = body.volume(BlockId{i}) * p_.force;
-      add_point_force(stage, body, BlockId{i}, body.assembly.blocks[i].moments.centroid, force);
+      add_point_force(stage, body, BlockId{i}, {body.assembly.blocks[i].moments.centroid, force});
       stage.resultant += force.norm();
     }
   }

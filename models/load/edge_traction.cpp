@@ -19,7 +19,7 @@ class EdgeTraction final : public Load {
     Vec2 total = Vec2::Zero();
     for (const BoundaryPoint& point : boundary_points(body.assembly, p_.on, p_.where)) {
       const Vec2 force = point.length * body.thickness * (p_.traction - p_.pressure * point.normal);
-      add_point_force(stage, body, point.block, point.x, force);
+      add_point_force(stage, body, point.block, {point.x, force});
       total += force;
     }
     stage.resultant += total.norm();

@@ -10,9 +10,9 @@ double Body::largest_modulus() const {
   return largest;
 }
 
-void add_point_force(StageLoads& stage, const Body& body, BlockId id, const Vec2& x, const Vec2& force) {
-  const Mat26 t = displacement_rows(x - body.block(id).moments.centroid);
-  Eigen::Map<Vec6>(stage.force.data() + 6 * id.value()) += t.transpose() * force;
+void add_point_force(StageLoads& stage, const Body& body, BlockId id, const PointForce& at) {
+  const Mat26 t = displacement_rows(at.x - body.block(id).moments.centroid);
+  Eigen::Map<Vec6>(stage.force.data() + 6 * id.value()) += t.transpose() * at.force;
 }
 
 }  // namespace dda

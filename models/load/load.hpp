@@ -41,8 +41,13 @@ class Load {
   virtual std::optional<Action> action() const { return {}; }
 };
 
+struct PointForce {
+  Vec2 x;      ///< [L]
+  Vec2 force;  ///< [F]
+};
+
 /// Adds the force vector F at point x of a block: f += Tᵀ F.
-void add_point_force(StageLoads& stage, const Body& body, BlockId id, const Vec2& x, const Vec2& force);
+void add_point_force(StageLoads& stage, const Body& body, BlockId id, const PointForce& at);
 
 using LoadFamily = Family<Load>;
 using LoadChoice = Choice<Load>;

@@ -49,7 +49,7 @@ class Libraries(unittest.TestCase):
     HEADERS = (
         ("gmsh.h", "meshing/gmsh/a.cpp"),
         ("geos_c.h", "meshing/a.cpp"),
-        ("hdf5.h", "framework/output/a.cpp"),
+        ("hdf5.h", "framework/files/a.cpp"),
         ("yaml.h", "framework/a.cpp"),
         ("NOX_Utils.H", "continuation/a.hpp"),
         ("LOCA_Stepper.H", "continuation/a.hpp"),

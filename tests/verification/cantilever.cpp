@@ -70,8 +70,8 @@ void add_tractions(const Cantilever& beam, const Structure& structure, const std
     const Vec3 s = beam.stress(point.x);
     const Vec2 traction(s[0] * point.normal.x() + s[2] * point.normal.y(),
                         s[2] * point.normal.x() + s[1] * point.normal.y());
-    add_point_force(loads, structure.body, point.block, point.x,
-                    point.length * structure.body.thickness * traction);
+    add_point_force(loads, structure.body, point.block,
+                    {point.x, point.length * structure.body.thickness * traction});
   }
 }
 
@@ -80,7 +80,7 @@ void add_pulled_springs(const Cantilever& beam, const Structure& structure, cons
                         StageLoads& loads) {
   const double stiffness = structure.deck.support_stiffness * beam.young * beam.thickness;
   for (const BoundaryPoint& point : boundary_points(structure.assembly, boundary, {}))
-    add_point_force(loads, structure.body, point.block, point.x, stiffness * beam.displacement(point.x));
+    add_point_force(loads, structure.body, point.block, {point.x, stiffness * beam.displacement(point.x)});
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ Attempt Stepped::to(double load_factor) {
   State guess = state_;
   guess.load_factor = load_factor;
   Attempt out =
-      controlled_step(system_, state_, *control, load_factor - state_.load_factor, guess, parameters_);
+      controlled_step(system_, {state_, *control, load_factor - state_.load_factor, guess}, parameters_);
   if (!out.converged) {
     system_.set_multipliers(state_.multipliers);
     return out;

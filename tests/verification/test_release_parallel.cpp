@@ -176,8 +176,7 @@ TEST_P(PressedJoint, DisplacementControlSlidesOn) {
               exact * trace.last().work);
 }
 
-INSTANTIATE_TEST_SUITE_P(Treatments, PressedJoint,
-                         testing::Values(springs, "consistent"));
+INSTANTIATE_TEST_SUITE_P(Treatments, PressedJoint, testing::Values(springs, "consistent"));
 
 }  // namespace
 }  // namespace dda::verification

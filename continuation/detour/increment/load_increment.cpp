@@ -1,5 +1,6 @@
 #include "continuation/detour/increment/load_increment.hpp"
 
+#include "continuation/state/history_guard.hpp"
 #include "continuation/state/reach.hpp"
 
 namespace dda {
@@ -25,7 +26,7 @@ std::optional<std::vector<History>> overloaded_released(System& system, const St
 
 Increment load_increment(System& system, const State& start, const LoadStep& step,
                          const StepperParameters& parameters) {
-  const std::vector<History> before = system.history();
+  const HistoryGuard back(system, start.multipliers);
   Increment out;
   State at = start;
   for (bool more = true; more;) {
@@ -41,8 +42,6 @@ Increment load_increment(System& system, const State& start, const LoadStep& ste
     more = released.has_value();
     if (more) system.set_history(*std::move(released));
   }
-  system.set_history(before);
-  system.set_multipliers(start.multipliers);
   return out;
 }
 

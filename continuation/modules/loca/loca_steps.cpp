@@ -170,12 +170,11 @@ struct Loca {
 
 }  // namespace
 
-Attempt loca_controlled_step(System& system, const State& start, ControlEquation& control, double step,
-                             const State& guess, const StepperParameters& parameters) {
+Attempt loca_controlled_step(System& system, const StepGoal& goal, const StepperParameters& parameters) {
   const auto map = map_of(system);
-  const auto active = std::make_shared<ActiveControl>(ActiveControl{&control});
+  const auto active = std::make_shared<ActiveControl>(ActiveControl{&goal.control});
   const Teuchos::RCP<LOCA::MultiContinuation::ConstraintInterface> constraint =
-      Teuchos::rcp(new ControlConstraint(system, map, active, start));
+      Teuchos::rcp(new ControlConstraint(system, map, active, goal.start));
   const auto list = common_list("Natural", "s", 0.0, parameters);
   auto& constraints = list->sublist("LOCA").sublist("Constraints");
   constraints.set("Constraint Object", constraint);
@@ -183,9 +182,9 @@ Attempt loca_controlled_step(System& system, const State& start, ControlEquation
   constraints.set("Bordered Solver Method", "Bordering");
   list->sublist("LOCA").sublist("Predictor").set("Method", "Constant");
   const Loca loca(list);
-  const auto group = Teuchos::rcp(new Group(loca.global, system, map, start, Metric::natural));
+  const auto group = Teuchos::rcp(new Group(loca.global, system, map, goal.start, Metric::natural));
   const auto test = Teuchos::rcp(new NewtonTest(system, active, parameters.newton));
-  return SingleStep(loca.global, group, test, list, step).take(&guess, parameters.multipliers);
+  return SingleStep(loca.global, group, test, list, goal.step).take(&goal.guess, parameters.multipliers);
 }
 
 Attempt loca_arc_length_step(System& system, const State& start, const ArcLength& arc,

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "continuation/path/path_parameters.hpp"
+#include "continuation/follow/path_parameters.hpp"
 #include "framework/deck/units.hpp"
 #include "meshing/scene/scene.hpp"
 #include "models/parameters.hpp"

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "continuation/linear/matrix_quality.hpp"
 #include "continuation/detour/dead_load.hpp"
+#include "continuation/linear/matrix_quality.hpp"
 #include "framework/base/memory.hpp"
 #include "framework/base/suggestion.hpp"
 
@@ -151,7 +151,7 @@ std::string Simulation::apply_dead_loads() {
 }
 
 void Simulation::begin_path() {
-  path_ = std::make_unique<Path>(*walker_, deck_.path, gauges_, landings(), legs());
+  path_ = std::make_unique<Path>(*walker_, deck_.path, gauges_, Route{landings(), legs()});
 }
 
 const Functional& Simulation::gauge(const std::string& name, const Position& where) const {

@@ -16,12 +16,16 @@ using Samples = std::vector<Sample>;
 
 double displacement(const TracePoint& at) { return at.displacements.empty() ? 0 : at.displacements.front(); }
 
+struct ValueAndSlope {
+  double value, slope;
+};
+
 /// Cubic Hermite at the share s of an interval of length h; linear when a slope is not known.
-double hermite(double a, double b, double slope_a, double slope_b, double h, double s) {
-  if (!std::isfinite(slope_a) || !std::isfinite(slope_b)) return a + s * (b - a);
+double hermite(const ValueAndSlope& a, const ValueAndSlope& b, double h, double s) {
+  if (!std::isfinite(a.slope) || !std::isfinite(b.slope)) return a.value + s * (b.value - a.value);
   const double s2 = s * s, s3 = s2 * s;
-  return (2 * s3 - 3 * s2 + 1) * a + (s3 - 2 * s2 + s) * h * slope_a + (3 * s2 - 2 * s3) * b +
-         (s3 - s2) * h * slope_b;
+  return (2 * s3 - 3 * s2 + 1) * a.value + (s3 - 2 * s2 + s) * h * a.slope + (3 * s2 - 2 * s3) * b.value +
+         (s3 - s2) * h * b.slope;
 }
 
 /// Share of the step at which the tangents of its two ends meet; not a number when they do not meet inside.
@@ -50,9 +54,9 @@ Sample between(const TracePoint& a, const TracePoint& b, double s, Between kind)
   const double kink =
       kind == Between::tangents && h > 0 ? meeting(a, b, h) : std::numeric_limits<double>::quiet_NaN();
   if (std::isfinite(kink)) return on_tangents(a, b, s, kink);
-  Sample out{a.dissipated + s * h, 0, hermite(a.load, b.load, a.leaving[0], b.arriving[0], h, s)};
+  Sample out{a.dissipated + s * h, 0, hermite({a.load, a.leaving[0]}, {b.load, b.arriving[0]}, h, s)};
   if (!a.displacements.empty())
-    out.displacement = hermite(displacement(a), displacement(b), a.leaving[1], b.arriving[1], h, s);
+    out.displacement = hermite({displacement(a), a.leaving[1]}, {displacement(b), b.arriving[1]}, h, s);
   return out;
 }
 

@@ -8,8 +8,8 @@ namespace dda {
 
 /// How far two paths of one structure lie apart, relative to the peak of the first.
 struct PathDistance {
-  double load =
-      0;  ///< largest difference of load at equal dissipated energy; of displacement in the elastic part
+  /// Largest difference of load at equal dissipated energy; of displacement in the elastic part.
+  double load = 0;
   double hausdorff = 0;  ///< symmetric Hausdorff distance in (u/u_peak, F/F_peak)
 };
 

@@ -73,7 +73,7 @@ std::vector<svg::Series> curves_of(const std::vector<RunCurve>& runs, const std:
     }
     const auto known = std::ranges::find(names, run.name) - names.begin();
     const int colour = static_cast<int>(run.name.empty() ? static_cast<std::ptrdiff_t>(next) : known);
-    std::ranges::move(by_stability(run.curve, gauge, "load", run.name, colour), std::back_inserter(out));
+    std::ranges::move(by_stability(run.curve, gauge, "load", {run.name, colour}), std::back_inserter(out));
     ++next;
   }
   std::ranges::move(legend_of_lines(out), std::back_inserter(out));

@@ -230,11 +230,11 @@ std::vector<svg::Series> by_stability(const CsvTable& curve, const std::string& 
 }
 
 std::vector<svg::Series> by_stability(const CsvTable& curve, const std::string& x, const std::string& y,
-                                      const std::string& name, int colour) {
-  std::vector<svg::Series> out{{.name = name, .x = {}, .y = {}, .colour = colour}};  // for the legend
+                                      const LegendEntry& entry) {
+  std::vector<svg::Series> out{{.name = entry.name, .x = {}, .y = {}, .colour = entry.colour}};
   for (svg::Series& piece : by_stability(curve, x, y)) {
     piece.name.clear();
-    piece.colour = colour;
+    piece.colour = entry.colour;
     out.push_back(std::move(piece));
   }
   return out;

@@ -14,9 +14,14 @@ namespace dda {
 /// curve.csv.
 std::vector<svg::Series> by_stability(const CsvTable& curve, const std::string& x, const std::string& y);
 
+struct LegendEntry {
+  std::string name;
+  int colour = 0;
+};
+
 /// The same in one colour under one name: dashed wherever it is not stable under dead load.
 std::vector<svg::Series> by_stability(const CsvTable& curve, const std::string& x, const std::string& y,
-                                      const std::string& name, int colour);
+                                      const LegendEntry& entry);
 
 /// Of a run with eigenvalues: eigenvalues.svg, μ/μ₀ of the tracked modes and the current stiffness over the
 /// path; and, up to `most_blocks` blocks, modes.svg, the shapes at the stored stages (rows) and modes

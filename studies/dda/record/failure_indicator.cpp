@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "continuation/stability/stiffness_modes.hpp"
+#include "continuation/state/history_guard.hpp"
 #include "models/body/mass.hpp"
 #include "studies/dda/record/measures.hpp"
 
@@ -81,7 +82,7 @@ std::vector<TableCell> FailureIndicator::cells(const IndicatorNow& now) {
 Eigenmodes FailureIndicator::modes(int count) {
   System& system = simulation_.system();
   const Candidate& here = simulation_.walker().here();
-  const std::vector<History> leaving = system.history();
+  const HistoryGuard back(system);
   system.set_history(here.history);  // with every point that loaded up to here on its surface
   Eigenmodes out;
   try {
@@ -90,7 +91,6 @@ Eigenmodes FailureIndicator::modes(int count) {
       out = std::move(found->modes);
   } catch (const std::runtime_error&) {  // what the path has come to does not depend on them
   }
-  system.set_history(leaving);
   return out;
 }
 

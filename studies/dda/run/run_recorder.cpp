@@ -49,12 +49,10 @@ CurveTable open_curve(const RunFolder& folder, const std::vector<Column>& column
   return CurveTable::resume(file, columns, static_cast<std::size_t>(memory->last_step) + 1);
 }
 
-ResultsFile open_results(const RunFolder& folder, const Fields& fields, const Simulation& simulation,
-                         const ResultsFile::Texts& texts, const std::optional<RunMemory>& memory) {
-  if (memory) return ResultsFile::resume(folder.path(), memory->last_step);
+ResultsMesh mesh_of(const Fields& fields, const Simulation& simulation) {
   ResultsMesh mesh = fields.mesh();
   mesh.model = model_tables(simulation.body(), simulation.deck(), simulation.equilibrium());
-  return {folder.path(), mesh, texts};
+  return mesh;
 }
 
 }  // namespace
@@ -74,7 +72,9 @@ RunRecorder::RunRecorder(const RunFolder& folder, Simulation& simulation, const 
       interfaces_(simulation.equilibrium(), simulation.deck().units, memory_),
       log_(folder.file("log.jsonl"), memory ? FileWriter::Mode::append : FileWriter::Mode::create),
       curve_(open_curve(folder, columns(), memory)),
-      results_(open_results(folder, fields_, simulation, texts_of(deck, effective_), memory)) {
+      results_(memory
+                   ? ResultsFile::resume(folder.path(), memory->last_step)
+                   : ResultsFile(folder.path(), mesh_of(fields_, simulation), texts_of(deck, effective_))) {
   simulation.path().report_to([this](const std::string& event, const std::string& text) {
     log_.info(event, {{"step", memory_.last_step + 1}, {"text", text}});
   });

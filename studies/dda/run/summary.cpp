@@ -83,6 +83,18 @@ Json to_json(const Timings& timings) {
   return out;
 }
 
+namespace {
+
+void add_effort(const Effort& effort, Json& out) {
+  out["steps"] = effort.accepted;
+  out["rejected_steps"] = effort.rejected;
+  out["newton_iterations"] = effort.newton_iterations;
+  out["reduced_iterations"] = effort.reduced_iterations;
+  out["relaxation_iterations"] = effort.relaxation_iterations;
+}
+
+}  // namespace
+
 Json summarise(const Simulation& simulation, const RunMemory& memory, const Measures& measures,
                const Ending& ending) {
   const Walker& walker = simulation.walker();
@@ -95,11 +107,7 @@ Json summarise(const Simulation& simulation, const RunMemory& memory, const Meas
   out["interface_points"] = equilibrium.num_points();
   out["crackable_points"] = equilibrium.interfaces().num_crackable();
   out["unknowns"] = equilibrium.num_unknowns();
-  out["steps"] = effort.accepted;
-  out["rejected_steps"] = effort.rejected;
-  out["newton_iterations"] = effort.newton_iterations;
-  out["reduced_iterations"] = effort.reduced_iterations;
-  out["relaxation_iterations"] = effort.relaxation_iterations;
+  add_effort(effort, out);
   out["factorisations"] =
       memory.num_factorisations + static_cast<long long>(simulation.system().linear().num_factorisations());
   out["rescues"] = effort.rescues;
@@ -119,9 +127,6 @@ Json summarise(const Simulation& simulation, const RunMemory& memory, const Meas
   out["energy_balance_scatter"] =
       end.work == 0 ? 0.0 : simulation.path().memory().unaccounted / std::abs(end.work);
   out["jump_energy"] = jump_energy;
-  out["external_work"] = end.work;
-  out["dissipated_energy"] = end.dissipated;
-  out["stored_energy"] = end.stored;
   out["units"] = units_of(simulation.deck().units);
   out["threads"] = num_threads();
   out["version"] = provenance().version;

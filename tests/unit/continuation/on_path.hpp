@@ -58,11 +58,18 @@ class OnPath {
         system_(equilibrium_, parameters_.linear, parameters_.update),
         walker_(system_, parameters_),
         book_{system_.loading().gauges, "", "u"},
-        path_(walker_, parameters_, book_, wanted(landings)) {}
+        path_(walker_, parameters_, book_, Route{wanted(landings)}) {}
 
   Path& path() { return path_; }
   const Walker& walker() const { return walker_; }
   System& system() { return system_; }
+  /// What the path knows where the walker stands, on another route.
+  PathState state(Route route = {}) {
+    PathState out(walker_, parameters_, book_, std::move(route));
+    out.memory = path_.memory();
+    return out;
+  }
+  const Functional& gauge() const { return book_.gauges.front().functional; }
   double value() const { return walker_.value(book_.gauges.front().functional); }
 
  private:

@@ -87,7 +87,7 @@ TEST(Equilibrium, UniformStrainIsHeldByItsBoundaryTractions) {
     StageLoads outer = square.no_loads();
     for (const BoundarySide& side : square.assembly().boundary) {
       const Vec2 edge = side.end - side.start, n(edge.y(), -edge.x());
-      add_point_force(outer, square.body(), side.block, (side.start + side.end) / 2, 0.7 * tensor * n);
+      add_point_force(outer, square.body(), side.block, {(side.start + side.end) / 2, 0.7 * tensor * n});
     }
     double difference = 0;
     for (std::size_t i = 0; i < inner.size(); ++i) difference += std::pow(inner[i] - outer.force[i], 2);

@@ -16,12 +16,12 @@ struct Cubic {
 class ExternalWork : public testing::Test {
  protected:
   State state(double s) const {
-    State out{start_, load_.value(s)};
+    State out{start_, load_.value(s), {}};
     for (std::size_t i = 0; i < out.d.size(); ++i) out.d[i] += motion_.value(s) * along_[i];
     return out;
   }
   Tangent tangent(double s) const {
-    Tangent out{along_, load_.slope(s), true, {}, {}};
+    Tangent out{along_, load_.slope(s), true, {}, {}, {}};
     for (double& value : out.d) value *= motion_.slope(s);
     return out;
   }
@@ -53,7 +53,7 @@ class ExternalWork : public testing::Test {
 TEST_F(ExternalWork, HermiteIsExactForCubicPaths) {
   const double from = 0.2, to = 1.1;
   const double work =
-      external_work(cracked_.system(), state(from), state(to), tangent(from), tangent(to), to - from);
+      external_work(cracked_.system(), {state(from), state(to), tangent(from), tangent(to), to - from});
   EXPECT_NEAR(work / reference(from, to), 1, 1e-11);
 }
 
@@ -63,7 +63,7 @@ TEST_F(ExternalWork, WithoutTangentsItIsTheTrapezoid) {
   const Eigen::VectorXd moved = vec(to.d) - vec(from.d);
   const double expected = (from.load_factor + to.load_factor) / 2 * vec(loading.reference_work).dot(moved) +
                           vec(loading.dead_work).dot(moved);
-  EXPECT_NEAR(external_work(cracked_.system(), from, to, {}, {}, 0) / expected, 1, 1e-12);
+  EXPECT_NEAR(external_work(cracked_.system(), {from, to, {}, {}}) / expected, 1, 1e-12);
 }
 
 }  // namespace

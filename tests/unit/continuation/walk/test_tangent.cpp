@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "continuation/detour/dead_load.hpp"
-#include "continuation/path/path_parameters.hpp"
+#include "continuation/follow/path_parameters.hpp"
 #include "support/cracked.hpp"
 
 namespace dda {

@@ -1,4 +1,4 @@
-#include "continuation/path/path_parameters.hpp"
+#include "continuation/follow/path_parameters.hpp"
 
 namespace dda {
 namespace {
@@ -73,40 +73,16 @@ Schema<MultiplierParameters> multiplier_schema() {
                "Start each step from the multipliers that the path's tangent predicts, not the last ones."});
 }
 
-}  // namespace
-
-Schema<PathParameters> path_schema() {
+/// What solves the equations of a step.
+Schema<PathParameters> with_solvers(Schema<PathParameters> schema) {
   using P = PathParameters;
-  return Schema<P>("How the equilibrium path is followed.")
-      .choice("control", &P::control, controls(),
-              {.fallback = "staged", .text = "What is prescribed along the path."})
-      .section("step", &P::step, step_schema())
-      .section("stop", &P::stop, stop_schema())
-      .boolean(
-          "stability", &P::stability,
-          {.fallback = true,
-           .text = "Count the negative eigenvalues of the stiffness at every step: columns of the curve, "
-                   "and bifurcations among the events of the summary."})
-      .one_of(
-          "branch", &P::branch, {{"follow", Branching::follow}, {"switch", Branching::to_lowest}},
-          {.fallback = Branching::follow,
-           .text = "At a bifurcation go on along the same branch, or switch to the one on which the load "
-                   "falls fastest; the branch not taken is then followed as well, in a folder of its own."})
-      .text("load_gauge", &P::load_gauge,
-            {.fallback = "",
-             .text = "Gauge whose peak counts; if empty the load factor times the loads' resultant, or the "
-                     "driven reactions."})
-      .number("peak_tolerance", &P::peak_tolerance,
-              {.fallback = 1e-4,
-               .bounds = above(0) & at_most(0.1),
-               .text = "The peak load is bracketed to this relative width."})
-      .section("newton", &P::newton, newton_schema())
+  using Update = LinearSystem::Update;
+  return schema.section("newton", &P::newton, newton_schema())
       .section("multipliers", &P::multipliers, multiplier_schema())
       .choice("linear", &P::linear, direct_solvers(), {.fallback = "cholmod", .text = "Linear solver."})
       .one_of(
-          "update", &P::update,
-          {{"low_rank", LinearSystem::Update::low_rank}, {"refactorise", LinearSystem::Update::refactorise}},
-          {.fallback = LinearSystem::Update::low_rank,
+          "update", &P::update, {{"low_rank", Update::low_rank}, {"refactorise", Update::refactorise}},
+          {.fallback = Update::low_rank,
            .text = "How the factorisation follows cracking: low-rank updates of one factorisation, or a new "
                    "one each time."})
       .texts(
@@ -115,6 +91,38 @@ Schema<PathParameters> path_schema() {
            .text = "Controls that this scene is known to stop early; `dda compare` takes that as a success."})
       .passthrough("nox", &P::nox, {.text = "Parameters for NOX, as they stand."})
       .passthrough("loca", &P::loca, {.text = "Parameters for LOCA, as they stand."});
+}
+
+}  // namespace
+
+Schema<PathParameters> path_schema() {
+  using P = PathParameters;
+  return with_solvers(
+      Schema<P>("How the equilibrium path is followed.")
+          .choice("control", &P::control, controls(),
+                  {.fallback = "staged", .text = "What is prescribed along the path."})
+          .section("step", &P::step, step_schema())
+          .section("stop", &P::stop, stop_schema())
+          .boolean(
+              "stability", &P::stability,
+              {.fallback = true,
+               .text = "Count the negative eigenvalues of the stiffness at every step: columns of the curve, "
+                       "and bifurcations among the events of the summary."})
+          .one_of(
+              "branch", &P::branch, {{"follow", Branching::follow}, {"switch", Branching::to_lowest}},
+              {.fallback = Branching::follow,
+               .text =
+                   "At a bifurcation go on along the same branch, or switch to the one on which the load "
+                   "falls fastest; the branch not taken is then followed as well, in a folder of its own."})
+          .text(
+              "load_gauge", &P::load_gauge,
+              {.fallback = "",
+               .text = "Gauge whose peak counts; if empty the load factor times the loads' resultant, or the "
+                       "driven reactions."})
+          .number("peak_tolerance", &P::peak_tolerance,
+                  {.fallback = 1e-4,
+                   .bounds = above(0) & at_most(0.1),
+                   .text = "The peak load is bracketed to this relative width."}));
 }
 
 }  // namespace dda

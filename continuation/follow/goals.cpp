@@ -1,0 +1,128 @@
+#include "continuation/follow/goals.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "continuation/follow/advice.hpp"
+
+namespace dda {
+namespace {
+
+/// What is true of a load that has fallen below a share of its peak; a jump may have turned it round.
+std::string fallen_load(double share, double now) {
+  std::string text = fmt::format("load below {:g} % of its peak", 100 * share);
+  return now < -same_value ? fmt::format("{}, turned round to {:g} %", text, 100 * now) : text;
+}
+
+/// What is true of the present equilibrium if a gauge stands at a goal or, as it came, beyond it; else "". A
+/// gauge that has set out from the goal must have left it and come back.
+std::string reached(const PathState& path, const Landing& goal) {
+  const Travel& travel = path.memory.travels.at(goal.name);
+  const double now = path.walker.value(goal.gauge), way = travel.farthest - travel.from;
+  const double on_it = same_value * std::max(std::abs(goal.value), std::abs(way));
+  double side = goal.value - travel.from;
+  if (std::abs(side) <= on_it) side = -way;
+  if (side == 0 || (now - goal.value) * std::copysign(1, side) < -on_it) return {};
+  if (std::abs(now - goal.value) <= on_it) return fmt::format("{} reached {}", goal.name, goal.value);
+  return fmt::format("{} reached {} and stands at {}", goal.name, goal.value, now);
+}
+
+/// Whether no load is left of a structure that has cracked.
+bool has_ruptured(const PathState& path) {
+  constexpr double nothing = 1e-6;
+  const bool at_leg_start = path.memory.leg > 0 && path.walker.effort().accepted == path.memory.leg_start;
+  return !path.leg().unloads && !at_leg_start && path.memory.peak_load > 0 &&
+         path.walker.here().dissipated > 0 &&
+         std::abs(path.load_of(path.walker.state())) <= nothing * path.memory.peak_load;
+}
+
+/// Which of the stopping rules is met here; "" when none is.
+std::string goal_of_path(const PathState& path) {
+  for (const Landing& landing : path.route.landings)
+    if (landing.ends_leg)
+      if (std::string text = reached(path, landing); !text.empty()) return text;
+  const StopRules& stop = path.parameters.stop;
+  if (const double target = stop.load_below * path.memory.peak_load * (1 + same_value);
+      target > 0 && path.is_last_leg() && !path.leg().unloads &&
+      path.memory.leg_peak > std::max(target, path.smallest_load()) &&
+      path.load_of(path.walker.state()) <= target)
+    return fallen_load(stop.load_below, path.load_of(path.walker.state()) / path.memory.peak_load);
+  if (has_ruptured(path)) return "complete rupture";
+  return {};
+}
+
+void begin_next_leg(PathState& path) {
+  ++path.memory.leg;
+  path.memory.leg_start = path.walker.effort().accepted;
+  path.memory.step = 0;
+  path.walker.unload();
+  set_out(path);
+  path.report("leg", path.leg().name);
+}
+
+}  // namespace
+
+void set_out(PathState& path) {
+  path.memory.travels.clear();
+  for (const NamedGauge& gauge : path.travelling) {
+    const double now = path.walker.value(gauge.functional);
+    path.memory.travels[gauge.name] = {now, now};
+  }
+  path.memory.leg_peak = path.load_of(path.walker.state());
+}
+
+void note_travel(PathState& path) {
+  path.memory.leg_peak = std::max(path.memory.leg_peak, path.load_of(path.walker.state()));
+  for (const NamedGauge& gauge : path.travelling) {
+    const double now = path.walker.value(gauge.functional);
+    Travel& travel = path.memory.travels[gauge.name];
+    if (std::abs(now - travel.from) > std::abs(travel.farthest - travel.from)) travel.farthest = now;
+  }
+}
+
+double share_of_goals(const PathState& path) {
+  double share = 0;
+  for (const Landing& landing : path.route.landings) {
+    const double from = path.memory.travels.at(landing.name).from, way = landing.value - from;
+    if (landing.ends_leg && way != 0)
+      share = std::max(share, (path.walker.value(landing.gauge) - from) / way);
+  }
+  return share;
+}
+
+void settle(PathState& path) {
+  while (path.ending.kind == Ending::Kind::running) {
+    if (std::string text = goal_of_path(path); !text.empty()) {
+      path.end(Ending::Kind::goal_reached, std::move(text));
+      return;
+    }
+    const auto& until = path.leg().until;
+    const auto goal =
+        std::ranges::find_if(until, [&](const Landing& landing) { return !reached(path, landing).empty(); });
+    if (goal == until.end()) break;
+    if (path.is_last_leg())
+      path.end(Ending::Kind::goal_reached, reached(path, *goal));
+    else
+      begin_next_leg(path);
+  }
+  const int wanted = path.parameters.stop.after_steps;
+  if (path.ending.kind == Ending::Kind::running && wanted > 0 && path.walker.effort().accepted >= wanted)
+    path.end(Ending::Kind::goal_reached, fmt::format("{} steps", path.walker.effort().accepted));
+}
+
+void look_for_standstill(PathState& path, const Point& point) {
+  const Candidate& here = path.walker.here();
+  const bool is_rescue = point.control == "sequentially_linear";
+  const std::string since =
+      path.standstill.add({here.state.d, here.state.load_factor, here.dissipated, is_rescue});
+  if (path.ending.kind != Ending::Kind::running || since.empty()) return;
+  const auto points = active_points(path.walker.system(), here.state);
+  path.end(
+      Ending::Kind::stopped_early,
+      fmt::format("standstill: {}{}; {}", since,
+                  points.empty() ? "" : "; active: " + places_of(path.walker.system(), points), what_to_try));
+}
+
+}  // namespace dda

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "continuation/follow/path_state.hpp"
+
+namespace dda {
+
+// Where a path has reached what it was to reach: decided here alone, of the equilibrium at which the walker
+// stands, whatever has led to it.
+
+/// A leg begins: gauges travel from here.
+void set_out(PathState& path);
+
+void note_travel(PathState& path);
+
+double share_of_goals(const PathState& path);
+
+/// Ends the path where it has reached its goal, and begins the next leg where only the leg has.
+void settle(PathState& path);
+
+/// Ends the path where nothing changes any more.
+void look_for_standstill(PathState& path, const Point& point);
+
+}  // namespace dda

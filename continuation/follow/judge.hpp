@@ -1,0 +1,38 @@
+#pragma once
+
+#include "continuation/follow/path_state.hpp"
+
+namespace dda {
+
+// Whether a converged state is the next point of the path.
+
+/// Work of the step less what it stored and dissipated [FL].
+double missing_work(const PathState& path, const Candidate& candidate);
+
+/// Whether more work of the step than `most` is neither stored nor dissipated, nor lost in rounding:
+/// quadrature error, or a jump.
+bool loses_work(const PathState& path, const Candidate& candidate, double most);
+
+/// Whether a step only opens, closes and slides joints, so that many kinks may lie in it.
+bool only_touches(const PathState& path, const Candidate& candidate);
+
+/// Whether the quadrature of the work misses a kink within the step: the energy balance of a run is the sum
+/// of these.
+bool is_coarse(const PathState& path, const Candidate& candidate);
+
+/// Why a converged state is no result: what nothing holds, or a point that bears more than its strength; ""
+/// when it is one.
+std::string unsoundness(const PathState& path, const Candidate& candidate);
+
+/// Why a converged state is not the next point of a path.
+struct Objection {
+  std::string why;          ///< "" when it is
+  bool is_unsound = false;  ///< it is no result at all
+};
+Objection objection_to(const PathState& path, const Candidate& candidate);
+
+/// Whether less was put in than is stored and spent, by more than the chord of a curved path and what
+/// tolerances leave explain.
+bool creates_energy(const PathState& path, const Candidate& beyond);
+
+}  // namespace dda

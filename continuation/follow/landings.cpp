@@ -1,0 +1,128 @@
+#include "continuation/follow/landings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "continuation/follow/trial.hpp"
+#include "continuation/state/reach.hpp"
+
+namespace dda {
+namespace {
+
+State between(const State& a, const State& b, double share) {
+  State out = a;
+  for (std::size_t i = 0; i < out.d.size(); ++i) out.d[i] += share * (b.d[i] - a.d[i]);
+  out.load_factor += share * (b.load_factor - a.load_factor);
+  for (std::size_t p = 0; p < out.multipliers.size(); ++p)
+    out.multipliers[p] += share * (b.multipliers[p] - a.multipliers[p]);
+  return out;
+}
+
+}  // namespace
+
+std::vector<Landing> present_landings(const PathState& path) {
+  std::vector<Landing> out = path.route.landings;
+  out.insert(out.end(), path.leg().until.begin(), path.leg().until.end());
+  if (path.is_last_leg() && !path.leg().unloads && path.parameters.stop.load_below > 0 &&
+      path.memory.peak_load > 0)
+    out.push_back(
+        {"load", path.load,
+         (path.memory.direction < 0 ? -1 : 1) * path.parameters.stop.load_below * path.memory.peak_load, true,
+         true});
+  return out;
+}
+
+std::optional<Crossing> first_crossing(const PathState& path, const Candidate& candidate) {
+  std::optional<Crossing> first;
+  for (const Landing& landing : present_landings(path)) {
+    const double from = path.walker.value(landing.gauge);
+    const double to = landing.gauge.value(candidate.state.d, candidate.state.load_factor);
+    if (std::abs(from - landing.value) <= same_value * std::max(std::abs(landing.value), std::abs(to - from)))
+      continue;
+    if ((from - landing.value) * (to - landing.value) > 0) continue;
+    if (landing.only_falling && std::abs(to) > std::abs(from)) continue;
+    const double share = (landing.value - from) / (to - from);
+    if (!first || share < first->share) first = Crossing{landing, share};
+  }
+  return first;
+}
+
+std::optional<Point> land(PathState& path, const Candidate& beyond, const Crossing& crossing,
+                          const std::string& control) {
+  const Landing& landing = crossing.landing;
+  const double step = landing.value - path.walker.value(landing.gauge);
+  const auto equation = make_gauge_equation(landing.gauge);
+  const std::string place = fmt::format("{}={:g}", landing.name, landing.value);
+  const std::string attempted = fmt::format("{}, landing on {}", control, place);
+  auto candidate = judged(
+      path, path.walker.attempt(*equation, step, between(path.walker.state(), beyond.state, crossing.share)),
+      attempted);
+  if (!candidate) return {};
+  constexpr double round_off = 1e-9;
+  if (candidate->dissipated > beyond.dissipated * (1 + round_off)) {
+    path.reject(attempted, "more energy is dissipated than beyond it");
+    return {};
+  }
+  Point point = keep(path, *std::move(candidate), control);
+  point.landed.push_back(place);
+  return point;
+}
+
+std::optional<Point> land_ahead(PathState& path, double amount, bool slides) {
+  Candidate predicted = path.walker.here();
+  predicted.state = path.walker.ahead(amount);
+  if (slides) predicted.dissipated = std::numeric_limits<double>::infinity();
+  const auto crossing = first_crossing(path, predicted);
+  return crossing ? land(path, predicted, *crossing, "event") : std::nullopt;
+}
+
+double amount_to_landing(const PathState& path) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Landing& landing : present_landings(path)) {
+    const double rate = path.walker.leaving().rate(landing.gauge);
+    const double amount = (landing.value - path.walker.value(landing.gauge)) / rate;
+    if (!landing.only_falling && amount > 0) nearest = std::min(nearest, amount);
+  }
+  return nearest;
+}
+
+double share_to_strength(const PathState& path, const Candidate& candidate) {
+  const System& system = path.walker.system();
+  const State &from = path.walker.state(), &to = candidate.state;
+  const auto before = system.laws(from.d, from.load_factor), after = system.laws(to.d, to.load_factor);
+  constexpr double round_off = 1e-10;
+  double share = 1;
+  for (std::size_t p = 0; p < before.opening.size(); ++p) {
+    const InterfacePoint& point = system.equilibrium().point(p);
+    if (!point.law->releases_at_once()) continue;
+    const LawAt law{*point.law, system.history()[p], point.stiffness};
+    share = std::min(share, share_to_kappa(law, before.opening[p], after.opening[p], round_off));
+  }
+  return share;
+}
+
+std::optional<Point> land_on_strength(PathState& path, const Candidate& beyond, const std::string& control) {
+  const double share = share_to_strength(path, beyond);
+  const auto equation = make_event_equation(path.walker.system(), Initiation::at_once);
+  auto candidate =
+      judged(path, path.walker.attempt(*equation, 1, between(path.walker.state(), beyond.state, share)),
+             control + ", landing on a strength");
+  if (!candidate) return {};
+  return keep(path, *std::move(candidate), control);
+}
+
+void report_passed(const PathState& path, const State& from, const State& to) {
+  for (const Landing& landing : present_landings(path)) {
+    const double before = landing.gauge.value(from.d, from.load_factor),
+                 after = landing.gauge.value(to.d, to.load_factor);
+    if ((before - landing.value) * (after - landing.value) < 0)
+      path.report("passed", fmt::format("{} = {:g} is passed by a jump from {:g} to {:g}", landing.name,
+                                        landing.value, before, after));
+  }
+}
+
+}  // namespace dda

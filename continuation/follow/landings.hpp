@@ -1,0 +1,41 @@
+#pragma once
+
+#include "continuation/follow/path_state.hpp"
+
+namespace dda {
+
+// Wanted values on which steps end exactly.
+
+/// A wanted value that a step passes.
+struct Crossing {
+  Landing landing;
+  double share;  ///< of the step, at which it lies
+};
+
+/// Those of the deck, of the leg, and the load below which the path ends.
+std::vector<Landing> present_landings(const PathState& path);
+
+/// The first that a step to the candidate passes.
+std::optional<Crossing> first_crossing(const PathState& path, const Candidate& candidate);
+
+/// The step that ends exactly there instead of beyond it.
+std::optional<Point> land(PathState& path, const Candidate& beyond, const Crossing& crossing,
+                          const std::string& control);
+
+/// Lands on a wanted value that lies before an event predicted `amount` ahead, up to which nothing is
+/// dissipated unless joints slide.
+std::optional<Point> land_ahead(PathState& path, double amount, bool slides = false);
+
+/// Along the leaving tangent to the first wanted value; infinite when none lies ahead.
+double amount_to_landing(const PathState& path);
+
+/// Share of a step at which a point that loses its strength at once reaches it; 1 when none does.
+double share_to_strength(const PathState& path, const Candidate& candidate);
+
+/// Lands where the first of those points stands exactly at its strength.
+std::optional<Point> land_on_strength(PathState& path, const Candidate& beyond, const std::string& control);
+
+/// Wanted values between which no equilibrium is recorded.
+void report_passed(const PathState& path, const State& from, const State& to);
+
+}  // namespace dda

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "continuation/follow/path_state.hpp"
+
+namespace dda {
+
+// Structures that move on while their load stays.
+
+/// Share of its displacement by which a mechanism moves on while the load stays.
+inline constexpr double mechanism_way = 0.1;
+
+/// Whether only the weak springs hold the structure any more: it moves far beyond what it did under its peak.
+bool is_mechanism(const PathState& path, const State& state);
+
+/// Load factor beyond the present one at which the next point reaches its strength; infinite where none does,
+/// and where strength is lost at once also where what slides and turns goes on as a mechanism long before.
+double amount_to_event(const PathState& path);
+
+/// Whether joints may slide, open or close although nothing cracks. Where strength may yet be lost at once
+/// the release finds what follows.
+bool can_slide(const PathState& path);
+
+/// By how much a load may change that stays.
+double standing_load(const PathState& path, double load);
+
+/// Whether the structure moves on by as much as makes a mechanism while its load stays.
+bool moves_freely(const PathState& path);
+
+}  // namespace dda

@@ -1,0 +1,90 @@
+#include "continuation/follow/pace.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "continuation/follow/judge.hpp"
+#include "continuation/follow/mechanism.hpp"
+
+namespace dda {
+namespace {
+
+/// What changes of the load are measured by: its largest so far, and where dead loads have cracked the
+/// structure before there is any, a hundredth of the forces that act.
+double load_size(const PathMemory& memory, const PathParameters& parameters) {
+  constexpr double hardly = 0.01;
+  const bool is_force = parameters.load_gauge.empty();
+  return std::max(memory.peak_load, is_force ? hardly * memory.largest_force : 0.0);
+}
+
+}  // namespace
+
+double first_amount(const PathState& path) {
+  const Tangent& leaving = path.walker.leaving();
+  if (!leaving.dissipates)
+    return 0.25 *
+           std::min(next_event(path.walker), std::max(1e-3, std::abs(path.walker.state().load_factor)));
+  constexpr double of_load = 0.02, of_opening = 0.1, of_way = 0.25;
+  const double load_rate = std::abs(leaving.rate(path.load)),
+               load = std::abs(path.load_of(path.walker.state()));
+  double amount = load > 0 && load_rate > 0 ? of_load * load / load_rate
+                  : load == 0               ? of_way * next_new_crack(path.walker)
+                                            : std::numeric_limits<double>::infinity();
+  const System& system = path.walker.system();
+  const auto laws = system.laws(path.walker.state().d, path.walker.state().load_factor);
+  for (std::size_t p = 0; p < laws.opening.size(); ++p) {
+    const History& h = system.history()[p];
+    if (!h.loading) continue;
+    const InterfacePoint& point = system.equilibrium().point(p);
+    const double rate =
+        point.law->opening_gradient(laws.opening[p], h, point.stiffness).dot(leaving.opening[p]);
+    const double left = point.law->rupture_kappa(point.stiffness) - system.kappa(p);
+    if (rate > 0 && left > 0) amount = std::min(amount, of_opening * left / rate);
+  }
+  return amount;
+}
+
+double unit_of(const PathState& path, const Move& move) {
+  return path.walker.leaving().dissipates ? 1 : std::abs(move.rate);
+}
+
+double sliding_amount(const PathState& path) {
+  constexpr double little = 0.001;
+  const double load_rate = std::abs(path.walker.leaving().rate(path.load));
+  return load_rate > 0 ? little * load_size(path.memory, path.parameters) / load_rate : 0;
+}
+
+double bounded(const PathState& path, double amount) {
+  const double load_rate = std::abs(path.walker.leaving().rate(path.load));
+  const double displacement_rate_now = std::abs(path.displacement_rate(path.walker.leaving()));
+  const double load_size_now = load_size(path.memory, path.parameters);
+  const bool only_slides = !path.walker.leaving().dissipates && can_slide(path);
+  const double of_load =
+      only_slides ? 1.5 : 1;  // steps of contacts alone are exact but for the order of changes
+  if (load_rate > 0 && load_size_now > 0)
+    amount = std::min(amount, of_load * path.parameters.step.largest * load_size_now / load_rate);
+  constexpr double of_displacement = 5;  // displacement may grow by half in one step of the default size
+  if (displacement_rate_now > 0 && path.memory.largest_displacement > 0)
+    amount = std::min(amount, of_displacement * path.parameters.step.largest *
+                                  path.memory.largest_displacement / displacement_rate_now);
+  return amount;
+}
+
+void resize(PathState& path, const Candidate& candidate, double amount, const Move& move) {
+  const State predicted = path.walker.ahead(amount);
+  const double load =
+      std::abs(path.load_of(predicted) - path.load_of(candidate.state)) /
+      std::max(load_size(path.memory, path.parameters), std::abs(path.load_of(candidate.state)));
+  const double displacement =
+      std::abs(path.displacement_of(predicted) - path.displacement_of(candidate.state)) /
+      std::max(path.memory.largest_displacement, std::abs(path.displacement_of(candidate.state)));
+  constexpr double balance_share = 0.005;  // of the accuracy, for the energy a step leaves unaccounted for
+  const double strayed = std::max(
+      {load, displacement, std::abs(missing_work(path, candidate)) / candidate.work / balance_share, 1e-12});
+  path.memory.step =
+      amount * unit_of(path, move) * std::clamp(std::sqrt(path.parameters.step.accuracy / strayed), 0.3, 2.0);
+  path.memory.step_control = move.control;
+}
+
+}  // namespace dda

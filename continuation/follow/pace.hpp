@@ -1,0 +1,27 @@
+#pragma once
+
+#include "continuation/follow/path_state.hpp"
+
+namespace dda {
+
+// How long the next step is.
+
+/// The first step after a crack: small against the load and against what the fastest point may still open;
+/// where dead loads have cracked and there is no load yet, against the way to the next crack.
+double first_amount(const PathState& path);
+
+/// What a step is measured in, per unit of the leaving tangent: the control's own quantity. Where cracks grow
+/// both are energies; elsewhere the tangent's unit, the load factor, may all but stand still.
+double unit_of(const PathState& path, const Move& move);
+
+/// How far a first step goes where contacts alone change, the nearest change being no measure: it may lie
+/// next to nothing ahead.
+double sliding_amount(const PathState& path);
+
+/// No step may be predicted to change load or displacement by more than the deck allows.
+double bounded(const PathState& path, double amount);
+
+/// The next step from how far this one strayed from its tangent.
+void resize(PathState& path, const Candidate& candidate, double amount, const Move& move);
+
+}  // namespace dda

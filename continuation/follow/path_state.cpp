@@ -1,0 +1,87 @@
+#include "continuation/follow/path_state.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "continuation/state/acceptance.hpp"
+#include "continuation/walk/energy.hpp"
+
+namespace dda {
+namespace {
+
+/// The path's load gauge: the deck's by name, else the stage's own.
+Functional find_load(const PathParameters& parameters, const GaugeBook& book, const Functional& fallback) {
+  const std::string& name = parameters.load_gauge;
+  if (name.empty()) return fallback;
+  for (const NamedGauge& gauge : book.gauges)
+    if (gauge.name == name) return gauge.functional;
+  throw InputError(parameters.where, "`load_gauge` names '" + name + "', which is not among the gauges");
+}
+
+}  // namespace
+
+PathState::PathState(Walker& stands, const PathParameters& wanted, const GaugeBook& gauges, Route way)
+    : walker(stands),
+      parameters(wanted),
+      control(wanted.control.make(gauges)),
+      load(find_load(wanted, gauges, walker.system().loading().load)),
+      displacement(displacement_of_load(walker.system().loading())),
+      route(std::move(way)),
+      travelling(gauges.gauges),
+      size(size_of(walker.system().equilibrium())),
+      standstill(walker.system().equilibrium().block_size(), size) {
+  if (std::ranges::find(travelling, "load", &NamedGauge::name) == travelling.end())
+    travelling.push_back({"load", walker.system().loading().load, dimension::force});
+  for (const auto& law : walker.system().equilibrium().interfaces().laws)
+    releases_at_once = releases_at_once || law->releases_at_once();
+  memory.largest_force = holding_of(walker.system(), walker.state()).load;
+}
+
+double PathState::load_of(const State& state) const {
+  return (memory.direction < 0 ? -1 : 1) * load.value(state.d, state.load_factor);
+}
+
+double PathState::smallest_load() const {
+  constexpr double margin = 10;
+  if (!parameters.load_gauge.empty()) return 0;
+  const StepperParameters& kept = walker.parameters();
+  const double gap = walker.system().iterates_multipliers() ? kept.multipliers.tolerance : 0;
+  return margin * (kept.newton.tolerance + gap) * memory.largest_force;
+}
+
+double PathState::displacement_of(const State& state) const {
+  return displacement.value(state.d, state.load_factor);
+}
+
+double PathState::displacement_rate(const Tangent& tangent) const { return tangent.rate(displacement); }
+
+std::optional<Point> PathState::end(Ending::Kind kind, std::string reason) {
+  if (kind == Ending::Kind::stopped_early && !unsound.empty())
+    end_unsound(reason);
+  else
+    ending = {kind, std::move(reason)};
+  return {};
+}
+
+/// The end where every equilibrium that was found is unsound: of a path that is followed to rupture its goal,
+/// when hardly any load is left.
+void PathState::end_unsound(const std::string& reason) {
+  const std::string why = std::exchange(unsound, {});
+  constexpr double hardly_any = 0.01;
+  const double left = std::abs(load_of(walker.state())) / memory.peak_load;
+  if (parameters.stop.load_below == 0 && walker.here().dissipated > 0 && left < hardly_any)
+    ending = {Ending::Kind::goal_reached,
+              fmt::format("complete rupture: {:.1e} of the peak was left; beyond, {}", left, why)};
+  else
+    ending = {Ending::Kind::stopped_early, fmt::format("{} ({})", why, reason)};
+}
+
+void PathState::reject(const std::string& control_name, const std::string& why) {
+  refusal = why;
+  ++walker.effort().rejected;
+  report("rejected", fmt::format("{}: {}", control_name, why));
+}
+
+}  // namespace dda

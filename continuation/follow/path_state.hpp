@@ -1,0 +1,58 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "continuation/follow/path_parameters.hpp"
+#include "continuation/follow/point.hpp"
+#include "continuation/state/standstill.hpp"
+#include "continuation/walk/walker.hpp"
+
+namespace dda {
+
+/// What following a path knows and remembers: where the walker stands, what the deck wants, and how the path
+/// has gone so far. Judging, landings, pace and the kinds of steps are functions of it.
+struct PathState {
+  PathState(Walker& stands, const PathParameters& wanted, const GaugeBook& gauges, Route way);
+
+  /// The load, positive in the direction of the first loading.
+  double load_of(const State& state) const;
+  /// A load below this is none: the tolerances of the equilibria leave as much of the other forces.
+  double smallest_load() const;
+  /// The displacement on which the load works, and its rate.
+  double displacement_of(const State& state) const;
+  double displacement_rate(const Tangent& tangent) const;
+  const Leg& leg() const { return route.legs[static_cast<std::size_t>(memory.leg)]; }
+  bool is_last_leg() const { return static_cast<std::size_t>(memory.leg) + 1 == route.legs.size(); }
+
+  /// Ends the path; where equilibria were found that are no results, by them. Nothing, for the caller to
+  /// return.
+  std::optional<Point> end(Ending::Kind kind, std::string reason);
+  /// Counts a step that is not taken, remembers why, and tells the log.
+  void reject(const std::string& control, const std::string& why);
+  void report(const std::string& event, const std::string& text) const {
+    if (listener) listener(event, text);
+  }
+
+  Walker& walker;
+  const PathParameters& parameters;
+  std::unique_ptr<Control> control;
+  Functional load;
+  Functional displacement;  ///< on which the load works
+  Route route;
+  std::vector<NamedGauge> travelling;  ///< whose travel is remembered
+  bool releases_at_once = false;       ///< some law does
+  double size = 0;                     ///< of the structure [L]
+  Standstill standstill;
+  std::string refusal;  ///< why the last try has not been taken
+  std::string unsound;  ///< what the last candidate of this step was refused for, beside equilibrium
+  std::optional<Candidate> jumped;  ///< an equilibrium that the last try found, refused as a jump
+  PathMemory memory;
+  Ending ending;
+  std::function<void(const std::string& event, const std::string& text)> listener;  ///< the log
+
+ private:
+  void end_unsound(const std::string& reason);
+};
+
+}  // namespace dda

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "models/body/functional.hpp"
+
+namespace dda {
+
+/// A value of a gauge on which a step is to end exactly.
+struct Landing {
+  std::string name;  ///< of the gauge
+  Functional gauge;
+  double value = 0;
+  bool ends_leg = false;
+  bool only_falling = false;  ///< counts only when passed downwards
+};
+
+/// Share of a value, or of the way to it, by which a gauge may be off and is taken to stand on it.
+inline constexpr double same_value = 1e-7;
+
+/// Turns of a displacement gauge that are deeper than this share of its largest value are seen in the rows of
+/// the path, whatever the size of the steps.
+inline constexpr double turn_depth = 0.005;
+
+/// A part of the path under the loads of its last stage: followed by the control, or unloaded.
+struct Leg {
+  std::string name;
+  bool unloads = false;        ///< leaves the damage surfaces and goes straight to `until`
+  std::vector<Landing> until;  ///< the next leg begins at the first of them
+};
+
+/// What a path is to pass: wanted gauge values, and its legs one after another.
+struct Route {
+  std::vector<Landing> landings;
+  std::vector<Leg> legs = {Leg{}};
+};
+
+/// How far a gauge has come since the leg began.
+struct Travel {
+  double from = 0;      ///< its value then
+  double farthest = 0;  ///< the value farthest from it so far
+};
+
+/// An accepted point of the path.
+struct Point {
+  int step = 0;
+  std::string control;
+  int newton_iterations = 0;
+  double residual = 0;  ///< of equilibrium, relative to the force level
+  int multiplier_iterations = 0;
+  double gap = 0;                   ///< relative, that iterated multipliers leave
+  double jump_energy = 0;           ///< released on the way here where no equilibrium path led [FL]
+  std::vector<std::string> landed;  ///< "cmod=0.1", "peak?" …: why fields should be kept here
+  bool is_highest = false;          ///< the largest load so far
+  /// Negative eigenvalues of the stiffness, every point on its damage surface loading: 0 where the
+  /// equilibrium is stable under dead load. Nothing where an unsymmetric stiffness does not tell
+  /// (unsymmetric_inertia.hpp).
+  std::optional<int> num_negative;
+  /// Motions whose second-order work is negative, dᵀ K d < 0; of a symmetric stiffness the same number.
+  std::optional<int> num_negative_work;
+  /// Those that are left under the control: 0 where it is stable if what the control prescribes is held.
+  std::optional<int> num_negative_under_control;
+  bool switched = false;  ///< the path leaves it by another branch than it would by itself
+};
+
+/// Why and how a path ended.
+struct Ending {
+  enum class Kind { running, goal_reached, stopped_early, interrupted };
+  Kind kind = Kind::running;
+  std::string reason;
+};
+
+/// What the path remembers beside the walker; a restart brings it back.
+struct PathMemory {
+  double peak_load = 0;      ///< largest load so far, in the direction of the first loading
+  int direction = 0;         ///< sign of the load gauge in the first loading; 0 before it
+  double step = 0;           ///< size of the next step in the control's quantity; 0 = choose
+  std::string step_control;  ///< the control that size belongs to
+  double largest_displacement = 0;
+  double jump_energy = 0;
+  double last_quantum = 0;   ///< energy dissipated by the last good step
+  double unaccounted = 0;    ///< Σ |work − storage − dissipation| of the single steps [FL]
+  double control = 0;        ///< what the control remembers
+  int leg = 0;               ///< which leg is being followed
+  int leg_start = 0;         ///< accepted steps before it
+  int surplus = 0;           ///< negative eigenvalues with which a branch may be left (Candidate::surplus)
+  double leg_peak = 0;       ///< largest load since the leg began
+  double largest_force = 0;  ///< Σ |force| of loads and driven springs, largest so far [F]
+  double imbalance = 0;      ///< work − storage − dissipation, jumps left out [FL]
+  std::map<std::string, Travel> travels;  ///< of all gauges, and of the load as `load`
+  int idle_looks = 0;                     ///< looks for a hidden peak, one after another, that found none
+  int idle_turn_looks = 0;                ///< and for hidden turns of gauges
+  bool has_slid = false;                  ///< a contact has changed since the start
+  bool is_mechanism = false;              ///< the load has stayed while the structure moved
+};
+
+}  // namespace dda

@@ -1,0 +1,121 @@
+#include "continuation/follow/trial.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "continuation/follow/branch.hpp"
+#include "continuation/follow/judge.hpp"
+#include "continuation/follow/landings.hpp"
+#include "continuation/state/acceptance.hpp"
+
+namespace dda {
+namespace {
+
+Attempt attempt(PathState& path, const Move& move, double amount, Thoroughness thoroughness) {
+  if (!move.arc)
+    return path.walker.attempt(*move.equation, move.to_event ? 1.0 : amount * move.rate,
+                               path.walker.ahead(amount), thoroughness);
+  ArcLength arc = *move.arc;
+  arc.length *= amount * move.rate;
+  return path.walker.attempt(arc);
+}
+
+/// Whether the load has gone back on the way to an event although nothing cracks.
+bool lies_behind(const PathState& path, const Candidate& candidate, const Move& move) {
+  constexpr double round_off = 1e-9;
+  const double ahead = candidate.state.load_factor - path.walker.state().load_factor;
+  const double rate = path.walker.leaving().load_factor;
+  return move.to_event && !path.walker.leaving().dissipates &&
+         ahead * rate < -round_off * std::abs(path.walker.state().load_factor * rate);
+}
+
+}  // namespace
+
+std::optional<Candidate> try_step(PathState& path, const Move& move, double amount,
+                                  Thoroughness thoroughness) {
+  auto candidate = judged(path, attempt(path, move, amount, thoroughness), move.control);
+  if (!candidate || !lies_behind(path, *candidate, move)) return candidate;
+  path.reject(move.control, "the event lies behind, where cracks close");
+  return {};
+}
+
+std::optional<Candidate> judged(PathState& path, const Attempt& tried, const std::string& control) {
+  std::string why = tried.reason;
+  path.jumped.reset();
+  if (tried.converged) {
+    Candidate candidate = path.walker.evaluate(tried);
+    const Objection objection = objection_to(path, candidate);
+    why = objection.why;
+    if (why.empty()) return candidate;
+    if (objection.is_unsound) path.unsound = why;
+    if (path.unsound.empty()) path.jumped = std::move(candidate);
+  }
+  path.reject(control, why);
+  return {};
+}
+
+Point keep(PathState& path, Candidate candidate, const std::string& control) {
+  Point out;
+  out.control = control;
+  out.newton_iterations = candidate.newton_iterations;
+  out.residual = candidate.residual;
+  out.multiplier_iterations = candidate.multiplier_iterations;
+  out.gap = candidate.gap;
+  const double load = path.load.value(candidate.state.d, candidate.state.load_factor);
+  path.memory.largest_force =
+      std::max(path.memory.largest_force, holding_of(path.walker.system(), candidate.state).load);
+  const bool is_loaded = std::abs(load) > path.smallest_load();
+  if (path.memory.direction == 0 && is_loaded) path.memory.direction = load > 0 ? 1 : -1;
+  constexpr double same = 1e-9;  // the first point of a plateau is the highest, whatever rounding adds
+  if (const double here = path.load_of(candidate.state);
+      is_loaded && here > (1 + same) * path.memory.peak_load) {
+    path.memory.peak_load = here;
+    out.is_highest = true;
+  }
+  path.memory.unaccounted += std::abs(missing_work(path, candidate));
+  path.memory.imbalance += missing_work(path, candidate);
+  path.memory.largest_displacement =
+      std::max(path.memory.largest_displacement, std::abs(path.displacement_of(candidate.state)));
+  if (const double quantum = candidate.dissipated - path.walker.here().dissipated; quantum > 0)
+    path.memory.last_quantum = quantum;
+  path.walker.accept(std::move(candidate));
+  out.step = path.walker.effort().accepted;
+  judge_stability(path, out);
+  choose_branch(path, out);
+  path.memory.surplus = path.walker.here().surplus().value_or(0);
+  return out;
+}
+
+std::optional<Point> jump_to(PathState& path, Candidate beyond, const std::string& control) {
+  if (!(beyond.residual <= path.parameters.newton.tolerance)) {
+    path.report("rejected", fmt::format("{}: relative residual {:.1e}", control, beyond.residual));
+    return {};
+  }
+  if (!(beyond.gap <= path.parameters.multipliers.tolerance)) {
+    path.report("rejected", fmt::format("{}: relative gap {:.1e}", control, beyond.gap));
+    return {};
+  }
+  if (creates_energy(path, beyond)) {
+    path.report("rejected", control + ": the jump would create energy");
+    return {};
+  }
+  if (const std::string why = unsoundness(path, beyond); !why.empty()) {
+    path.unsound = why;
+    path.report("rejected", fmt::format("{}: {}", control, why));
+    return {};
+  }
+  report_passed(path, path.walker.state(), beyond.state);
+  const double released = path.walker.jump(std::move(beyond));
+  path.memory.jump_energy += released;
+  path.memory.step = 0;
+  Candidate here = path.walker.here();
+  --path.walker.effort().accepted;
+  Point point = keep(path, std::move(here), control);
+  point.jump_energy = released;
+  return point;
+}
+
+}  // namespace dda

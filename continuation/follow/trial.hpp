@@ -1,0 +1,22 @@
+#pragma once
+
+#include "continuation/follow/path_state.hpp"
+
+namespace dda {
+
+// Trying a step, and what is done with its end.
+
+/// Tries a step of this length along the leaving tangent; nothing when it is rejected.
+std::optional<Candidate> try_step(PathState& path, const Move& move, double amount,
+                                  Thoroughness thoroughness = Thoroughness::usual);
+
+/// What an attempt has found, if that is the next point of this path; else it is rejected.
+std::optional<Candidate> judged(PathState& path, const Attempt& tried, const std::string& control);
+
+/// Moves on to a candidate and remembers what it changes.
+Point keep(PathState& path, Candidate candidate, const std::string& control);
+
+/// Accepts an equilibrium that no control led to; a wanted value can be passed but not landed on.
+std::optional<Point> jump_to(PathState& path, Candidate beyond, const std::string& control);
+
+}  // namespace dda

@@ -1,0 +1,42 @@
+#include "continuation/path/take_step.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "continuation/detour/release.hpp"
+#include "continuation/follow/advice.hpp"
+#include "continuation/step/controlled_step.hpp"
+#include "continuation/step/event_step.hpp"
+#include "continuation/step/increment_step.hpp"
+#include "continuation/step/release_step.hpp"
+#include "continuation/step/rescue_step.hpp"
+#include "continuation/step/unload_step.hpp"
+
+namespace dda {
+
+std::optional<Point> take_step(PathState& path) {
+  if (path.leg().unloads) return unload_step(path);
+  if (path.releases_at_once && path.control->load_increment() == 0 &&
+      is_release_pending(path.walker.system()))
+    return release_step(path);
+  if (path.walker.leaving().d.empty())
+    return path.end(
+        Ending::Kind::stopped_early,
+        fmt::format("the tangent stiffness is singular here: a part is free to move; {}", what_to_try));
+  const bool cracked = path.walker.here().dissipated > 0 || path.walker.leaving().dissipates;
+  if (path.control->load_increment() > 0) return increment_step(path);
+  if (!cracked) return event_step(path);
+  if (const std::string why = path.control->obstacle(path.walker.leaving()); !why.empty())
+    return path.end(Ending::Kind::stopped_early, why);
+  const Move move = path.control->next(path.walker);
+  const bool between_releases =
+      path.releases_at_once && !path.walker.leaving().dissipates && std::isfinite(next_event(path.walker));
+  if (!move.to_event && !between_releases) return controlled_step(path, move);
+  if (!path.walker.leaving().dissipates) return event_step(path);
+  auto point = sequential_step(path, "event", std::numeric_limits<double>::min());
+  return point ? point : path.end(Ending::Kind::stopped_early, "no interface limits the load any more");
+}
+
+}  // namespace dda

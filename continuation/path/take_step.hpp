@@ -1,0 +1,11 @@
+#pragma once
+
+#include "continuation/follow/path_state.hpp"
+
+namespace dda {
+
+// Which step a path takes next.
+
+std::optional<Point> take_step(PathState& path);
+
+}  // namespace dda

@@ -1,0 +1,60 @@
+#include "continuation/step/arrive.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "continuation/follow/branch.hpp"
+#include "continuation/follow/landings.hpp"
+#include "continuation/follow/pace.hpp"
+#include "continuation/follow/trial.hpp"
+
+namespace dda {
+namespace {
+
+double share_to_release(const PathState& path, const Candidate& candidate) {
+  return path.releases_at_once ? share_to_strength(path, candidate) : 1;
+}
+
+/// Tries again before what could not be landed on.
+Outcome stop_short(Stride& stride, std::string why, double share) {
+  stride.why = std::move(why);
+  stride.amount *= 0.5 * std::max(share, 0.1);
+  return {};
+}
+
+}  // namespace
+
+std::optional<Outcome> stop_at_branch(PathState& path, const Candidate& candidate, Stride& stride) {
+  auto unstable = first_unstable(path, candidate, stride.amount, stride.move);
+  if (!unstable) return {};
+  Point point = keep(path, *std::move(unstable), stride.move.control);
+  point.landed.emplace_back("bifurcation");
+  return Outcome{std::move(point)};
+}
+
+std::optional<Outcome> land_on_value(PathState& path, const Candidate& candidate, Stride& stride) {
+  const auto crossing = first_crossing(path, candidate);
+  if (!crossing || crossing->share > share_to_release(path, candidate)) return {};
+  if (auto point = land(path, candidate, *crossing, stride.move.control)) return Outcome{std::move(point)};
+  return stop_short(stride,
+                    fmt::format("no step ends on {} = {:g}, which lies on the way", crossing->landing.name,
+                                crossing->landing.value),
+                    crossing->share);
+}
+
+std::optional<Outcome> land_at_strength(PathState& path, const Candidate& candidate, Stride& stride) {
+  const double share = share_to_release(path, candidate);
+  if (share >= 1) return {};
+  if (auto point = land_on_strength(path, candidate, stride.move.control)) return Outcome{std::move(point)};
+  return stop_short(stride, "no step ends where the next point reaches its strength", share);
+}
+
+std::optional<Outcome> go_on(PathState& path, const Candidate& candidate, Stride& stride) {
+  resize(path, candidate, stride.amount, stride.move);
+  note_looks(path, stride.looked, candidate);
+  path.memory.step = std::max(path.memory.step, stride.looked_at);  // what was hidden is behind
+  return Outcome{keep(path, candidate, stride.move.control)};
+}
+
+}  // namespace dda

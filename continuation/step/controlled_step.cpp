@@ -1,0 +1,103 @@
+#include "continuation/step/controlled_step.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "continuation/follow/advice.hpp"
+#include "continuation/follow/pace.hpp"
+#include "continuation/follow/trial.hpp"
+#include "continuation/step/arrive.hpp"
+#include "continuation/step/refine.hpp"
+#include "continuation/step/rescue_step.hpp"
+#include "continuation/step/rupture.hpp"
+#include "continuation/step/snap.hpp"
+#include "continuation/step/turn.hpp"
+
+namespace dda {
+namespace {
+
+/// What is asked of a converged try, one after another; the first that has a say decides.
+constexpr std::array<Rung, 9> rungs{refuse_stray,  bracket_peak,     bracket_turn,
+                                    look_between,  refine_coarse,    stop_at_branch,
+                                    land_on_value, land_at_strength, go_on};
+
+Outcome climb(PathState& path, const Candidate& candidate, Stride& stride) {
+  for (const Rung rung : rungs)
+    if (auto outcome = rung(path, candidate, stride)) return *std::move(outcome);
+  return {};
+}
+
+/// A try that found no next point: where the load ends, joints snap or the path turns before its end, there.
+Outcome after_failure(PathState& path, Stride& stride, bool is_cut) {
+  if (path.load_of(path.walker.ahead(stride.amount / cut)) <= 0)
+    if (auto point = rupture(path)) return {std::move(point)};
+  if (path.jumped)
+    if (auto point = snap(path, *path.jumped, stride)) return {std::move(point)};
+  if (auto point = land_on_turn(path, stride, is_cut)) return {std::move(point)};
+  stride.amount *= cut;
+  return {};
+}
+
+/// Looks beyond the point where a control ends, by dissipation: the control's own word if the path turns
+/// against it.
+std::string turning_point(PathState& path) {
+  if (!path.walker.leaving().dissipates) return {};
+  const double smallest = std::max(path.memory.last_quantum, 1e-4 * path.walker.here().dissipated);
+  for (const double multiple : {1.0, 10.0, 100.0}) {
+    const auto beyond = try_step(path, dissipation_move(path.walker), multiple * smallest);
+    if (!beyond) continue;
+    if (std::string turned = path.control->obstacle(beyond->arriving); !turned.empty()) return turned;
+  }
+  return {};
+}
+
+/// Why a path ends whose control finds no next equilibrium.
+std::optional<Point> end_of_control(PathState& path, const Stride& stride) {
+  if (const std::string turned = turning_point(path); !turned.empty())
+    return path.end(Ending::Kind::stopped_early, turned);
+  constexpr double hardly_any = 1e-3;
+  const double left = std::abs(path.load_of(path.walker.state())) / path.memory.peak_load;
+  if (left < hardly_any)
+    return path.end(Ending::Kind::goal_reached,
+                    fmt::format("complete rupture: what is left is a mechanism ({:.1e} of the peak)", left));
+  if (!path.walker.leaving().keeps_equilibrium) {
+    path.unsound.clear();  // what was refused on the way is not why
+    return path.end(
+        Ending::Kind::stopped_early,
+        "the path ends here: no rates were found that keep the equilibrium, whichever points crack, unload, "
+        "slide and hold; the structure would go on dynamically");
+  }
+  return path.end(Ending::Kind::stopped_early, fmt::format("{} control found no next equilibrium: {}; {}",
+                                                           stride.move.control, stride.why, what_to_try));
+}
+
+}  // namespace
+
+std::optional<Point> controlled_step(PathState& path, const Move& move) {
+  const bool known = path.memory.step > 0 && path.memory.step_control == move.control;
+  const double first = bounded(path, known ? path.memory.step / unit_of(path, move) : first_amount(path));
+  if (path.load_of(path.walker.ahead(first)) <= 0 && path.load_of(path.walker.state()) > 0)
+    if (auto point = rupture(path)) return point;
+  Stride stride{.move = move,
+                .amount = first,
+                .natural = std::max(first, bounded(path, first_amount(path))),
+                .why = "the tangent does not tell how far a step may go"};
+  constexpr double few_cuts = 0.1;  // of the step: more is tried, which takes long, once they have not helped
+  while (stride.amount > smallest_share * first) {
+    const bool is_cut = stride.amount <= few_cuts * stride.natural;
+    const auto candidate =
+        try_step(path, move, stride.amount, is_cut ? Thoroughness::full : Thoroughness::usual);
+    if (!candidate) stride.why = path.refusal;
+    Outcome outcome = candidate ? climb(path, *candidate, stride) : after_failure(path, stride, is_cut);
+    if (outcome.point) return std::move(outcome.point);
+  }
+  if (auto point = rupture(path)) return point;
+  if (path.control->may_be_rescued())
+    if (auto point = sequential_step(path, "sequentially_linear", path.memory.last_quantum)) return point;
+  return end_of_control(path, stride);
+}
+
+}  // namespace dda

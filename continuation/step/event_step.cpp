@@ -1,0 +1,92 @@
+#include "continuation/step/event_step.hpp"
+
+#include <cmath>
+
+#include "continuation/follow/judge.hpp"
+#include "continuation/follow/landings.hpp"
+#include "continuation/follow/mechanism.hpp"
+#include "continuation/follow/trial.hpp"
+#include "continuation/step/rescue_step.hpp"
+#include "continuation/step/sliding_step.hpp"
+#include "continuation/step/stride.hpp"
+
+namespace dda {
+namespace {
+
+/// A part of the way to an event that cannot be reached in one step, or not without losing track of the
+/// energy, because contacts change on the way.
+std::optional<Point> approach(PathState& path, double amount) {
+  const Move move{.control = "load",
+                  .equation = make_gauge_equation({.rows = {}, .per_load_factor = 1}),
+                  .arc = {},
+                  .rate = path.walker.leaving().load_factor};
+  constexpr double resolved = 0.02;  // of the way: a kink of friction or contact need not be cut finer
+  for (double share = 0.5; share > smallest_share; share *= 0.5) {
+    const auto candidate = try_step(path, move, share * amount);
+    if (!candidate || is_mechanism(path, candidate->state) ||
+        (share > resolved && is_coarse(path, *candidate)))
+      continue;
+    if (const auto crossing = first_crossing(path, *candidate))
+      if (auto point = land(path, *candidate, *crossing, move.control)) return point;
+    return keep(path, *candidate, move.control);
+  }
+  return {};
+}
+
+}  // namespace
+
+std::optional<Point> event_step(PathState& path) {
+  const double amount = amount_to_event(path);
+  if (!std::isfinite(amount)) return can_slide(path) ? sliding_step(path) : linear_step(path);
+  path.control->obstacle(
+      path.walker.leaving());  // fixes the direction of a prescribed gauge on the elastic branch
+  if (auto point = land_ahead(path, amount)) return point;
+  const Move move = event_move(path.walker);
+  const auto candidate = try_step(path, move, amount);
+  if (!candidate) {
+    const std::string why = path.refusal;
+    if (path.control->may_be_rescued() && path.walker.leaving().dissipates)
+      if (auto point = sequential_step(path, "sequentially_linear", path.memory.last_quantum)) return point;
+    if (can_slide(path)) return sliding_step(path);
+    if (auto point = approach(path, amount)) return point;
+    if (path.control->may_be_rescued()) {
+      if (auto point = sequential_step(path, "sequentially_linear", path.memory.last_quantum)) return point;
+      if (auto point = driven_step(path)) return point;
+    }
+    return end_without_equilibrium(path, "the next initiation was not found: " + why);
+  }
+  if (is_coarse(path, *candidate)) {
+    if (auto point = can_slide(path) ? sliding_step(path) : approach(path, amount)) return point;
+    path.ending = {};  // no finer way was found: the event itself stands
+  }
+  if (const auto crossing = first_crossing(path, *candidate)) {
+    if (auto point = land(path, *candidate, *crossing, "event")) return point;
+    if (auto point = approach(path, crossing->share * amount)) return point;
+  }
+  path.memory.step = 0;
+  return keep(path, *candidate, move.control);
+}
+
+std::optional<Point> linear_step(PathState& path) {
+  const double rest = 1 - path.walker.state().load_factor;
+  constexpr double round_off = 1e-12;
+  if (rest <= round_off && path.walker.here().dissipated > 0)
+    return path.end(Ending::Kind::stopped_early, "no interface can crack any further under this load");
+  if (rest <= round_off)
+    return path.end(Ending::Kind::goal_reached, "nothing can crack; the full reference load is applied");
+  const Move move{.control = "load",
+                  .equation = make_gauge_equation({.rows = {}, .per_load_factor = 1}),
+                  .arc = {},
+                  .rate = path.walker.leaving().load_factor};
+  const auto candidate = try_step(path, move, rest / path.walker.leaving().load_factor);
+  const std::string why = path.refusal;
+  if (!candidate || is_coarse(path, *candidate)) {
+    auto point = approach(path, rest / path.walker.leaving().load_factor);
+    if (point || !candidate) return point ? point : path.end(Ending::Kind::stopped_early, why);
+  }
+  if (const auto crossing = first_crossing(path, *candidate))
+    if (auto point = land(path, *candidate, *crossing, move.control)) return point;
+  return keep(path, *candidate, move.control);
+}
+
+}  // namespace dda

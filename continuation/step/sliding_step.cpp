@@ -1,0 +1,138 @@
+#include "continuation/step/sliding_step.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "continuation/contact/contact_piece.hpp"
+#include "continuation/follow/landings.hpp"
+#include "continuation/follow/mechanism.hpp"
+#include "continuation/follow/pace.hpp"
+#include "continuation/follow/trial.hpp"
+#include "continuation/step/controlled_step.hpp"
+#include "continuation/step/event_step.hpp"
+
+namespace dda {
+namespace {
+
+/// How many joints slide and how many are apart.
+struct ContactCount {
+  int slide = 0, open = 0;
+};
+
+ContactCount count_contacts(const Walker& walker) {
+  const System& system = walker.system();
+  const LawValues laws = system.laws(walker.state().d, walker.state().load_factor);
+  ContactCount out;
+  for (std::size_t p = 0; p < laws.opening.size(); ++p) {
+    const InterfacePoint& point = system.equilibrium().point(p);
+    const History& h = system.history()[p];
+    const auto contact = point.law->contact(h, point.stiffness);
+    if (!contact) continue;
+    const ContactPiece piece = piece_at(*contact, laws.opening[p], h.sliding);
+    if (piece == ContactPiece::open)
+      ++out.open;
+    else if (piece != ContactPiece::stuck)
+      ++out.slide;
+  }
+  return out;
+}
+
+/// The control of a structure that slides: the control's own where it prescribes a gauge, else the
+/// displacement on which the load works, which goes on where the load does not.
+Move sliding_move(PathState& path) {
+  Move own = path.control->next(path.walker);
+  const bool serves = !own.to_event && own.control != "dissipation" && own.rate != 0;
+  if (serves) return own;
+  return {.control = "displacement",
+          .equation = make_gauge_equation(path.displacement),
+          .arc = {},
+          .rate = path.displacement_rate(path.walker.leaving())};
+}
+
+/// Exactly to where the first joint begins to slide, or opens or closes.
+std::optional<Point> first_slip(PathState& path, double change) {
+  if (auto point = land_ahead(path, change)) return point;
+  const Move move{.control = "event",
+                  .equation = make_gauge_equation({.rows = {}, .per_load_factor = 1}),
+                  .arc = {},
+                  .rate = path.walker.leaving().load_factor};
+  const auto candidate = try_step(path, move, change);
+  if (!candidate) return {};
+  path.memory.has_slid = true;
+  path.memory.step = 0;
+  Point point = keep(path, *candidate, move.control);
+  point.landed.emplace_back("first contact change");
+  return point;
+}
+
+/// No contact changes any more: up to the full reference load, unless contacts have changed on the way.
+std::optional<Point> linear_for_good(PathState& path) {
+  if (path.memory.has_slid || path.walker.here().dissipated > 0)
+    return path.end(
+        Ending::Kind::goal_reached,
+        fmt::format("no joint cracks, slides, opens or closes any more beyond a load factor of {:g}",
+                    path.walker.state().load_factor));
+  return linear_step(path);
+}
+
+/// A mechanism moves on while the load stays.
+void note_mechanism(PathState& path, Point& point, const State& before) {
+  const double load = path.load_of(path.walker.state()), change = std::abs(load - path.load_of(before));
+  const double along = std::abs(path.displacement_of(path.walker.state()) - path.displacement_of(before));
+  if (change > standing_load(path, load) || along < mechanism_way * std::abs(path.displacement_of(before)))
+    return;
+  const ContactCount count = count_contacts(path.walker);
+  const std::string text = fmt::format(
+      "{} as a mechanism at a load factor of {:.9g}: {} points slide, {} are open",
+      count.slide > 0 ? "slides" : "turns", path.walker.state().load_factor, count.slide, count.open);
+  if (!path.memory.is_mechanism) {
+    path.report("mechanism", text);
+    point.landed.emplace_back("mechanism");
+  }
+  path.memory.is_mechanism = true;
+  const auto is_goal = [](const Landing& landing) { return landing.ends_leg && !landing.only_falling; };
+  if (path.ending.kind == Ending::Kind::running && !std::ranges::any_of(present_landings(path), is_goal))
+    path.end(Ending::Kind::goal_reached, text);
+}
+
+}  // namespace
+
+std::optional<Point> sliding_step(PathState& path) {
+  if (const std::string why = path.control->obstacle(path.walker.leaving()); !why.empty())
+    return path.end(Ending::Kind::stopped_early, why);
+  const double change = next_contact_change(path.walker), goal = amount_to_landing(path);
+  const bool is_loaded = path.walker.here().stored > 0;
+  if (!std::isfinite(change) && is_loaded) {
+    const bool may_release = path.releases_at_once && std::isfinite(next_event(path.walker));
+    if (!std::isfinite(goal) && !may_release && !moves_freely(path)) return linear_for_good(path);
+    constexpr double beyond = 1.001;
+    if (std::isfinite(goal))
+      if (auto point = land_ahead(path, beyond * goal, true)) return point;
+  }
+  const bool is_far = std::isfinite(change) &&
+                      std::abs(path.walker.leaving().rate(path.load)) * change > path.smallest_load();
+  if (is_far && path.walker.here().dissipated == 0 && !path.memory.has_slid)
+    if (auto point = first_slip(path, change)) return point;
+  const Move move = sliding_move(path);
+  if (path.memory.step == 0 || path.memory.step_control != move.control) {
+    constexpr double part = 0.25;
+    double amount =
+        is_loaded && std::isfinite(change) ? part * change : 1 / std::abs(path.walker.leaving().load_factor);
+    if (path.memory.has_slid && is_loaded)
+      amount = part * std::abs(path.walker.state().load_factor / path.walker.leaving().load_factor);
+    amount = std::max(amount, sliding_amount(path));
+    path.memory.step = amount * unit_of(path, move);
+    path.memory.step_control = move.control;
+  }
+  const State before = path.walker.state();
+  auto point = controlled_step(path, move);
+  if (point) {
+    path.memory.has_slid = path.memory.has_slid || std::isfinite(change);
+    note_mechanism(path, *point, before);
+  }
+  return point;
+}
+
+}  // namespace dda

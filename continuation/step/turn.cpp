@@ -1,0 +1,40 @@
+#include "continuation/step/turn.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "continuation/follow/judge.hpp"
+#include "continuation/follow/landings.hpp"
+#include "continuation/follow/trial.hpp"
+
+namespace dda {
+
+std::optional<Point> land_on_turn(PathState& path, const Stride& stride, bool on_new_cracks) {
+  if (!path.walker.leaving().dissipates || !path.control->may_be_rescued()) return {};
+  const std::array<std::pair<double, Initiation>, 2> turns{
+      {{next_corner(path.walker), Initiation::corner},
+       {on_new_cracks ? next_new_crack(path.walker) : std::numeric_limits<double>::infinity(),
+        Initiation::new_one}}};
+  const auto& [amount, kind] = std::ranges::min(turns, {}, [](const auto& turn) { return turn.first; });
+  if (!(amount < 2 * stride.amount)) return {};
+  const Move landing{.control = kind == Initiation::corner ? "corner" : "initiation",
+                     .equation = make_event_equation(path.walker.system(), kind),
+                     .arc = {},
+                     .rate = 1,
+                     .to_event = true};
+  const auto candidate = try_step(path, landing, amount);
+  if (!candidate || first_crossing(path, *candidate) || before_peak(path, *candidate) ||
+      is_coarse(path, *candidate))
+    return {};
+  constexpr double progress = 1e-6;  // without it two points would hand the crack to and fro for ever
+  const double quantum = path.memory.last_quantum;
+  if (candidate->dissipated - path.walker.here().dissipated <= progress * quantum) return {};
+  path.memory.step = std::max(path.memory.step, amount);
+  path.memory.step_control = stride.move.control;
+  Point point = keep(path, *candidate, landing.control);
+  path.memory.last_quantum = std::max(path.memory.last_quantum, quantum);
+  return point;
+}
+
+}  // namespace dda

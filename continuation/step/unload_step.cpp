@@ -1,0 +1,38 @@
+#include "continuation/step/unload_step.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "continuation/follow/trial.hpp"
+
+namespace dda {
+
+std::optional<Point> unload_step(PathState& path) {
+  const Landing goal = path.leg().until.front();
+  const double rest = goal.value - path.walker.value(goal.gauge);
+  if (path.walker.leaving().d.empty())
+    return path.end(Ending::Kind::stopped_early, "the tangent stiffness is singular here");
+  if (path.walker.leaving().rate(goal.gauge) * rest < 0 && !path.walker.leaving().dissipates)
+    path.walker.turn_back();
+  const double rate = path.walker.leaving().rate(goal.gauge);
+  if (!(rate * rest > 0))
+    return path.end(Ending::Kind::stopped_early,
+                    fmt::format("unloading does not lead to {} = {:g}", goal.name, goal.value));
+  constexpr double parts = 10, smallest_share = 1e-4, cut = 0.25;
+  if (path.memory.step == 0) path.memory.step = std::abs(rest) / parts;
+  const Move move{
+      .control = "unloading", .equation = make_gauge_equation(goal.gauge), .arc = {}, .rate = rate};
+  for (double length = path.memory.step; length > smallest_share * path.memory.step; length *= cut) {
+    const bool arrives = length > (1 - 1e-9) * std::abs(rest);
+    const double amount = arrives ? rest / rate : length / std::abs(rate);
+    const auto candidate = try_step(path, move, amount);
+    if (!candidate) continue;
+    Point point = keep(path, *candidate, move.control);
+    if (arrives) point.landed.push_back(fmt::format("{}={:g}", goal.name, goal.value));
+    return point;
+  }
+  return path.end(Ending::Kind::stopped_early, "unloading found no next equilibrium: " + path.refusal);
+}
+
+}  // namespace dda

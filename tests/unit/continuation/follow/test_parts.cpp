@@ -1,0 +1,109 @@
+// The parts of following a path, each alone: on the bar of one interface, half way down its softening branch.
+#include <gmock/gmock.h>
+
+#include "continuation/follow/judge.hpp"
+#include "continuation/follow/landings.hpp"
+#include "continuation/follow/pace.hpp"
+#include "continuation/follow/turns.hpp"
+#include "unit/continuation/on_path.hpp"
+
+namespace dda {
+namespace {
+
+using testing::HasSubstr;
+
+class OnTheWayDown : public testing::Test {
+ protected:
+  OnTheWayDown() : bar_(1000, "stop: {load_below: 0.5}") {
+    for ([[maybe_unused]] const Point& point : bar_.path()) {
+    }
+  }
+
+  /// A little farther along the tangent; exact, the branch being straight.
+  Candidate ahead(double energy) {
+    Candidate out = bar_.walker().here();
+    out.state = bar_.walker().ahead(energy);
+    out.dissipated += energy;
+    const double stress = bar_.stress(), next = out.state.load_factor;
+    out.stored *= next * next / (stress * stress);
+    out.work += energy + out.stored - bar_.walker().here().stored;
+    out.arriving = bar_.walker().leaving();
+    return out;
+  }
+
+  Bar bar_;
+};
+
+TEST_F(OnTheWayDown, WhatBalancesIsTheNextPoint) {
+  PathState path = bar_.state();
+  const Candidate next = ahead(10);
+  EXPECT_NEAR(missing_work(path, next), 0, 1e-9);
+  EXPECT_EQ(objection_to(path, next).why, "");
+  EXPECT_FALSE(is_coarse(path, next));
+  EXPECT_FALSE(creates_energy(path, next));
+}
+
+TEST_F(OnTheWayDown, WhatLosesWorkHasJumped) {
+  PathState path = bar_.state();
+  Candidate next = ahead(10);
+  next.work += 12;
+  const Objection objection = objection_to(path, next);
+  EXPECT_THAT(objection.why, HasSubstr("the step jumps"));
+  EXPECT_FALSE(objection.is_unsound);
+  EXPECT_TRUE(is_coarse(path, next));
+}
+
+TEST_F(OnTheWayDown, WhatUnloadsRetracesTheBranch) {
+  PathState path = bar_.state();
+  Candidate next = bar_.walker().here();
+  next.state.load_factor *= 0.9;
+  for (double& d : next.state.d) d *= 0.9;
+  next.work += next.stored * (0.81 - 1);
+  next.stored *= 0.81;
+  EXPECT_THAT(objection_to(path, next).why, HasSubstr("retraces"));
+}
+
+TEST_F(OnTheWayDown, EnergyOutOfNothingIsCreated) {
+  PathState path = bar_.state();
+  Candidate next = ahead(10);
+  next.stored += 20;
+  EXPECT_TRUE(creates_energy(path, next));
+}
+
+TEST_F(OnTheWayDown, TheFirstOfTheValuesPassedIsLandedOn) {
+  const Candidate next = ahead(10);
+  const double from = bar_.elongation(), to = bar_.gauge().value(next.state.d, next.state.load_factor);
+  const auto wanted = [&](double share) { return Landing{"u", bar_.gauge(), from + share * (to - from)}; };
+  PathState path = bar_.state({.landings = {wanted(0.75), wanted(0.25), wanted(1.5)}});
+  const auto crossing = first_crossing(path, next);
+  ASSERT_TRUE(crossing);
+  EXPECT_NEAR(crossing->share, 0.25, 1e-12);
+  PathState beyond = bar_.state({.landings = {wanted(1.5)}});
+  EXPECT_FALSE(first_crossing(beyond, next));
+}
+
+TEST_F(OnTheWayDown, TheLimitPointIsSoughtWhereTheTangentsMeet) {
+  PathState path = bar_.state();
+  Candidate next = ahead(10);
+  EXPECT_FALSE(before_peak(path, next)) << "the load falls all the way";
+  path.memory.direction = -path.memory.direction;  // as if it were to grow the other way
+  path.memory.peak_load = path.load_of(path.walker.state());
+  next.arriving.load_factor *= -1;
+  for (double& rate : next.arriving.d) rate *= -1;
+  next.state = path.walker.state();
+  const auto share = before_peak(path, next);
+  ASSERT_TRUE(share);
+  EXPECT_NEAR(*share, 0.5, 1e-9);
+}
+
+TEST_F(OnTheWayDown, NoStepMayChangeTheLoadByMoreThanItsPeak) {
+  PathState path = bar_.state();
+  const double far = 1e9, amount = bounded(path, far);
+  const double change = std::abs(path.walker.leaving().rate(path.load)) * amount;
+  EXPECT_LT(amount, far);
+  EXPECT_LE(change, path.memory.peak_load * (1 + 1e-12));
+  EXPECT_EQ(bounded(path, 1e-9), 1e-9);
+}
+
+}  // namespace
+}  // namespace dda
