@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "continuation/control/step_kind.hpp"
 #include "continuation/detour/increment/load_solver.hpp"
 #include "continuation/walk/walker.hpp"
 #include "framework/deck/family.hpp"
@@ -12,7 +13,7 @@ namespace dda {
 
 /// What a control wants next.
 struct Move {
-  std::string control;                        ///< name of the equation, for the record
+  StepKind kind = StepKind::event;            ///< for the record
   std::shared_ptr<ControlEquation> equation;  ///< null for an arc length
   std::optional<ArcLength> arc;
   double rate = 0;        ///< change of the control's s per unit of the leaving tangent; the sign counts

@@ -58,7 +58,7 @@ double next_corner(const Walker& walker) {
 }
 
 Move event_move(const Walker& walker) {
-  return {.control = "event",
+  return {.kind = StepKind::event,
           .equation = make_event_equation(walker.system()),
           .arc = {},
           .rate = 1,
@@ -66,8 +66,10 @@ Move event_move(const Walker& walker) {
 }
 
 Move dissipation_move(const Walker& walker) {
-  return {
-      .control = "dissipation", .equation = make_dissipation_equation(walker.system()), .arc = {}, .rate = 1};
+  return {.kind = StepKind::dissipation,
+          .equation = make_dissipation_equation(walker.system()),
+          .arc = {},
+          .rate = 1};
 }
 
 double next_contact_change(const Walker& walker) {

@@ -11,11 +11,11 @@ namespace {
 /// A gauge prescribed step by step in one direction, λ multiplying the reference load.
 class GaugeControl final : public Control {
  public:
-  GaugeControl(std::string control, std::string name, Functional gauge)
-      : control_(std::move(control)), name_(std::move(name)), gauge_(std::move(gauge)) {}
+  GaugeControl(StepKind kind, std::string name, Functional gauge)
+      : kind_(kind), name_(std::move(name)), gauge_(std::move(gauge)) {}
 
   Move next(Walker& walker) override {
-    return {.control = control_,
+    return {.kind = kind_,
             .equation = make_gauge_equation(gauge_),
             .arc = {},
             .rate = walker.leaving().rate(gauge_)};
@@ -26,11 +26,11 @@ class GaugeControl final : public Control {
     if (now == 0) return fmt::format("'{}' does not move along the path", name_);
     if (direction_ == 0) direction_ = now > 0 ? 1.0 : -1.0;
     if (now * direction_ > 0) return {};
-    return control_ == "load"
+    return kind_ == StepKind::load
                ? "limit point of the load: load control cannot follow the path down; use `staged` or "
                  "`arc_length`"
                : fmt::format("'{}' snaps back here: {} control cannot follow; use `staged` or `arc_length`",
-                             name_, control_);
+                             name_, to_string(kind_));
   }
   double prescribed_rate(const Tangent& along) const override {
     return direction_ == 0 ? 1 : along.rate(gauge_) * direction_;
@@ -40,7 +40,8 @@ class GaugeControl final : public Control {
   void restore(double direction) override { direction_ = direction; }
 
  private:
-  std::string control_, name_;
+  StepKind kind_;
+  std::string name_;
   Functional gauge_;
   double direction_ = 0;  ///< in which the gauge moves from the start of the stage
 };
@@ -50,7 +51,8 @@ Schema<LoadControlParameters> load_schema() {
   return Schema<LoadControlParameters>("The load factor is prescribed; ends at the limit point.");
 }
 std::unique_ptr<Control> make_load(const LoadControlParameters&, const GaugeBook&) {
-  return std::make_unique<GaugeControl>("load", "load factor", Functional{.rows = {}, .per_load_factor = 1});
+  return std::make_unique<GaugeControl>(StepKind::load, "load factor",
+                                        Functional{.rows = {}, .per_load_factor = 1});
 }
 
 struct GaugeControlParameters {
@@ -81,11 +83,11 @@ Schema<GaugeControlParameters> gauge_schema(const std::string& text, const std::
 }
 std::unique_ptr<Control> make_displacement(const GaugeControlParameters& p, const GaugeBook& book) {
   const NamedGauge& gauge = find_gauge(p, book, book.first_displacement, "displacement");
-  return std::make_unique<GaugeControl>("displacement", gauge.name, gauge.functional);
+  return std::make_unique<GaugeControl>(StepKind::displacement, gauge.name, gauge.functional);
 }
 std::unique_ptr<Control> make_opening(const GaugeControlParameters& p, const GaugeBook& book) {
   const NamedGauge& gauge = find_gauge(p, book, book.first_opening, "opening");
-  return std::make_unique<GaugeControl>("opening", gauge.name, gauge.functional);
+  return std::make_unique<GaugeControl>(StepKind::opening, gauge.name, gauge.functional);
 }
 
 struct ArcLengthParameters {
@@ -109,7 +111,7 @@ class ArcLengthControl final : public Control {
                         .load_weight = weight_,
                         .length = leaving.load_factor < 0 ? -1.0 : 1.0,
                         .goal = load / norm};
-    return {.control = "arc_length", .equation = nullptr, .arc = arc, .rate = norm};
+    return {.kind = StepKind::arc_length, .equation = nullptr, .arc = arc, .rate = norm};
   }
   double memory() const override { return weight_; }
   void restore(double weight) override { weight_ = weight; }

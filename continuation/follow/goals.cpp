@@ -114,7 +114,7 @@ void settle(PathState& path) {
 
 void look_for_standstill(PathState& path, const Point& point) {
   const Candidate& here = path.walker.here();
-  const bool is_rescue = point.control == "sequentially_linear";
+  const bool is_rescue = point.kind == StepKind::sequentially_linear;
   const std::string since =
       path.standstill.add({here.state.d, here.state.load_factor, here.dissipated, is_rescue});
   if (path.ending.kind != Ending::Kind::running || since.empty()) return;

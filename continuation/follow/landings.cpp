@@ -51,13 +51,12 @@ std::optional<Crossing> first_crossing(const PathState& path, const Candidate& c
   return first;
 }
 
-std::optional<Point> land(PathState& path, const Candidate& beyond, const Crossing& crossing,
-                          const std::string& control) {
+std::optional<Point> land(PathState& path, const Candidate& beyond, const Crossing& crossing, StepKind kind) {
   const Landing& landing = crossing.landing;
   const double step = landing.value - path.walker.value(landing.gauge);
   const auto equation = make_gauge_equation(landing.gauge);
   const std::string place = fmt::format("{}={:g}", landing.name, landing.value);
-  const std::string attempted = fmt::format("{}, landing on {}", control, place);
+  const std::string attempted = fmt::format("{}, landing on {}", to_string(kind), place);
   auto candidate = judged(
       path, path.walker.attempt(*equation, step, between(path.walker.state(), beyond.state, crossing.share)),
       attempted);
@@ -67,7 +66,7 @@ std::optional<Point> land(PathState& path, const Candidate& beyond, const Crossi
     path.reject(attempted, "more energy is dissipated than beyond it");
     return {};
   }
-  Point point = keep(path, *std::move(candidate), control);
+  Point point = keep(path, *std::move(candidate), kind);
   point.landed.push_back(place);
   return point;
 }
@@ -77,7 +76,7 @@ std::optional<Point> land_ahead(PathState& path, double amount, bool slides) {
   predicted.state = path.walker.ahead(amount);
   if (slides) predicted.dissipated = std::numeric_limits<double>::infinity();
   const auto crossing = first_crossing(path, predicted);
-  return crossing ? land(path, predicted, *crossing, "event") : std::nullopt;
+  return crossing ? land(path, predicted, *crossing, StepKind::event) : std::nullopt;
 }
 
 double amount_to_landing(const PathState& path) {
@@ -105,14 +104,14 @@ double share_to_strength(const PathState& path, const Candidate& candidate) {
   return share;
 }
 
-std::optional<Point> land_on_strength(PathState& path, const Candidate& beyond, const std::string& control) {
+std::optional<Point> land_on_strength(PathState& path, const Candidate& beyond, StepKind kind) {
   const double share = share_to_strength(path, beyond);
   const auto equation = make_event_equation(path.walker.system(), Initiation::at_once);
   auto candidate =
       judged(path, path.walker.attempt(*equation, 1, between(path.walker.state(), beyond.state, share)),
-             control + ", landing on a strength");
+             to_string(kind) + ", landing on a strength");
   if (!candidate) return {};
-  return keep(path, *std::move(candidate), control);
+  return keep(path, *std::move(candidate), kind);
 }
 
 void report_passed(const PathState& path, const State& from, const State& to) {

@@ -19,8 +19,7 @@ std::vector<Landing> present_landings(const PathState& path);
 std::optional<Crossing> first_crossing(const PathState& path, const Candidate& candidate);
 
 /// The step that ends exactly there instead of beyond it.
-std::optional<Point> land(PathState& path, const Candidate& beyond, const Crossing& crossing,
-                          const std::string& control);
+std::optional<Point> land(PathState& path, const Candidate& beyond, const Crossing& crossing, StepKind kind);
 
 /// Lands on a wanted value that lies before an event predicted `amount` ahead, up to which nothing is
 /// dissipated unless joints slide.
@@ -33,7 +32,7 @@ double amount_to_landing(const PathState& path);
 double share_to_strength(const PathState& path, const Candidate& candidate);
 
 /// Lands where the first of those points stands exactly at its strength.
-std::optional<Point> land_on_strength(PathState& path, const Candidate& beyond, const std::string& control);
+std::optional<Point> land_on_strength(PathState& path, const Candidate& beyond, StepKind kind);
 
 /// Wanted values between which no equilibrium is recorded.
 void report_passed(const PathState& path, const State& from, const State& to);

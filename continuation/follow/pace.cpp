@@ -84,7 +84,7 @@ void resize(PathState& path, const Candidate& candidate, double amount, const Mo
       {load, displacement, std::abs(missing_work(path, candidate)) / candidate.work / balance_share, 1e-12});
   path.memory.step =
       amount * unit_of(path, move) * std::clamp(std::sqrt(path.parameters.step.accuracy / strayed), 0.3, 2.0);
-  path.memory.step_control = move.control;
+  path.memory.step_kind = move.kind;
 }
 
 }  // namespace dda

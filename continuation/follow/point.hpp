@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "continuation/control/step_kind.hpp"
 #include "models/body/functional.hpp"
 
 namespace dda {
@@ -47,7 +48,7 @@ struct Travel {
 /// An accepted point of the path.
 struct Point {
   int step = 0;
-  std::string control;
+  StepKind kind = StepKind::event;
   int newton_iterations = 0;
   double residual = 0;  ///< of equilibrium, relative to the force level
   int multiplier_iterations = 0;
@@ -75,10 +76,10 @@ struct Ending {
 
 /// What the path remembers beside the walker; a restart brings it back.
 struct PathMemory {
-  double peak_load = 0;      ///< largest load so far, in the direction of the first loading
-  int direction = 0;         ///< sign of the load gauge in the first loading; 0 before it
-  double step = 0;           ///< size of the next step in the control's quantity; 0 = choose
-  std::string step_control;  ///< the control that size belongs to
+  double peak_load = 0;               ///< largest load so far, in the direction of the first loading
+  int direction = 0;                  ///< sign of the load gauge in the first loading; 0 before it
+  double step = 0;                    ///< size of the next step in the control's quantity; 0 = choose
+  std::optional<StepKind> step_kind;  ///< which that size belongs to
   double largest_displacement = 0;
   double jump_energy = 0;
   double last_quantum = 0;   ///< energy dissipated by the last good step
@@ -95,6 +96,28 @@ struct PathMemory {
   int idle_turn_looks = 0;                ///< and for hidden turns of gauges
   bool has_slid = false;                  ///< a contact has changed since the start
   bool is_mechanism = false;              ///< the load has stayed while the structure moved
+
+  template <class Self, class Visit>
+  static void visit(Self& self, Visit& visit) {
+    visit("peak_load", self.peak_load);
+    visit("direction", self.direction);
+    visit("step", self.step);
+    visit("largest_displacement", self.largest_displacement);
+    visit("jump_energy", self.jump_energy);
+    visit("last_quantum", self.last_quantum);
+    visit("unaccounted", self.unaccounted);
+    visit("control", self.control);
+    visit("leg", self.leg);
+    visit("leg_start", self.leg_start);
+    visit("surplus", self.surplus);
+    visit("leg_peak", self.leg_peak);
+    visit("largest_force", self.largest_force);
+    visit("imbalance", self.imbalance);
+    visit("idle_looks", self.idle_looks);
+    visit("idle_turn_looks", self.idle_turn_looks);
+    visit("has_slid", self.has_slid);
+    visit("is_mechanism", self.is_mechanism);
+  }
 };
 
 }  // namespace dda

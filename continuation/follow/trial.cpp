@@ -36,9 +36,9 @@ bool lies_behind(const PathState& path, const Candidate& candidate, const Move& 
 
 std::optional<Candidate> try_step(PathState& path, const Move& move, double amount,
                                   Thoroughness thoroughness) {
-  auto candidate = judged(path, attempt(path, move, amount, thoroughness), move.control);
+  auto candidate = judged(path, attempt(path, move, amount, thoroughness), to_string(move.kind));
   if (!candidate || !lies_behind(path, *candidate, move)) return candidate;
-  path.reject(move.control, "the event lies behind, where cracks close");
+  path.reject(to_string(move.kind), "the event lies behind, where cracks close");
   return {};
 }
 
@@ -57,9 +57,9 @@ std::optional<Candidate> judged(PathState& path, const Attempt& tried, const std
   return {};
 }
 
-Point keep(PathState& path, Candidate candidate, const std::string& control) {
+Point keep(PathState& path, Candidate candidate, StepKind kind) {
   Point out;
-  out.control = control;
+  out.kind = kind;
   out.newton_iterations = candidate.newton_iterations;
   out.residual = candidate.residual;
   out.multiplier_iterations = candidate.multiplier_iterations;
@@ -89,22 +89,23 @@ Point keep(PathState& path, Candidate candidate, const std::string& control) {
   return out;
 }
 
-std::optional<Point> jump_to(PathState& path, Candidate beyond, const std::string& control) {
+std::optional<Point> jump_to(PathState& path, Candidate beyond, StepKind kind) {
+  const std::string& label = to_string(kind);
   if (!(beyond.residual <= path.parameters.newton.tolerance)) {
-    path.report("rejected", fmt::format("{}: relative residual {:.1e}", control, beyond.residual));
+    path.report("rejected", fmt::format("{}: relative residual {:.1e}", label, beyond.residual));
     return {};
   }
   if (!(beyond.gap <= path.parameters.multipliers.tolerance)) {
-    path.report("rejected", fmt::format("{}: relative gap {:.1e}", control, beyond.gap));
+    path.report("rejected", fmt::format("{}: relative gap {:.1e}", label, beyond.gap));
     return {};
   }
   if (creates_energy(path, beyond)) {
-    path.report("rejected", control + ": the jump would create energy");
+    path.report("rejected", label + ": the jump would create energy");
     return {};
   }
   if (const std::string why = unsoundness(path, beyond); !why.empty()) {
     path.unsound = why;
-    path.report("rejected", fmt::format("{}: {}", control, why));
+    path.report("rejected", fmt::format("{}: {}", label, why));
     return {};
   }
   report_passed(path, path.walker.state(), beyond.state);
@@ -113,7 +114,7 @@ std::optional<Point> jump_to(PathState& path, Candidate beyond, const std::strin
   path.memory.step = 0;
   Candidate here = path.walker.here();
   --path.walker.effort().accepted;
-  Point point = keep(path, std::move(here), control);
+  Point point = keep(path, std::move(here), kind);
   point.jump_energy = released;
   return point;
 }

@@ -14,9 +14,9 @@ std::optional<Candidate> try_step(PathState& path, const Move& move, double amou
 std::optional<Candidate> judged(PathState& path, const Attempt& tried, const std::string& control);
 
 /// Moves on to a candidate and remembers what it changes.
-Point keep(PathState& path, Candidate candidate, const std::string& control);
+Point keep(PathState& path, Candidate candidate, StepKind kind);
 
 /// Accepts an equilibrium that no control led to; a wanted value can be passed but not landed on.
-std::optional<Point> jump_to(PathState& path, Candidate beyond, const std::string& control);
+std::optional<Point> jump_to(PathState& path, Candidate beyond, StepKind kind);
 
 }  // namespace dda

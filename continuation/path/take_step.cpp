@@ -35,7 +35,7 @@ std::optional<Point> take_step(PathState& path) {
       path.releases_at_once && !path.walker.leaving().dissipates && std::isfinite(next_event(path.walker));
   if (!move.to_event && !between_releases) return controlled_step(path, move);
   if (!path.walker.leaving().dissipates) return event_step(path);
-  auto point = sequential_step(path, "event", std::numeric_limits<double>::min());
+  auto point = sequential_step(path, StepKind::event, std::numeric_limits<double>::min());
   return point ? point : path.end(Ending::Kind::stopped_early, "no interface limits the load any more");
 }
 

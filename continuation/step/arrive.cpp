@@ -28,7 +28,7 @@ Outcome stop_short(Stride& stride, std::string why, double share) {
 std::optional<Outcome> stop_at_branch(PathState& path, const Candidate& candidate, Stride& stride) {
   auto unstable = first_unstable(path, candidate, stride.amount, stride.move);
   if (!unstable) return {};
-  Point point = keep(path, *std::move(unstable), stride.move.control);
+  Point point = keep(path, *std::move(unstable), stride.move.kind);
   point.landed.emplace_back("bifurcation");
   return Outcome{std::move(point)};
 }
@@ -36,7 +36,7 @@ std::optional<Outcome> stop_at_branch(PathState& path, const Candidate& candidat
 std::optional<Outcome> land_on_value(PathState& path, const Candidate& candidate, Stride& stride) {
   const auto crossing = first_crossing(path, candidate);
   if (!crossing || crossing->share > share_to_release(path, candidate)) return {};
-  if (auto point = land(path, candidate, *crossing, stride.move.control)) return Outcome{std::move(point)};
+  if (auto point = land(path, candidate, *crossing, stride.move.kind)) return Outcome{std::move(point)};
   return stop_short(stride,
                     fmt::format("no step ends on {} = {:g}, which lies on the way", crossing->landing.name,
                                 crossing->landing.value),
@@ -46,7 +46,7 @@ std::optional<Outcome> land_on_value(PathState& path, const Candidate& candidate
 std::optional<Outcome> land_at_strength(PathState& path, const Candidate& candidate, Stride& stride) {
   const double share = share_to_release(path, candidate);
   if (share >= 1) return {};
-  if (auto point = land_on_strength(path, candidate, stride.move.control)) return Outcome{std::move(point)};
+  if (auto point = land_on_strength(path, candidate, stride.move.kind)) return Outcome{std::move(point)};
   return stop_short(stride, "no step ends where the next point reaches its strength", share);
 }
 
@@ -54,7 +54,7 @@ std::optional<Outcome> go_on(PathState& path, const Candidate& candidate, Stride
   resize(path, candidate, stride.amount, stride.move);
   note_looks(path, stride.looked, candidate);
   path.memory.step = std::max(path.memory.step, stride.looked_at);  // what was hidden is behind
-  return Outcome{keep(path, candidate, stride.move.control)};
+  return Outcome{keep(path, candidate, stride.move.kind)};
 }
 
 }  // namespace dda

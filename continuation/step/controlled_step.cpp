@@ -70,14 +70,15 @@ std::optional<Point> end_of_control(PathState& path, const Stride& stride) {
         "the path ends here: no rates were found that keep the equilibrium, whichever points crack, unload, "
         "slide and hold; the structure would go on dynamically");
   }
-  return path.end(Ending::Kind::stopped_early, fmt::format("{} control found no next equilibrium: {}; {}",
-                                                           stride.move.control, stride.why, what_to_try));
+  return path.end(Ending::Kind::stopped_early,
+                  fmt::format("{} control found no next equilibrium: {}; {}", to_string(stride.move.kind),
+                              stride.why, what_to_try));
 }
 
 }  // namespace
 
 std::optional<Point> controlled_step(PathState& path, const Move& move) {
-  const bool known = path.memory.step > 0 && path.memory.step_control == move.control;
+  const bool known = path.memory.step > 0 && path.memory.step_kind == move.kind;
   const double first = bounded(path, known ? path.memory.step / unit_of(path, move) : first_amount(path));
   if (path.load_of(path.walker.ahead(first)) <= 0 && path.load_of(path.walker.state()) > 0)
     if (auto point = rupture(path)) return point;
@@ -96,7 +97,8 @@ std::optional<Point> controlled_step(PathState& path, const Move& move) {
   }
   if (auto point = rupture(path)) return point;
   if (path.control->may_be_rescued())
-    if (auto point = sequential_step(path, "sequentially_linear", path.memory.last_quantum)) return point;
+    if (auto point = sequential_step(path, StepKind::sequentially_linear, path.memory.last_quantum))
+      return point;
   return end_of_control(path, stride);
 }
 

@@ -16,7 +16,7 @@ namespace {
 /// A part of the way to an event that cannot be reached in one step, or not without losing track of the
 /// energy, because contacts change on the way.
 std::optional<Point> approach(PathState& path, double amount) {
-  const Move move{.control = "load",
+  const Move move{.kind = StepKind::load,
                   .equation = make_gauge_equation({.rows = {}, .per_load_factor = 1}),
                   .arc = {},
                   .rate = path.walker.leaving().load_factor};
@@ -27,8 +27,8 @@ std::optional<Point> approach(PathState& path, double amount) {
         (share > resolved && is_coarse(path, *candidate)))
       continue;
     if (const auto crossing = first_crossing(path, *candidate))
-      if (auto point = land(path, *candidate, *crossing, move.control)) return point;
-    return keep(path, *candidate, move.control);
+      if (auto point = land(path, *candidate, *crossing, move.kind)) return point;
+    return keep(path, *candidate, move.kind);
   }
   return {};
 }
@@ -46,11 +46,13 @@ std::optional<Point> event_step(PathState& path) {
   if (!candidate) {
     const std::string why = path.refusal;
     if (path.control->may_be_rescued() && path.walker.leaving().dissipates)
-      if (auto point = sequential_step(path, "sequentially_linear", path.memory.last_quantum)) return point;
+      if (auto point = sequential_step(path, StepKind::sequentially_linear, path.memory.last_quantum))
+        return point;
     if (can_slide(path)) return sliding_step(path);
     if (auto point = approach(path, amount)) return point;
     if (path.control->may_be_rescued()) {
-      if (auto point = sequential_step(path, "sequentially_linear", path.memory.last_quantum)) return point;
+      if (auto point = sequential_step(path, StepKind::sequentially_linear, path.memory.last_quantum))
+        return point;
       if (auto point = driven_step(path)) return point;
     }
     return end_without_equilibrium(path, "the next initiation was not found: " + why);
@@ -60,11 +62,11 @@ std::optional<Point> event_step(PathState& path) {
     path.ending = {};  // no finer way was found: the event itself stands
   }
   if (const auto crossing = first_crossing(path, *candidate)) {
-    if (auto point = land(path, *candidate, *crossing, "event")) return point;
+    if (auto point = land(path, *candidate, *crossing, StepKind::event)) return point;
     if (auto point = approach(path, crossing->share * amount)) return point;
   }
   path.memory.step = 0;
-  return keep(path, *candidate, move.control);
+  return keep(path, *candidate, move.kind);
 }
 
 std::optional<Point> linear_step(PathState& path) {
@@ -74,7 +76,7 @@ std::optional<Point> linear_step(PathState& path) {
     return path.end(Ending::Kind::stopped_early, "no interface can crack any further under this load");
   if (rest <= round_off)
     return path.end(Ending::Kind::goal_reached, "nothing can crack; the full reference load is applied");
-  const Move move{.control = "load",
+  const Move move{.kind = StepKind::load,
                   .equation = make_gauge_equation({.rows = {}, .per_load_factor = 1}),
                   .arc = {},
                   .rate = path.walker.leaving().load_factor};
@@ -85,8 +87,8 @@ std::optional<Point> linear_step(PathState& path) {
     if (point || !candidate) return point ? point : path.end(Ending::Kind::stopped_early, why);
   }
   if (const auto crossing = first_crossing(path, *candidate))
-    if (auto point = land(path, *candidate, *crossing, move.control)) return point;
-  return keep(path, *candidate, move.control);
+    if (auto point = land(path, *candidate, *crossing, move.kind)) return point;
+  return keep(path, *candidate, move.kind);
 }
 
 }  // namespace dda

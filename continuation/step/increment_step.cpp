@@ -28,7 +28,7 @@ std::optional<Point> increment_step(PathState& path) {
       path.reject("load_increments", why);
       continue;
     }
-    auto point = jump_to(path, path.walker.settled(*found.settled), "load_increments");
+    auto point = jump_to(path, path.walker.settled(*found.settled), StepKind::load_increments);
     if (!point) {
       why = "what was found is not the next point of this path";
       continue;

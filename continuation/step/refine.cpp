@@ -39,7 +39,7 @@ std::optional<Outcome> refuse_stray(PathState& path, const Candidate& candidate,
   const std::string why = stray(path, candidate, path.walker.ahead(stride.amount));
   if (why.empty()) return {};
   stride.why = why;
-  path.reject(stride.move.control, why);
+  path.reject(to_string(stride.move.kind), why);
   stride.amount *= cut;
   return Outcome{};
 }

@@ -34,7 +34,7 @@ std::optional<Point> release_up_to(PathState& path, const Crossing& crossing, co
   const State& at = found->end.state;
   const double off = std::abs(landing.gauge.value(at.d, at.load_factor) - landing.value);
   if (off > same_value * std::abs(landing.value - path.walker.value(landing.gauge))) return {};
-  auto point = jump_to(path, path.walker.settled(found->end), "release");
+  auto point = jump_to(path, path.walker.settled(found->end), StepKind::release);
   if (point) point->landed.push_back(fmt::format("{}={:g}", landing.name, landing.value));
   return point;
 }
@@ -55,7 +55,7 @@ std::optional<Point> release_holding(PathState& path, const Functional* held) {
     if (!is_straight && most * cut > nearest) continue;
     if (const auto crossing = first_crossing(path, beyond))
       if (auto point = release_up_to(path, *crossing, held, most)) return point;
-    if (auto point = jump_to(path, std::move(beyond), "release")) return point;
+    if (auto point = jump_to(path, std::move(beyond), StepKind::release)) return point;
   }
   return {};
 }
@@ -67,7 +67,7 @@ std::optional<Point> release_by_jump(PathState& path) {
   const State start = path.walker.state();
   const auto accepted = [&](const std::optional<Settled>& found) {
     if (!found || is_mechanism(path, found->state)) return std::optional<Point>();
-    return jump_to(path, path.walker.settled(*found), "release");
+    return jump_to(path, path.walker.settled(*found), StepKind::release);
   };
   std::optional<Point> point;
   const auto piece = release_piece(system, start, path.parameters, {&path.displacement});

@@ -11,12 +11,12 @@
 #include "continuation/step/stride.hpp"
 
 namespace dda {
-std::optional<Point> sequential_step(PathState& path, const std::string& control, double quantum) {
+std::optional<Point> sequential_step(PathState& path, StepKind kind, double quantum) {
   const auto found = sequentially_linear(path.walker.system(), path.walker.state(), quantum);
   if (!found || is_mechanism(path, found->state)) return {};
   const double dissipated = path.walker.here().dissipated;
-  auto point = jump_to(path, path.walker.settled(*found), control);
-  if (point && control != "event") {
+  auto point = jump_to(path, path.walker.settled(*found), kind);
+  if (point && kind != StepKind::event) {
     ++path.walker.effort().rescues;
     path.report("rescued", fmt::format("sequentially linear steps dissipated {:.3e}",
                                        path.walker.here().dissipated - dissipated));
@@ -34,7 +34,7 @@ std::optional<Point> driven_step(PathState& path) {
     const auto found =
         release_at_gauge(path.walker.system(), start, path.parameters, {path.displacement, value});
     if (!found || is_mechanism(path, found->state)) continue;
-    auto point = jump_to(path, path.walker.settled(*found), "displacement");
+    auto point = jump_to(path, path.walker.settled(*found), StepKind::displacement);
     if (!point) continue;
     ++path.walker.effort().rescues;
     path.report("rescued",

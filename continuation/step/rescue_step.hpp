@@ -7,8 +7,8 @@ namespace dda {
 // Steps that no control leads along.
 
 /// Sequentially linear steps until at least `quantum` has been dissipated; the log calls them a rescue unless
-/// the control is "event".
-std::optional<Point> sequential_step(PathState& path, const std::string& control, double quantum);
+/// it is one to an event.
+std::optional<Point> sequential_step(PathState& path, StepKind kind, double quantum);
 
 /// The largest of some steps of the displacement on which the load works that ends in an equilibrium, what is
 /// beyond its strength there released at once: a path through contacts that change is not found by its

@@ -40,8 +40,8 @@ std::optional<Point> rupture(PathState& path) {
     return {};
   }
   if (const auto crossing = first_crossing(path, *candidate))
-    return land(path, *candidate, *crossing, "load");
-  Point point = keep(path, *std::move(candidate), "load");
+    return land(path, *candidate, *crossing, StepKind::load);
+  Point point = keep(path, *std::move(candidate), StepKind::load);
   point.landed.push_back("complete rupture");
   return point;
 }

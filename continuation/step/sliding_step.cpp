@@ -43,9 +43,9 @@ ContactCount count_contacts(const Walker& walker) {
 /// displacement on which the load works, which goes on where the load does not.
 Move sliding_move(PathState& path) {
   Move own = path.control->next(path.walker);
-  const bool serves = !own.to_event && own.control != "dissipation" && own.rate != 0;
+  const bool serves = !own.to_event && own.kind != StepKind::dissipation && own.rate != 0;
   if (serves) return own;
-  return {.control = "displacement",
+  return {.kind = StepKind::displacement,
           .equation = make_gauge_equation(path.displacement),
           .arc = {},
           .rate = path.displacement_rate(path.walker.leaving())};
@@ -54,7 +54,7 @@ Move sliding_move(PathState& path) {
 /// Exactly to where the first joint begins to slide, or opens or closes.
 std::optional<Point> first_slip(PathState& path, double change) {
   if (auto point = land_ahead(path, change)) return point;
-  const Move move{.control = "event",
+  const Move move{.kind = StepKind::event,
                   .equation = make_gauge_equation({.rows = {}, .per_load_factor = 1}),
                   .arc = {},
                   .rate = path.walker.leaving().load_factor};
@@ -62,7 +62,7 @@ std::optional<Point> first_slip(PathState& path, double change) {
   if (!candidate) return {};
   path.memory.has_slid = true;
   path.memory.step = 0;
-  Point point = keep(path, *candidate, move.control);
+  Point point = keep(path, *candidate, move.kind);
   point.landed.emplace_back("first contact change");
   return point;
 }
@@ -116,7 +116,7 @@ std::optional<Point> sliding_step(PathState& path) {
   if (is_far && path.walker.here().dissipated == 0 && !path.memory.has_slid)
     if (auto point = first_slip(path, change)) return point;
   const Move move = sliding_move(path);
-  if (path.memory.step == 0 || path.memory.step_control != move.control) {
+  if (path.memory.step == 0 || path.memory.step_kind != move.kind) {
     constexpr double part = 0.25;
     double amount =
         is_loaded && std::isfinite(change) ? part * change : 1 / std::abs(path.walker.leaving().load_factor);
@@ -124,7 +124,7 @@ std::optional<Point> sliding_step(PathState& path) {
       amount = part * std::abs(path.walker.state().load_factor / path.walker.leaving().load_factor);
     amount = std::max(amount, sliding_amount(path));
     path.memory.step = amount * unit_of(path, move);
-    path.memory.step_control = move.control;
+    path.memory.step_kind = move.kind;
   }
   const State before = path.walker.state();
   auto point = controlled_step(path, move);

@@ -19,7 +19,7 @@ std::optional<Point> snap(PathState& path, const Candidate& beyond, Stride& stri
   const double left = lost - (before.lost - lost) * amount / (before.amount - amount);
   if (!(left / lost > most)) return {};
   const double spent = beyond.dissipated - path.walker.here().dissipated;
-  auto point = jump_to(path, beyond, stride.move.control);
+  auto point = jump_to(path, beyond, stride.move.kind);
   if (!point) return {};
   path.memory.step = stride.natural * unit_of(path, stride.move);
   path.report("snapped",

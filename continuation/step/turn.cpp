@@ -18,7 +18,7 @@ std::optional<Point> land_on_turn(PathState& path, const Stride& stride, bool on
         Initiation::new_one}}};
   const auto& [amount, kind] = std::ranges::min(turns, {}, [](const auto& turn) { return turn.first; });
   if (!(amount < 2 * stride.amount)) return {};
-  const Move landing{.control = kind == Initiation::corner ? "corner" : "initiation",
+  const Move landing{.kind = kind == Initiation::corner ? StepKind::corner : StepKind::initiation,
                      .equation = make_event_equation(path.walker.system(), kind),
                      .arc = {},
                      .rate = 1,
@@ -31,8 +31,8 @@ std::optional<Point> land_on_turn(PathState& path, const Stride& stride, bool on
   const double quantum = path.memory.last_quantum;
   if (candidate->dissipated - path.walker.here().dissipated <= progress * quantum) return {};
   path.memory.step = std::max(path.memory.step, amount);
-  path.memory.step_control = stride.move.control;
-  Point point = keep(path, *candidate, landing.control);
+  path.memory.step_kind = stride.move.kind;
+  Point point = keep(path, *candidate, landing.kind);
   path.memory.last_quantum = std::max(path.memory.last_quantum, quantum);
   return point;
 }

@@ -22,13 +22,13 @@ std::optional<Point> unload_step(PathState& path) {
   constexpr double parts = 10, smallest_share = 1e-4, cut = 0.25;
   if (path.memory.step == 0) path.memory.step = std::abs(rest) / parts;
   const Move move{
-      .control = "unloading", .equation = make_gauge_equation(goal.gauge), .arc = {}, .rate = rate};
+      .kind = StepKind::unloading, .equation = make_gauge_equation(goal.gauge), .arc = {}, .rate = rate};
   for (double length = path.memory.step; length > smallest_share * path.memory.step; length *= cut) {
     const bool arrives = length > (1 - 1e-9) * std::abs(rest);
     const double amount = arrives ? rest / rate : length / std::abs(rate);
     const auto candidate = try_step(path, move, amount);
     if (!candidate) continue;
-    Point point = keep(path, *candidate, move.control);
+    Point point = keep(path, *candidate, move.kind);
     if (arrives) point.landed.push_back(fmt::format("{}={:g}", goal.name, goal.value));
     return point;
   }

@@ -24,6 +24,16 @@ struct Tangent {
 
   /// Rate of a gauge along the direction.
   double rate(const Functional& gauge) const { return gauge.value(d, load_factor) - gauge.constant; }
+
+  template <class Self, class Visit>
+  static void visit(Self& self, Visit& visit) {
+    visit("d", self.d);
+    visit("load_factor", self.load_factor);
+    visit("dissipates", self.dissipates);
+    visit("keeps_equilibrium", self.keeps_equilibrium);
+    visit("multipliers", self.multipliers);
+    visit("opening", self.opening);
+  }
 };
 
 /// Of the path's tangent in use, one for every unknown multiplier of the saddle point taken off.

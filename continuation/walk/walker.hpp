@@ -22,6 +22,17 @@ struct Effort {
   int reduced_iterations = 0;  ///< on the cracked points alone
   int multiplier_iterations = 0;
   int relaxation_iterations = 0;  ///< residuals that dynamic relaxation evaluated
+
+  template <class Self, class Visit>
+  static void visit(Self& self, Visit& visit) {
+    visit("accepted", self.accepted);
+    visit("rejected", self.rejected);
+    visit("rescues", self.rescues);
+    visit("newton_iterations", self.newton_iterations);
+    visit("reduced_iterations", self.reduced_iterations);
+    visit("multiplier_iterations", self.multiplier_iterations);
+    visit("relaxation_iterations", self.relaxation_iterations);
+  }
 };
 
 /// An equilibrium that a step may accept, with all that judging it needs.

@@ -24,6 +24,23 @@ struct History {
   Vec2 held{0, 0};        ///< traction at the beginning of a release [F/L²]
   Vec2 limit{0, 0};       ///< what t is limited to at the last accepted step while it is released [F/L²]
   double opened = 0;      ///< opening of what is torn but not yet released in full [L]
+
+  template <class Self, class Visit>
+  static void visit(Self& self, Visit& visit) {
+    visit("kappa", self.kappa);
+    visit("loading", self.loading);
+    visit("sliding", self.sliding);
+    visit("phase", self.phase);
+    visit("share", self.share);
+    visit("slip", self.slip);
+    visit("mixity", self.mixity);
+    visit("dissipated", self.dissipated);
+    visit("opening", self.opening);
+    visit("traction", self.traction);
+    visit("held", self.held);
+    visit("limit", self.limit);
+    visit("opened", self.opened);
+  }
 };
 
 /// Traction and tangent of one interface point in its local frame (n, s).

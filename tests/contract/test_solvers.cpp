@@ -271,11 +271,13 @@ TEST_P(SolverContract, UnsymmetricTangentsAreCounted) {
       const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> symmetric(k + k.transpose(),
                                                                      Eigen::EigenvaluesOnly);
       EXPECT_EQ(*found.of_symmetric_part, (symmetric.eigenvalues().array() < 0).count()) << "round " << round;
-      if (*found.of_symmetric_part < 2) EXPECT_TRUE(found.of_stiffness) << "round " << round;
+      if (*found.of_symmetric_part < 2) {
+        EXPECT_TRUE(found.of_stiffness) << "round " << round;
+      }
       if (!found.of_stiffness) continue;
       const auto lu = k.partialPivLu();
       const double sign = lu.matrixLU().diagonal().cwiseSign().prod();
-      const bool is_odd = lu.permutationP().determinant() * sign < 0;
+      const bool is_odd = static_cast<double>(lu.permutationP().determinant()) * sign < 0;
       EXPECT_EQ(*found.of_stiffness % 2 == 1, is_odd) << "round " << round;
       stable += *found.of_stiffness == 0;
       negative += *found.of_stiffness > 0;

@@ -21,7 +21,7 @@ std::vector<std::shared_ptr<const Material>> materials_of(const Assembly& assemb
 
 Traced traced(const Simulation& simulation, const Point& point) {
   const Candidate& here = simulation.walker().here();
-  Traced out{.control = point.control,
+  Traced out{.control = to_string(point.kind),
              .state = here.state,
              .load = here.load,
              .dissipated = here.dissipated,

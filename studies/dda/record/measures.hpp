@@ -18,6 +18,19 @@ struct Measurement {
   double dissipated = 0, stored = 0, work = 0;  ///< since the start of the run [FL]
   double load = 0;
   std::vector<double> values;  ///< gauges and reactions, see Measures
+
+  template <class Self, class Visit>
+  static void visit(Self& self, Visit& visit) {
+    visit("step", self.step);
+    visit("load_factor", self.load_factor);
+    visit("control", self.control);
+    visit("newton_iterations", self.newton_iterations);
+    visit("dissipated", self.dissipated);
+    visit("stored", self.stored);
+    visit("work", self.work);
+    visit("load", self.load);
+    visit("values", self.values);
+  }
 };
 
 /// What is recorded of every accepted state: the path's own numbers, every gauge and every reaction.

@@ -38,8 +38,8 @@ struct Cubic {
 
 /// What no continuous path led to.
 bool is_jump(const Point& point) {
-  return point.jump_energy != 0 || point.control == "release" || point.control == "load_increments" ||
-         point.control == "sequentially_linear";
+  return point.jump_energy != 0 || point.kind == StepKind::release ||
+         point.kind == StepKind::load_increments || point.kind == StepKind::sequentially_linear;
 }
 
 /// Marks what lies at the last row, and is an event only if the path goes on from it.
@@ -137,7 +137,7 @@ std::set<EventKind> PathEvents::add(const Point& point, const Walker& walker, bo
     if (find_extremum(1 + gauge, now, is_jump(point), is_last)) out.insert(EventKind::turning_point);
   if (find_bifurcation(now, point, is_last)) out.insert(EventKind::bifurcation);
   if (!point.landed.empty()) out.insert(EventKind::landing);
-  if (point.control == "release") out.insert(EventKind::release);
+  if (point.kind == StepKind::release) out.insert(EventKind::release);
   if (is_last) out.insert(EventKind::end);
   before_ = now;
   if (point.switched) before_.surplus.reset();  // the other branch counts its own
@@ -186,7 +186,7 @@ bool PathEvents::find_bifurcation(const Station& now, const Point& point, bool i
   if (!may_be_even && (*now.surplus - *before_.surplus) % 2 == 0) return false;
   const bool is_bracketed = std::ranges::find(point.landed, "bifurcation") != point.landed.end();
   const bool is_exact =
-      point.control == "event" || point.control == "initiation" || point.control == "corner";
+      point.kind == StepKind::event || point.kind == StepKind::initiation || point.kind == StepKind::corner;
   Json event{{"kind", "bifurcation"}};
   event["negative_eigenvalues"] = {before_.num_negative.value_or(0), now.num_negative.value_or(0)};
   event["located"] = is_bracketed || is_exact ? "at_step" : "in_step";

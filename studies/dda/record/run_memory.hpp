@@ -15,6 +15,12 @@ namespace dda {
 struct FirstCrack {
   int step = -1;
   Vec2 at = Vec2::Zero();
+
+  template <class Self, class Visit>
+  static void visit(Self& self, Visit& visit) {
+    visit("step", self.step);
+    visit("at", self.at);
+  }
 };
 
 /// What a run remembers beside its walker and path; a restart brings it back.

@@ -146,7 +146,7 @@ bool RunRecorder::is_due(const Point& point) const {
 void RunRecorder::record(const Point& point) {
   const auto scope = timings_.measure("output");
   const Measurement now =
-      measures_.measure(simulation_.walker(), point.step, point.control, point.newton_iterations);
+      measures_.measure(simulation_.walker(), point.step, to_string(point.kind), point.newton_iterations);
   memory_.last_step = point.step;
   last_ = now;
   events_here_ =
@@ -213,7 +213,7 @@ void RunRecorder::write_restart_file() {
 
 void RunRecorder::log_step(const Point& point, const Measurement& now) {
   Log::Fields fields{{"step", point.step},
-                     {"control", point.control},
+                     {"control", to_string(point.kind)},
                      {"load_factor", now.load_factor},
                      {"load", now.load},
                      {"newton_iterations", point.newton_iterations},

@@ -202,7 +202,7 @@ TEST(Path, DoesNotLandWhereItIs) {
   int landings = 0;
   for (const Point& point : beam.path()) {
     const double gain = beam.walker().here().dissipated - dissipated;
-    if (point.control == "initiation" || point.control == "corner") {
+    if (point.kind == StepKind::initiation || point.kind == StepKind::corner) {
       ++landings;
       EXPECT_GT(gain, 1e-6 * quantum) << "step " << point.step;
     }

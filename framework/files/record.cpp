@@ -1,0 +1,92 @@
+#include "framework/files/record.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+namespace dda {
+
+RecordWriter::RecordWriter(RestartData& data, std::string name)
+    : data_(data),
+      name_(std::move(name)),
+      numbers_(data.numbers[name_] = {}),
+      names_(&(data.texts[name_ + ".members"] = {})) {}
+
+void RecordWriter::operator()(const char* member, double value) {
+  numbers_.push_back(value);
+  if (names_) names_->emplace_back(member);
+}
+
+void RecordWriter::operator()(const char* member, const std::optional<int>& value) {
+  (*this)(member, value ? double(*value) : std::numeric_limits<double>::quiet_NaN());
+}
+
+void RecordWriter::operator()(const char* member, const Vec2& value) {
+  (*this)(member, value.x());
+  (*this)(member, value.y());
+}
+
+void RecordWriter::operator()(const char* member, const std::string& value) {
+  data_.texts[name_ + "." + member] = {value};
+}
+
+void RecordWriter::operator()(const char* member, const std::vector<double>& value) {
+  data_.numbers[name_ + "." + member] = value;
+}
+
+void RecordWriter::operator()(const char* member, const std::vector<Vec2>& value) {
+  std::vector<double>& flat = data_.numbers[name_ + "." + member] = {};
+  for (const Vec2& v : value) flat.insert(flat.end(), {v.x(), v.y()});
+}
+
+RecordReader::RecordReader(const RestartData& data, std::string name)
+    : data_(data),
+      name_(std::move(name)),
+      numbers_(array(data.numbers, "")),
+      names_(array(data.texts, ".members")) {}
+
+double RecordReader::next(const char* member) {
+  const bool is_named = at_ >= names_.size() || names_[at_] == member;  // all records are alike
+  if (names_.empty() || at_ >= numbers_.size() || !is_named)
+    throw std::runtime_error(fmt::format("the record '{}' has no '{}' at its place", name_, member));
+  return numbers_[at_++];
+}
+
+template <class Values>
+const Values& RecordReader::array(const std::map<std::string, Values>& arrays,
+                                  const std::string& suffix) const {
+  const auto found = arrays.find(name_ + suffix);
+  if (found == arrays.end()) throw std::runtime_error(fmt::format("there is no '{}{}'", name_, suffix));
+  return found->second;
+}
+
+void RecordReader::operator()(const char* member, std::optional<int>& value) {
+  const double number = next(member);
+  value = std::isnan(number) ? std::nullopt : std::optional(static_cast<int>(number));
+}
+
+void RecordReader::operator()(const char* member, Vec2& value) {
+  value.x() = next(member);
+  value.y() = next(member);
+}
+
+void RecordReader::operator()(const char* member, std::string& value) {
+  const auto& texts = array(data_.texts, std::string(".") + member);
+  if (texts.size() != 1) throw std::runtime_error(fmt::format("'{}.{}' is no text", name_, member));
+  value = texts.front();
+}
+
+void RecordReader::operator()(const char* member, std::vector<double>& value) {
+  value = array(data_.numbers, std::string(".") + member);
+}
+
+void RecordReader::operator()(const char* member, std::vector<Vec2>& value) {
+  const auto& flat = array(data_.numbers, std::string(".") + member);
+  value.clear();
+  for (std::size_t i = 0; i + 1 < flat.size(); i += 2) value.emplace_back(flat[i], flat[i + 1]);
+}
+
+}  // namespace dda
