@@ -1,5 +1,5 @@
 #!/bin/bash
-# What a user does to a sweep: start it, interrupt it, kill it, change it, misspell it, do it with GNU parallel.
+# What a user does to a sweep: start it, interrupt it, kill it, change it, misspell it, do it case by case.
 #   run_sweep_tests.sh PROGRAM BAR_DECK BEAM_DECK DECK_WITH_A_MESH
 set -u
 program=$(realpath "$1")
@@ -36,7 +36,7 @@ sweep:
 EOF
   expect 0 "a sweep" "$program" sweep bars.yaml
   said "4 goal_reached"
-  said "parallel -j "
+  said "xargs -P "
   has runs/bars case "1 2 3 4"
   has runs/bars folder "cases/001 cases/002 cases/003 cases/004"
   has runs/bars interfaces.crack.law.fracture_energy "0.1 0.1 0.2 0.2"
@@ -195,7 +195,7 @@ changed() {
 }
 
 # The line that --dry-run prints does what the sweep does, whatever stands in names and values.
-with_parallel() {
+case_by_case() {
   mkdir "it's here"
   cp "$bar" "it's here/a bar.yaml"
   cat >"it's here/odd.yaml" <<EOF
@@ -207,22 +207,26 @@ EOF
   expect 0 "a sweep of odd names" "$program" sweep "it's here/odd.yaml" --quiet --folder "one way"
   "$program" sweep "it's here/odd.yaml" --dry-run --folder "other way" --set record.fields_every=10 | tail -n 1 >line.sh
   is_absent "other way"
-  bash line.sh >said.log 2>&1 || complain "the line of parallel failed: $(cat said.log)"
+  bash line.sh >said.log 2>&1 || complain "the line of cases failed: $(cat said.log)"
   for case in 001 002 003 004; do
     same "one way/cases/$case/curve.csv" "other way/cases/$case/curve.csv"
     cmp -s <(grep -v '^#' "one way/cases/$case/effective_deck.yaml") \
-      <(grep -v '^#' "other way/cases/$case/effective_deck.yaml") || complain "parallel's case $case is another deck"
+      <(grep -v '^#' "other way/cases/$case/effective_deck.yaml") || complain "case $case alone is another deck"
   done
-  expect 0 "what parallel did counts" "$program" sweep "it's here/odd.yaml" --dry-run --folder "other way"
+  expect 0 "what was done case by case counts" "$program" sweep "it's here/odd.yaml" --dry-run --folder "other way"
   [ "$(grep -c 'goal_reached before' said.log)" -eq 4 ] || complain "not kept: $(cat said.log)"
+  expect 0 "a case that is done" "$program" sweep "it's here/odd.yaml" --folder "other way" --case 2 --set record.fields_every=10
+  expect 2 "a case that is not there" "$program" sweep "it's here/odd.yaml" --folder "other way" --case 5
+  said "the sweep has 4 cases"
+  expect 2 "no number" "$program" sweep "it's here/odd.yaml" --folder "other way" --case 0
   expect 0 "seeds" "$program" sweep "$beam" --quiet --folder seeds --set 'sweep.seed=[5]' --set path.stop.after_steps=3
   for folder in "seeds too" "seeds {} {1}"; do
     "$program" sweep "$beam" --dry-run --folder "$folder" --set 'sweep.seed=[5]' --set path.stop.after_steps=3 | tail -n 1 >line.sh
-    bash line.sh >said.log 2>&1 || complain "the line of parallel failed: $(cat said.log)"
+    bash line.sh >said.log 2>&1 || complain "the line of cases failed: $(cat said.log)"
     same seeds/cases/001/curve.csv "$folder/cases/001/curve.csv"
   done
 }
 
-for part in ${PARTS:-product_and_zip run_recognises_it several_decks wrong_input failing_cases killed_and_missing interrupted changed with_parallel}
+for part in ${PARTS:-product_and_zip run_recognises_it several_decks wrong_input failing_cases killed_and_missing interrupted changed case_by_case}
 do $part; done
 exit $failed

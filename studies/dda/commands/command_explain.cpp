@@ -23,7 +23,8 @@ Entries form the product; the last one runs fastest. The section stands in the d
 its own with `deck: base.yaml` (or a list) and perhaps a `title`.
 
   dda sweep FILE             runs what is missing into runs/NAME/cases/001, 002, ...; --jobs N at a time
-  dda sweep FILE --dry-run   prints the cases, and a line that does the same with GNU parallel
+  dda sweep FILE --dry-run   prints the cases, and a line that does them one by one
+  dda sweep FILE --case N    runs one of them alone, as in a batch queue
   dda run FILE --set sweep=  runs the deck alone; --set sweep.KEY=VALUES varies a key that the file does not
 
 In runs/NAME: sweep.csv (a row per case: settings, status, exit code, every number of summary.json) with its units,

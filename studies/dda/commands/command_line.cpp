@@ -139,7 +139,12 @@ void Grammar::add_many() {
   add_permissions(sweep);
   add_jobs(sweep);
   add_threads(sweep);
-  sweep->add_flag("--dry-run", line_.dry_run, "Print the cases and a line for GNU parallel, and run nothing");
+  sweep->add_flag("--dry-run", line_.dry_run,
+                  "Print the cases and a line that does them one by one, and run nothing");
+  sweep
+      ->add_option("--case", line_.only_case,
+                   "Run this case alone, from 1, unless it has a result; many at a time, as in a batch queue")
+      ->check(CLI::PositiveNumber);
   CLI::App* compare =
       add("compare", "Run a deck under several controls and compare the paths", command_compare);
   add_deck(compare);

@@ -6,7 +6,8 @@
 
 #include "framework/files/run_folder.hpp"
 #include "studies/dda/commands/commands.hpp"
-#include "studies/dda/sweep/parallel_line.hpp"
+#include "studies/dda/sweep/case_command.hpp"
+#include "studies/dda/sweep/processes.hpp"
 #include "studies/dda/sweep/sweep_progress.hpp"
 #include "studies/dda/sweep/sweep_runner.hpp"
 
@@ -50,24 +51,39 @@ std::vector<CaseState> states_of(const Earlier& earlier, bool overwrite) {
   return out;
 }
 
-void announce(const Sweep& sweep, const std::string& parallel, const Earlier& earlier,
+void announce(const Sweep& sweep, const std::string& by_cases, const Earlier& earlier,
               const std::vector<CaseState>& states) {
   if (earlier.has_changed)
     fmt::print(stderr, "{} has changed since: {} of its {} cases were there before\n", sweep.file.string(),
                earlier.num_kept(), sweep.cases.size());
   const auto done = std::ranges::count_if(states, &CaseState::has_result);
   fmt::print(stderr, "{}{}\n{}\n", count_text(states), done > 0 ? "; those with a result stay" : "",
-             parallel);
+             by_cases);
 }
 
-int dry_run(const Sweep& sweep, const std::string& parallel, const std::vector<CaseState>& states) {
+int dry_run(const Sweep& sweep, const std::string& by_cases, const std::vector<CaseState>& states) {
   for (std::size_t i = 0; i < states.size(); ++i)
     fmt::print("{}  {}{}\n", case_folder(sweep, i).filename().string(), settings_text(sweep, sweep.cases[i]),
                states[i].has_result() ? "  (" + name_of(states[i].status) + " before)"
                : states[i].can_resume ? "  (to be resumed)"
                                       : "");
-  fmt::print("{}\n", parallel);
+  fmt::print("{}\n", by_cases);
   return 0;
+}
+
+/// Becomes the run of one case, 1 the first; many at a time do no harm, each having its own folder.
+int run_case(const Sweep& sweep, const fs::path& folder, const Earlier& earlier, int number) {
+  const std::size_t count = sweep.cases.size(), index = static_cast<std::size_t>(number) - 1;
+  if (index >= count)
+    throw InputError(Position{"--case"},
+                     fmt::format("the sweep has {} cases, there is no case {}", count, number));
+  if (earlier.has_changed)
+    throw InputError(
+        Position{sweep.file.string()},
+        "has changed since the sweep began; `dda sweep` without --case first gives the cases their folders");
+  const CaseState state = state_of(folder / case_folder(sweep, index));
+  if (state.has_result()) return state.exit_code.value_or(0);
+  become(case_command(sweep, folder, index, state.can_resume));
 }
 
 }  // namespace
@@ -78,15 +94,16 @@ int command_sweep(const CommandLine& line) {
   const Sweep sweep = read_sweep(line.deck, line.overrides);
   const fs::path folder = folder_of(line);
   const Earlier earlier = examine(folder, sweep);
+  if (line.only_case > 0) return run_case(sweep, folder, earlier, line.only_case);
   std::vector<CaseState> states = states_of(earlier, line.run.overwrite);
   if (!line.run.overwrite) refuse_loss(folder, sweep, earlier);
-  const std::string parallel = parallel_line(sweep, folder, num_jobs(line));
-  if (line.dry_run) return dry_run(sweep, parallel, states);
+  const std::string by_cases = line_of_cases(sweep, folder, num_jobs(line));
+  if (line.dry_run) return dry_run(sweep, by_cases, states);
   open_folder(folder, line.run.overwrite);
   const auto lock = lock_sweep(folder);
   place_cases(folder, sweep, earlier, line.run.overwrite);
   write_whole(folder / "sweep.yaml", sweep.text, Flush::to_system);
-  if (!line.run.quiet) announce(sweep, parallel, earlier, states);
+  if (!line.run.quiet) announce(sweep, by_cases, earlier, states);
   SweepRunner runner(sweep, folder, std::move(states), {num_jobs(line), line.run.quiet});
   runner.run();
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();

@@ -18,6 +18,7 @@ struct CommandLine {
   std::filesystem::path out = "curves.svg";  ///< plot
   int jobs = 0;                              ///< runs of a sweep at a time; 0: one per processor
   bool dry_run = false;                      ///< sweep
+  int only_case = 0;                         ///< sweep; 0: all
   std::filesystem::path page;                ///< report; report.html in the folder when empty
   bool json = false;
   RunOptions run;

@@ -30,7 +30,7 @@ constexpr int exit_code_not_started = 127;
 
 /// What happens in the new process; only what is allowed between fork and exec, see signal-safety(7).
 /// /proc/self/exe is the running program even when its file has been replaced in the meantime.
-[[noreturn]] void become(char* const* arguments, int output, pid_t parent) {
+[[noreturn]] void begin_child(char* const* arguments, int output, pid_t parent) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (getppid() != parent) _exit(exit_code_not_started);  // it died before the line above
@@ -40,6 +40,14 @@ constexpr int exit_code_not_started = 127;
   dup2(output, STDERR_FILENO);
   execv("/proc/self/exe", arguments);
   _exit(exit_code_not_started);
+}
+
+/// As execv wants them.
+std::vector<char*> words_of(const std::string& program, const std::vector<std::string>& arguments) {
+  std::vector<char*> words{const_cast<char*>(program.c_str())};
+  for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
+  words.push_back(nullptr);
+  return words;
 }
 
 std::string end_of(int file) {
@@ -65,14 +73,12 @@ Processes::~Processes() {
 void Processes::start(std::size_t id, const std::vector<std::string>& arguments) {
   setenv("OMP_NUM_THREADS", threads_of_processes().c_str(), 1);
   const std::string program = program_file();
-  std::vector<char*> words{const_cast<char*>(program.c_str())};
-  for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
-  words.push_back(nullptr);
+  const std::vector<char*> words = words_of(program, arguments);
   const int output = memfd_create("output", MFD_CLOEXEC);
   if (output < 0) fail("memfd_create");
   const pid_t parent = getpid();
   const pid_t process = fork();
-  if (process == 0) become(words.data(), output, parent);
+  if (process == 0) begin_child(words.data(), output, parent);
   if (process < 0) {
     close(output);
     fail("fork");
@@ -94,6 +100,13 @@ std::optional<EndedProcess> Processes::take_ended() {
 
 void Processes::stop() {
   for (const Running& one : running_) kill(one.process, SIGTERM);
+}
+
+void become(const std::vector<std::string>& arguments) {
+  setenv("OMP_NUM_THREADS", threads_of_processes().c_str(), 1);
+  const std::string program = program_file();
+  execv("/proc/self/exe", words_of(program, arguments).data());
+  fail("execv");
 }
 
 std::string program_file() { return std::filesystem::read_symlink("/proc/self/exe").string(); }

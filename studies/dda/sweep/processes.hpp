@@ -45,6 +45,10 @@ class Processes {
   std::vector<Running> running_;
 };
 
+/// This process goes on as this very program with other arguments, OMP_NUM_THREADS being
+/// `threads_of_processes`. Throws OutputError when it cannot.
+[[noreturn]] void become(const std::vector<std::string>& arguments);
+
 /// The file of this program.
 std::string program_file();
 

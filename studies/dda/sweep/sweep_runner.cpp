@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "framework/messages/interrupt.hpp"
+#include "studies/dda/sweep/case_command.hpp"
 #include "studies/dda/sweep/sweep_figure.hpp"
 #include "studies/dda/sweep/sweep_files.hpp"
 
@@ -96,27 +97,11 @@ void SweepRunner::stop() {
 bool SweepRunner::start_next() {
   const std::size_t i = next();
   if (is_stopping_ || processes_.size() >= jobs_ || i == states_.size()) return false;
-  processes_.start(i, arguments(i));
+  processes_.start(i, case_command(sweep_, folder_, i, states_[i].can_resume));
   states_[i].status = CaseStatus::running;
   next_ = i + 1;
   has_news_ = true;
   return true;
-}
-
-std::vector<std::string> SweepRunner::arguments(std::size_t i) const {
-  const std::string folder = (folder_ / case_folder(sweep_, i)).string();
-  std::vector<std::string> out = options_of_processes();
-  if (states_[i].can_resume) {
-    out.insert(out.begin(), {"resume", folder, "--quiet"});
-    return out;
-  }
-  out.insert(out.begin(),
-             {"run", sweep_.cases[i].deck.string(), "--folder", folder, "--quiet", "--overwrite"});
-  for (const std::string& text : sweep_.cases[i].overrides) {
-    out.emplace_back("--set");
-    out.push_back(text);
-  }
-  return out;
 }
 
 bool SweepRunner::take_ended() {

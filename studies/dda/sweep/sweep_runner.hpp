@@ -40,7 +40,6 @@ class SweepRunner {
   void stop();
   bool start_next();
   bool take_ended();
-  std::vector<std::string> arguments(std::size_t index) const;
   CaseState outcome(const EndedProcess& ended) const;
 
   const Sweep& sweep_;

@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 
-#include "studies/dda/sweep/parallel_line.hpp"
+#include "studies/dda/sweep/case_command.hpp"
 #include "studies/dda/sweep/sweep_files.hpp"
 #include "studies/dda/sweep/sweep_folder.hpp"
 #include "unit/framework/deck/messages.hpp"
@@ -127,30 +127,22 @@ TEST_F(SweepFolder, TableHasEveryNumberAndBlanks) {
   EXPECT_EQ(json["axes"][0]["values"]["thickness"].size(), 3u);
 }
 
-TEST(ParallelLine, IsOneCommandWithPlaces) {
-  const SweepExample example(
-      "sweep: {deck: a.yaml, zip: {thickness: [1, 2], plane: [stress, strain]}, seed: 1..2}\n");
-  const std::string line = parallel_line(example.read({"path.stop.steps=7"}), "out", 3);
-  EXPECT_THAT(line, HasSubstr("parallel -j 3 "));
-  EXPECT_THAT(line, HasSubstr(" --set path.stop.steps=7 --set thickness={1} --set plane={2} --set "
-                              "scene.subdivision.seed={3} ::: 1 2 :::+ stress strain ::: 1 2"));
-}
-
-TEST(ParallelLine, IsAListOfCommandsWhereParallelWouldReadItsOwn) {
+TEST(CaseCommand, RunsACaseOrTheRestOfIt) {
   const SweepExample example("sweep: {deck: a.yaml, thickness: [1, 2]}\n");
-  EXPECT_THAT(parallel_line(example.read({"record={fields_every: 3}"}), "out", 1), HasSubstr("::: 1 2"));
-  for (const std::string folder : {"out{}", "out{1}", "{= x =}", "a{"})
-    EXPECT_THAT(parallel_line(example.read(), folder, 1), HasSubstr("--set thickness=2'")) << folder;
+  const Sweep sweep = example.read({"path.stop.steps=7"});
+  const std::string deck = sweep.cases[1].deck.string();
+  EXPECT_THAT(case_command(sweep, "out", 1, false),
+              ElementsAre("run", deck, "--folder", "out/cases/002", "--quiet", "--overwrite", "--set",
+                          "path.stop.steps=7", "--set", "thickness=2"));
+  EXPECT_THAT(case_command(sweep, "out", 1, true), ElementsAre("resume", "out/cases/002", "--quiet"));
 }
 
-TEST(ParallelLine, IsAListOfCommandsWhereSeedsStandElsewhere) {
-  const SweepExample example("sweep: {deck: [a.yaml, b.yaml], seed: [1]}\n");
-  Sweep sweep = example.read();
-  sweep.cases[1].seeds = {"elsewhere.seed"};
-  sweep.cases[1].overrides = {"elsewhere.seed=1"};
-  const std::string line = parallel_line(sweep, "out", 3);
-  EXPECT_THAT(line, HasSubstr("parallel -j 3 --will-cite ::: '"));
-  EXPECT_THAT(line, HasSubstr("b.yaml --quiet --folder out/cases/002 --set elsewhere.seed=1'"));
+TEST(LineOfCases, IsTheSweepItselfCaseByCase) {
+  const SweepExample example("sweep: {deck: a.yaml, thickness: [1, 2, 3]}\n");
+  const std::string line = line_of_cases(example.read({"title=it's {} here"}), "my runs", 2);
+  EXPECT_THAT(line, testing::StartsWith("seq 3 | OMP_NUM_THREADS="));
+  EXPECT_THAT(line, HasSubstr(" xargs -P 2 -n 1 "));
+  EXPECT_THAT(line, testing::EndsWith(" --quiet --folder 'my runs' --set 'title=it'\\''s {} here' --case"));
 }
 
 }  // namespace

@@ -1,0 +1,53 @@
+#include "studies/dda/sweep/case_command.hpp"
+
+#include <fmt/format.h>
+
+#include "studies/dda/sweep/processes.hpp"
+#include "studies/dda/sweep/sweep_folder.hpp"
+
+namespace dda {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Words = std::vector<std::string>;
+
+/// As a shell wants a word that it must not change.
+std::string quoted(const std::string& word) {
+  constexpr std::string_view harmless =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+./,:=@%";
+  if (!word.empty() && word.find_first_not_of(harmless) == std::string::npos) return word;
+  std::string out = "'";
+  for (const char c : word) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return out + "'";
+}
+
+void add_settings(const std::vector<std::string>& overrides, Words& out) {
+  for (const std::string& text : overrides) out.insert(out.end(), {"--set", text});
+}
+
+}  // namespace
+
+std::vector<std::string> case_command(const Sweep& sweep, const fs::path& folder, std::size_t index,
+                                      bool resumes) {
+  const std::string where = (folder / case_folder(sweep, index)).string();
+  const Words allowed = options_of_processes();
+  Words out =
+      resumes ? Words{"resume", where, "--quiet"}
+              : Words{"run", sweep.cases[index].deck.string(), "--folder", where, "--quiet", "--overwrite"};
+  out.insert(out.end(), allowed.begin(), allowed.end());
+  if (!resumes) add_settings(sweep.cases[index].overrides, out);
+  return out;
+}
+
+std::string line_of_cases(const Sweep& sweep, const fs::path& folder, int jobs) {
+  Words words{program_file(), "sweep", sweep.file.string(), "--quiet", "--folder", folder.string()};
+  for (const std::string& option : options_of_processes()) words.push_back(option);
+  add_settings(sweep.overrides, words);
+  std::string out = fmt::format("seq {} | OMP_NUM_THREADS={} xargs -P {} -n 1", sweep.cases.size(),
+                                quoted(threads_of_processes()), jobs);
+  for (const std::string& word : words) out += " " + quoted(word);
+  return out + " --case";
+}
+
+}  // namespace dda
