@@ -330,6 +330,24 @@ void LinearSystem::correct(std::span<const std::span<double>> solutions) {
   if (!active_.empty()) subtract_columns(active_, shares_of(solutions), solutions);
 }
 
+std::optional<Eigen::MatrixXd> LinearSystem::flexibility(std::span<const std::size_t> points) const {
+  const auto is_unknown = [&](std::size_t p) { return !has_columns(p); };
+  if (!updates() || std::ranges::any_of(points, is_unknown)) return {};
+  const auto at = [](std::size_t i) { return 2 * static_cast<Eigen::Index>(i); };
+  const Eigen::Index n = at(points.size()), r = at(active_.size());
+  Eigen::MatrixXd out(n, n), left(n, r), right(r, n);
+  for (std::size_t j = 0; j < points.size(); ++j) {
+    for (std::size_t i = 0; i < points.size(); ++i)
+      out.block<2, 2>(at(i), at(j)) = coupling(points[i], points[j]);
+    for (std::size_t a = 0; a < active_.size(); ++a) {
+      left.block<2, 2>(at(j), at(a)) = coupling(points[j], active_[a]);
+      right.block<2, 2>(at(a), at(j)) = update_of(active_[a]) * coupling(active_[a], points[j]);
+    }
+  }
+  if (r > 0) out.noalias() -= left * small_.solve(right);
+  return out;
+}
+
 Eigen::MatrixXd LinearSystem::shares_of(std::span<const std::span<double>> solutions) const {
   const auto r = static_cast<Eigen::Index>(2 * active_.size());
   const auto columns = static_cast<Eigen::Index>(solutions.size());

@@ -110,6 +110,11 @@ std::vector<Vec2> System::opened_by(std::size_t p, const Vec2& t) {
   return out;
 }
 
+std::optional<Eigen::MatrixXd> System::flexibility(std::span<const std::size_t> points) {
+  if (physical_) return {};
+  return path_linear().flexibility(points);
+}
+
 std::vector<Vec2> System::multiplier_rates(std::span<const double> d) const {
   std::vector<Vec2> out(multipliers_.size());
   for (std::size_t p = 0; p < out.size(); ++p) out[p] = opening_rate(p, d) - equilibrium_.opening(p, d);

@@ -204,17 +204,39 @@ class RateProblem {
     if (elastic.d.empty()) return {};
     const auto n = static_cast<Eigen::Index>(flags_.size());
     HingedRates out{Eigen::MatrixXd(n, n), Eigen::VectorXd(n)};
+    for (std::size_t i = 0; i < flags_.size(); ++i)
+      out.per_load[static_cast<Eigen::Index>(i)] = rate(i, elastic);
+    if (!couple_by_columns(out.couplings)) couple_by_solutions(out.couplings);
+    return out;
+  }
+
+  /// M of the hinges from the couplings of their points, where these are known.
+  bool couple_by_columns(Eigen::MatrixXd& m) {
+    std::vector<std::size_t> points;
+    for (const Flag& flag : flags_) points.push_back(flag.point);
+    const auto flexibility = system_.flexibility(points);
+    if (!flexibility) return false;
     const std::vector<Vec2> tractions = traction_rates();
-    for (Eigen::Index j = 0; j < n; ++j) {
+    for (Eigen::Index j = 0; j < m.cols(); ++j) {
       const auto at = static_cast<std::size_t>(j);
-      out.per_load[j] = rate(at, elastic);
+      const Vec2 force = system_.equilibrium().point(points[at]).weight * tractions[at];
+      for (Eigen::Index i = 0; i < m.rows(); ++i)
+        m(i, j) = gradients_[static_cast<std::size_t>(i)].dot(flexibility->block<2, 2>(2 * i, 2 * j) * force);
+    }
+    return true;
+  }
+
+  /// The same with a solution for each hinge.
+  void couple_by_solutions(Eigen::MatrixXd& m) {
+    const std::vector<Vec2> tractions = traction_rates();
+    for (Eigen::Index j = 0; j < m.cols(); ++j) {
+      const auto at = static_cast<std::size_t>(j);
       const std::vector<Vec2> opening = system_.opened_by(flags_[at].point, tractions[at]);
-      for (Eigen::Index i = 0; i < n; ++i) {
+      for (Eigen::Index i = 0; i < m.rows(); ++i) {
         const auto row = static_cast<std::size_t>(i);
-        out.couplings(i, j) = -gradients_[row].dot(opening[flags_[row].point]);
+        m(i, j) = -gradients_[row].dot(opening[flags_[row].point]);
       }
     }
-    return out;
   }
 
   /// a of t = D q + a ⟨g · q⟩ for each flag, D that of no flag: ∂t/∂q of the flag beyond D is a gᵀ.

@@ -124,6 +124,29 @@ TEST_P(SystemTest, ArrivingTangentKeepsTheResidualAndDissipatesOnePerUnit) {
   EXPECT_NEAR(rate, 1, 1e-9);
 }
 
+TEST_P(SystemTest, FlexibilityOfPointsIsWhatSolutionsGive) {
+  const State at = cracked_.state();
+  system_.set_history(system_.next_history(at.d, at.load_factor));
+  arriving_tangent(system_, at);
+  std::vector<std::size_t> points;
+  for (std::size_t p = 0; p < system_.history().size(); ++p)
+    if (system_.path_linear().has_columns(p)) points.push_back(p);
+  ASSERT_GE(points.size(), 2U);
+  const auto flexibility = system_.flexibility(points);
+  ASSERT_EQ(flexibility.has_value(), !system_.iterates_multipliers());
+  if (!flexibility) return;
+  const Vec2 t(0.3, -0.2);
+  for (std::size_t j = 0; j < points.size(); ++j) {
+    const std::vector<Vec2> opened = system_.opened_by(points[j], t);
+    const Vec2 force = cracked_.equilibrium().point(points[j]).weight * t;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Mat2 f =
+          flexibility->block<2, 2>(2 * static_cast<Eigen::Index>(i), 2 * static_cast<Eigen::Index>(j));
+      EXPECT_LT((f * force + opened[points[i]]).norm(), 1e-9 * opened[points[j]].norm());
+    }
+  }
+}
+
 TEST_P(SystemTest, NothingThatLeavesUnloads) {
   const State at = cracked_.state();
   system_.set_history(system_.next_history(at.d, at.load_factor));
