@@ -13,9 +13,8 @@ namespace dda {
 
 /// What a control wants next.
 struct Move {
-  StepKind kind = StepKind::event;            ///< for the record
-  std::shared_ptr<ControlEquation> equation;  ///< null for an arc length
-  std::optional<ArcLength> arc;
+  StepKind kind = StepKind::event;  ///< for the record
+  std::shared_ptr<ControlEquation> equation;
   double rate = 0;        ///< change of the control's s per unit of the leaving tangent; the sign counts
   bool to_event = false;  ///< s runs from 0 to 1 and ends on the next initiation
 };

@@ -58,18 +58,12 @@ double next_corner(const Walker& walker) {
 }
 
 Move event_move(const Walker& walker) {
-  return {.kind = StepKind::event,
-          .equation = make_event_equation(walker.system()),
-          .arc = {},
-          .rate = 1,
-          .to_event = true};
+  return {
+      .kind = StepKind::event, .equation = make_event_equation(walker.system()), .rate = 1, .to_event = true};
 }
 
 Move dissipation_move(const Walker& walker) {
-  return {.kind = StepKind::dissipation,
-          .equation = make_dissipation_equation(walker.system()),
-          .arc = {},
-          .rate = 1};
+  return {.kind = StepKind::dissipation, .equation = make_dissipation_equation(walker.system()), .rate = 1};
 }
 
 double next_contact_change(const Walker& walker) {

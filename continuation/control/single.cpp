@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numeric>
 
 #include "continuation/control/control.hpp"
 #include "framework/base/suggestion.hpp"
@@ -15,10 +16,7 @@ class GaugeControl final : public Control {
       : kind_(kind), name_(std::move(name)), gauge_(std::move(gauge)) {}
 
   Move next(Walker& walker) override {
-    return {.kind = kind_,
-            .equation = make_gauge_equation(gauge_),
-            .arc = {},
-            .rate = walker.leaving().rate(gauge_)};
+    return {.kind = kind_, .equation = make_gauge_equation(gauge_), .rate = walker.leaving().rate(gauge_)};
   }
 
   std::string obstacle(const Tangent& along) override {
@@ -95,46 +93,47 @@ struct ArcLengthParameters {
   double load_share = 0.1;
 };
 
-/// LOCA's arc length. The weight of the load factor is fixed once, by its share of the elastic response.
+/// Arc length, measured along the leaving tangent t = (d', λ')/‖(d', λ')‖,
+///
+///     N = ⟨d', d − d_start⟩ + θ² λ' (λ − λ_start) − s
+///
+/// with the inner product of the metric. The weight θ of the load factor is fixed once, by its share of the
+/// elastic response.
 class ArcLengthControl final : public Control {
  public:
   explicit ArcLengthControl(const ArcLengthParameters& p) : p_(p) {}
 
   Move next(Walker& walker) override {
     const Tangent& leaving = walker.leaving();
-    const double displacement = metric_norm(walker, leaving.d);
+    std::vector<double> weighted = leaving.d;
+    walker.system().apply_metric(p_.metric, weighted);
+    const double displacement =
+        std::sqrt(std::inner_product(weighted.begin(), weighted.end(), leaving.d.begin(), 0.0));
     if (weight_ == 0)
       weight_ = std::sqrt(p_.load_share / (1 - p_.load_share)) * displacement / std::abs(leaving.load_factor);
-    const double load = weight_ * std::abs(leaving.load_factor);
-    const double norm = std::hypot(displacement, load);
-    const ArcLength arc{.metric = p_.metric,
-                        .load_weight = weight_,
-                        .length = leaving.load_factor < 0 ? -1.0 : 1.0,
-                        .goal = load / norm};
-    return {.kind = StepKind::arc_length, .equation = nullptr, .arc = arc, .rate = norm};
+    const double norm = std::hypot(displacement, weight_ * leaving.load_factor);
+    Functional along{.rows = {}, .per_load_factor = weight_ * weight_ * leaving.load_factor / norm};
+    along.add_rows(1 / norm, weighted);
+    return {.kind = StepKind::arc_length, .equation = make_gauge_equation(std::move(along)), .rate = norm};
   }
   double memory() const override { return weight_; }
   void restore(double weight) override { weight_ = weight; }
 
  private:
-  double metric_norm(Walker& walker, std::vector<double> v) const {
-    const std::vector<double> original = v;
-    walker.system().apply_metric(p_.metric, v);
-    double sum = 0;
-    for (std::size_t i = 0; i < v.size(); ++i) sum += v[i] * original[i];
-    return std::sqrt(sum);
-  }
-
   ArcLengthParameters p_;
   double weight_ = 0;
 };
 
 Schema<ArcLengthParameters> arc_schema() {
   using P = ArcLengthParameters;
-  return Schema<P>("LOCA's arc length: the distance travelled in displacements and load is prescribed.")
-      .one_of("metric", &P::metric, {{"openings", Metric::openings}, {"natural", Metric::natural}},
-              {.fallback = Metric::openings,
-               .text = "What distance is: of the interface openings, or of all displacements."})
+  return Schema<P>("Arc length: the distance travelled in displacements and load is prescribed.")
+      .one_of(
+          "metric", &P::metric, {{"openings", Metric::openings}, {"natural", Metric::natural}},
+          {.fallback = Metric::openings,
+           .text =
+               "What distance is: of the interface openings, or (`natural`) of all displacements, rotations "
+               "and strains, which the elastic blocks move too: smaller steps along a crack, and each has a "
+               "solution of its own for all unknowns."})
       .number("load_share", &P::load_share,
               {.fallback = 0.1,
                .bounds = strictly_between(0, 1),

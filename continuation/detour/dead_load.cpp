@@ -36,7 +36,7 @@ std::string objection_to(const Candidate& found, const Walker& walker) {
 std::string release(Walker& walker) {
   System& system = walker.system();
   const State& at = walker.state();
-  const auto found = release_at_load(system, at, walker.parameters(), at.load_factor);
+  const auto found = release_at_load(walker.stepper(), at, at.load_factor);
   std::string why = "there is no equilibrium without it";
   if (found) {
     Candidate next = walker.settled(*found);

@@ -22,21 +22,21 @@ bool is_pending(const System& system, std::size_t p) {
 /// One release, from the start of a piece to its end.
 class Release {
  public:
-  Release(System& system, const State& start, const StepperParameters& parameters)
-      : system_(system),
+  Release(Stepper& stepper, const State& start)
+      : stepper_(stepper),
+        system_(stepper.system()),
         start_(start),
-        parameters_(parameters),
-        before_(system.history()),
-        openings_(system.laws_at(start.d, start.load_factor)->opening) {
+        before_(system_.history()),
+        openings_(system_.laws_at(start.d, start.load_factor)->opening) {
     for (std::size_t p = 0; p < before_.size(); ++p)
-      if (is_pending(system, p)) pending_.push_back(p);
+      if (is_pending(system_, p)) pending_.push_back(p);
   }
 
   std::optional<ReleasedPiece> next(const Functional* held, double most) {
     const HistoryGuard back(system_, start_.multipliers);
     const Functional own = held ? Functional{} : held_opening();
     const Functional& gauge = held ? *held : own;
-    HeldEquilibrium equilibrium(system_, parameters_, gauge, gauge.value(start_.d, start_.load_factor));
+    HeldEquilibrium equilibrium(stepper_, gauge, gauge.value(start_.d, start_.load_factor));
     auto out = at_share(equilibrium, most, start_);
     // Straight as long as no contact changes on the way; where one does, the crossing is sought again.
     constexpr int most_searches = 20;
@@ -104,9 +104,9 @@ class Release {
     return first;
   }
 
+  Stepper& stepper_;
   System& system_;
   const State& start_;
-  const StepperParameters& parameters_;
   const std::vector<History> before_;
   const std::vector<Vec2> openings_;
   std::vector<std::size_t> pending_;
@@ -120,9 +120,8 @@ bool is_release_pending(const System& system) {
   return false;
 }
 
-std::optional<ReleasedPiece> release_piece(System& system, const State& start,
-                                           const StepperParameters& parameters, const ReleaseAim& aim) {
-  return Release(system, start, parameters).next(aim.held, aim.most);
+std::optional<ReleasedPiece> release_piece(Stepper& stepper, const State& start, const ReleaseAim& aim) {
+  return Release(stepper, start).next(aim.held, aim.most);
 }
 
 namespace {
@@ -144,8 +143,8 @@ class AtGauge final : public LoadSolver {
  public:
   AtGauge(const Functional& gauge, double value) : gauge_(gauge), value_(value) {}
 
-  Found solve(System& system, const State& from, double, const StepperParameters& parameters) override {
-    HeldEquilibrium equilibrium(system, parameters, gauge_, value_);
+  Found solve(Stepper& stepper, const State& from, double) override {
+    HeldEquilibrium equilibrium(stepper, gauge_, value_);
     Found out;
     out.state = equilibrium.solve(from);
     out.newton_iterations = equilibrium.iterations();
@@ -159,18 +158,16 @@ class AtGauge final : public LoadSolver {
 
 }  // namespace
 
-std::optional<Settled> release_at_load(System& system, const State& start,
-                                       const StepperParameters& parameters, double load_factor) {
+std::optional<Settled> release_at_load(Stepper& stepper, const State& start, double load_factor) {
   const Functional load{.rows = {}, .per_load_factor = 1};
-  return release_at_gauge(system, start, parameters, {load, load_factor});
+  return release_at_gauge(stepper, start, {load, load_factor});
 }
 
-std::optional<Settled> release_at_gauge(System& system, const State& start,
-                                        const StepperParameters& parameters, const WantedGauge& wanted) {
-  const HistoryGuard back(system, start.multipliers);
-  release_pending(system, start);
+std::optional<Settled> release_at_gauge(Stepper& stepper, const State& start, const WantedGauge& wanted) {
+  const HistoryGuard back(stepper.system(), start.multipliers);
+  release_pending(stepper.system(), start);
   AtGauge solver(wanted.gauge, wanted.value);
-  return load_increment(system, start, {0, solver}, parameters).settled;
+  return load_increment(stepper, start, {0, solver}).settled;
 }
 
 }  // namespace dda

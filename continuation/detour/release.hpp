@@ -32,17 +32,14 @@ struct ReleaseAim {
 
 /// Next vertex of a release from an equilibrium: all pending points released, or the next point at its
 /// strength, or as far as is aimed at. Nothing when there is no equilibrium.
-std::optional<ReleasedPiece> release_piece(System& system, const State& start,
-                                           const StepperParameters& parameters, const ReleaseAim& aim);
+std::optional<ReleasedPiece> release_piece(Stepper& stepper, const State& start, const ReleaseAim& aim);
 
 /// Everything pending released in full at a load factor given, and whatever is beyond its strength there: a
 /// release that no continuous path leads through, because friction turns over on the way, jumps to an
 /// equilibrium behind it. Nothing when there is none.
-std::optional<Settled> release_at_load(System& system, const State& start,
-                                       const StepperParameters& parameters, double load_factor);
+std::optional<Settled> release_at_load(Stepper& stepper, const State& start, double load_factor);
 
 /// The same with the load factor free and a gauge held at a value.
-std::optional<Settled> release_at_gauge(System& system, const State& start,
-                                        const StepperParameters& parameters, const WantedGauge& wanted);
+std::optional<Settled> release_at_gauge(Stepper& stepper, const State& start, const WantedGauge& wanted);
 
 }  // namespace dda

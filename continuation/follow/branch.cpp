@@ -21,7 +21,7 @@ void judge_stability(const PathState& path, Point& point) {
 
 std::optional<Candidate> first_unstable(PathState& path, const Candidate& beyond, double amount,
                                         const Move& move) {
-  if (move.arc || path.memory.surplus > 0 || beyond.surplus().value_or(0) == 0) return {};
+  if (path.memory.surplus > 0 || beyond.surplus().value_or(0) == 0) return {};
   constexpr double resolved = 1e-6;
   const auto differ = [&](double a, double b, double unit) { return std::abs(a - b) > resolved * unit; };
   State stable = path.walker.state();

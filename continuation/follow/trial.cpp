@@ -15,12 +15,8 @@ namespace dda {
 namespace {
 
 Attempt attempt(PathState& path, const Move& move, double amount, Thoroughness thoroughness) {
-  if (!move.arc)
-    return path.walker.attempt(*move.equation, move.to_event ? 1.0 : amount * move.rate,
-                               path.walker.ahead(amount), thoroughness);
-  ArcLength arc = *move.arc;
-  arc.length *= amount * move.rate;
-  return path.walker.attempt(arc);
+  return path.walker.attempt(*move.equation, move.to_event ? 1.0 : amount * move.rate,
+                             path.walker.ahead(amount), thoroughness);
 }
 
 /// Whether the load has gone back on the way to an event although nothing cracks.
@@ -57,7 +53,10 @@ std::optional<Candidate> judged(PathState& path, const Attempt& tried, const std
   return {};
 }
 
-Point keep(PathState& path, Candidate candidate, StepKind kind) {
+namespace {
+
+/// The point that a candidate is to be, and what the path remembers of its load and displacement.
+Point noted(PathState& path, const Candidate& candidate, StepKind kind) {
   Point out;
   out.kind = kind;
   out.newton_iterations = candidate.newton_iterations;
@@ -75,18 +74,30 @@ Point keep(PathState& path, Candidate candidate, StepKind kind) {
     path.memory.peak_load = here;
     out.is_highest = true;
   }
-  path.memory.unaccounted += std::abs(missing_work(path, candidate));
-  path.memory.imbalance += missing_work(path, candidate);
   path.memory.largest_displacement =
       std::max(path.memory.largest_displacement, std::abs(path.displacement_of(candidate.state)));
+  return out;
+}
+
+/// The point at which the walker has arrived.
+Point arrived(PathState& path, Point point) {
+  point.step = path.walker.effort().accepted;
+  judge_stability(path, point);
+  choose_branch(path, point);
+  path.memory.surplus = path.walker.here().surplus().value_or(0);
+  return point;
+}
+
+}  // namespace
+
+Point keep(PathState& path, Candidate candidate, StepKind kind) {
+  Point out = noted(path, candidate, kind);
+  path.memory.unaccounted += std::abs(missing_work(path, candidate));
+  path.memory.imbalance += missing_work(path, candidate);
   if (const double quantum = candidate.dissipated - path.walker.here().dissipated; quantum > 0)
     path.memory.last_quantum = quantum;
   path.walker.accept(std::move(candidate));
-  out.step = path.walker.effort().accepted;
-  judge_stability(path, out);
-  choose_branch(path, out);
-  path.memory.surplus = path.walker.here().surplus().value_or(0);
-  return out;
+  return arrived(path, std::move(out));
 }
 
 std::optional<Point> jump_to(PathState& path, Candidate beyond, StepKind kind) {
@@ -109,14 +120,11 @@ std::optional<Point> jump_to(PathState& path, Candidate beyond, StepKind kind) {
     return {};
   }
   report_passed(path, path.walker.state(), beyond.state);
-  const double released = path.walker.jump(std::move(beyond));
-  path.memory.jump_energy += released;
+  Point point = noted(path, beyond, kind);
+  point.jump_energy = path.walker.jump(std::move(beyond));
+  path.memory.jump_energy += point.jump_energy;
   path.memory.step = 0;
-  Candidate here = path.walker.here();
-  --path.walker.effort().accepted;
-  Point point = keep(path, std::move(here), kind);
-  point.jump_energy = released;
-  return point;
+  return arrived(path, std::move(point));
 }
 
 }  // namespace dda

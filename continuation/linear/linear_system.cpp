@@ -207,7 +207,11 @@ Eigen::VectorXd LinearSystem::along_columns(const Functional& gauge) {
   std::vector<double> right(n(), 0.0);
   gauge.add_gradient(1, right);
   auto kept = std::ranges::find(gauges_, right, &Kept::right);
-  if (kept == gauges_.end()) kept = gauges_.insert(kept, Kept{std::move(right), {}});
+  if (kept == gauges_.end()) {
+    constexpr std::size_t most_kept = 8;  // of controls that come back; those of one step are not worth more
+    if (gauges_.size() == most_kept) gauges_.erase(gauges_.begin());
+    kept = gauges_.insert(gauges_.end(), Kept{std::move(right), {}});
+  }
   const std::vector<double>& solution = solution_of(*kept);
   Eigen::VectorXd out(2 * static_cast<Eigen::Index>(updated_.size()));
   for (std::size_t i = 0; i < updated_.size(); ++i)

@@ -44,29 +44,28 @@ void ContactSolver::prepare(const State& guess) {
 
 std::optional<Reduced> ContactSolver::solve(const StepGoal& goal) {
   if (has_offsets(system_) || !system_.has_contacts()) return {};
-  if (const auto sum = goal.control.as_sum(goal.step)) return solve_sum(*sum, goal.start, goal.guess);
+  if (const auto sum = goal.control.as_sum(goal.step)) return solve_sum(*sum, goal, goal.guess);
   return solve_tangents(goal);
 }
 
 /// Under a control that is a sum, taking points in until none is left out.
-std::optional<Reduced> ContactSolver::solve_sum(const ControlSum& sum, const State& start,
+std::optional<Reduced> ContactSolver::solve_sum(const ControlSum& sum, const StepGoal& goal,
                                                 const State& guess) {
   LinearSystem& linear = system_.contact_linear();
-  Reduced out{.state = guess};
+  int iterations = 0;
   constexpr int most_rounds = 60;
   for (int round = 0; round < most_rounds; ++round) {
-    if (linear.updated_points().size() > settings_.most_points) return {};
+    if (linear.updated_points().size() > most_points_) return {};
     if (!points_ || points_->num_points() != linear.updated_points().size())
       points_.emplace(system_, linear, sum);
     const auto scope = system_.timings().measure("contact");
-    const auto iterations = iterate(start, guess);
-    if (!iterations) return {};
-    out.iterations += *iterations;
-    out.state = points_->state();
-    out.state.multipliers = guess.multipliers;
-    const std::vector<std::size_t> added = newly_cracked(system_, linear, out.state);
+    auto out = iterate(goal, guess);
+    if (!out) return {};
+    out->iterations = iterations += out->iterations;
+    out->state.multipliers = guess.multipliers;
+    const std::vector<std::size_t> added = newly_cracked(system_, linear, out->state);
     if (added.empty()) {
-      refine(out);
+      refine(*out, goal.step);
       return out;
     }
     linear.add_points(added);
@@ -76,7 +75,7 @@ std::optional<Reduced> ContactSolver::solve_sum(const ControlSum& sum, const Sta
 
 /// Under a control that looks at every point: its tangent is a gauge, taken anew at each state found.
 std::optional<Reduced> ContactSolver::solve_tangents(const StepGoal& goal) {
-  Reduced out{.state = goal.guess};
+  Reduced out{.state = goal.guess, .x = {}};
   constexpr int most = 20;
   for (int i = 0; i < most; ++i) {
     const auto laws = system_.laws_at(out.state.d, out.state.load_factor);
@@ -87,42 +86,51 @@ std::optional<Reduced> ContactSolver::solve_tangents(const StepGoal& goal) {
     if (!tangent) return {};
     const ControlSum sum{.gauge = &tangent->gauge, .spends = false, .target = tangent->value, .scale = 1};
     points_.reset();
-    const auto found = solve_sum(sum, goal.start, out.state);
+    auto found = solve_sum(sum, goal, out.state);
     if (!found) return {};
-    out.state = found->state;
-    out.iterations += found->iterations;
+    found->iterations += out.iterations;
+    out = *std::move(found);
   }
   return {};
 }
 
 /// By Newton's method where something cracks, that is wanted and does it, else by walking: where only
 /// contacts change one walk is all, and Newton's method steps round between their pieces.
-std::optional<int> ContactSolver::iterate(const State& start, const State& guess) {
-  points_->start_at(guess);
+std::optional<Reduced> ContactSolver::iterate(const StepGoal& goal, const State& guess) {
+  const int most = stepper_.parameters().newton.max_iterations;
   if (tries_newton_ && !points_->only_touch())
-    if (const auto iterations = points_->newton(settings_.max_iterations, CrackedPoints::Cycles::end_it))
-      return iterations;
-  points_->start_at(start);
-  return points_->walk(settings_.max_iterations);
+    if (auto found = solve_from(points_->begin(guess, {.max_iterations = most}), goal.step, Method::newton))
+      return found;
+  return solve_from(points_->begin_walks(goal.start, {.max_iterations = most}), goal.step, Method::walk);
+}
+
+std::optional<Reduced> ContactSolver::solve_from(const Iterate& at, double step, Method method) {
+  Solved found = stepper_.solve({*points_, at, step, method});
+  if (!found.converged) return {};
+  State state = points_->state({found.x, found.load_factor});
+  return Reduced{std::move(state), std::move(found.x), found.iterations};
 }
 
 /// What rounding leaves of the equations of the whole structure is taken off as far as it can be, and where
 /// bodies only touch what the weak springs bear.
-void ContactSolver::refine(Reduced& found) {
+void ContactSolver::refine(Reduced& found, double step) {
   constexpr int most = 3;
+  const NewtonParameters& newton = stepper_.parameters().newton;
   double excess = system_.excess_residual(found.state);
   const bool once = points_->only_touch();
-  for (int i = 0; i < most && (excess > settings_.tolerance || (once && i == 0)); ++i) {
-    using enum CrackedPoints::Accuracy;
+  for (int i = 0; i < most && (excess > newton.tolerance || (once && i == 0)); ++i) {
+    using enum CrackedEquations::Accuracy;
     points_->refine();
-    const auto accuracy = once && excess > settings_.tolerance ? of_what_is_carried : of_openings;
-    if (!points_->walk(settings_.max_iterations, 1, accuracy)) return;
-    State next = points_->state();
-    next.multipliers = found.state.multipliers;
-    const double left = system_.excess_residual(next);
-    if (left > std::max(excess, settings_.tolerance)) return;
+    const auto accuracy = once && excess > newton.tolerance ? of_what_is_carried : of_openings;
+    auto next =
+        solve_from(points_->go_on_walking({newton.max_iterations, false, 1, accuracy}), step, Method::walk);
+    if (!next) return;
+    next->state.multipliers = found.state.multipliers;
+    const double left = system_.excess_residual(next->state);
+    if (left > std::max(excess, newton.tolerance)) return;
     excess = left;
-    found.state = std::move(next);
+    next->iterations += found.iterations;
+    found = *std::move(next);
   }
 }
 

@@ -2,17 +2,10 @@
 
 #include <optional>
 
-#include "continuation/contact/cracked_points.hpp"
+#include "continuation/solve/cracked_equations.hpp"
 #include "continuation/solve/reduced.hpp"
 
 namespace dda {
-
-/// How contacts are solved.
-struct ContactSettings {
-  int max_iterations = 15;
-  std::size_t most_points = 1500;  ///< more are not tried: dense equations grow with the third power
-  double tolerance = 1e-9;         ///< of the equations of the whole structure, relative
-};
 
 /// Contact and friction solved exactly on the points that are not held as in the intact structure, with
 /// Newton's method for what cracks around it, also under frozen damage, iterated multipliers and controls
@@ -24,8 +17,9 @@ struct ContactSettings {
 /// as while multipliers are iterated.
 class ContactSolver {
  public:
-  ContactSolver(System& system, const State& near, const ContactSettings& settings)
-      : system_(system), settings_(settings) {
+  /// More than `most_points` are not tried: dense equations grow with the third power.
+  ContactSolver(Stepper& stepper, const State& near, std::size_t most_points)
+      : stepper_(stepper), system_(stepper.system()), most_points_(most_points) {
     prepare(near);
   }
 
@@ -40,15 +34,17 @@ class ContactSolver {
 
  private:
   void prepare(const State& near);
-  std::optional<Reduced> solve_sum(const ControlSum& sum, const State& start, const State& guess);
+  std::optional<Reduced> solve_sum(const ControlSum& sum, const StepGoal& goal, const State& guess);
   std::optional<Reduced> solve_tangents(const StepGoal& goal);
-  std::optional<int> iterate(const State& start, const State& guess);
-  void refine(Reduced& found);
+  std::optional<Reduced> iterate(const StepGoal& goal, const State& guess);
+  std::optional<Reduced> solve_from(const Iterate& at, double step, Method method);
+  void refine(Reduced& found, double step);
 
+  Stepper& stepper_;
   System& system_;
-  ContactSettings settings_;
+  std::size_t most_points_;
   bool tries_newton_ = true;
-  std::optional<CrackedPoints> points_;
+  std::optional<CrackedEquations> points_;
 };
 
 }  // namespace dda

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "continuation/solve/contact_solver.hpp"
-#include "continuation/solve/settling.hpp"
+#include "continuation/solve/multiplier_gap.hpp"
 
 namespace dda {
 namespace {
@@ -27,16 +27,14 @@ std::size_t most_contacts(const System& system, Thoroughness thoroughness) {
   return thoroughness == Thoroughness::full ? 600 : 200;
 }
 
-Attempt contact_step(System& system, const StepGoal& goal, const StepperParameters& parameters,
-                     Thoroughness thoroughness) {
+Attempt contact_step(Stepper& stepper, const StepGoal& goal, Thoroughness thoroughness) {
+  System& system = stepper.system();
+  const StepperParameters& parameters = stepper.parameters();
   Attempt out{.state = goal.guess, .reason = "contact and friction allow no equilibrium here"};
   if (!system.has_contacts()) return out;
   const double tolerance = parameters.newton.tolerance;
   if (parameters.multipliers.predicted) system.set_multipliers(goal.guess.multipliers);
-  ContactSolver solver(system, goal.guess,
-                       {.max_iterations = parameters.newton.max_iterations,
-                        .most_points = most_contacts(system, thoroughness),
-                        .tolerance = tolerance});
+  ContactSolver solver(stepper, goal.guess, most_contacts(system, thoroughness));
   const State* from = &goal.start;
   const auto solve = [&](bool tries_newton) {
     solver.try_newton(tries_newton);
@@ -44,27 +42,23 @@ Attempt contact_step(System& system, const StepGoal& goal, const StepperParamete
     if (found) out.reason = missed(system, goal, found->state, tolerance);
     return found;
   };
-  Settling settling(parameters.multipliers);
-  for (;; ++out.multiplier_iterations) {
+  MultiplierGap gap(system, parameters.multipliers);
+  do {
     auto found = solve(true);
     if (!solver.has_walked() && (!found || !out.reason.empty())) found = solve(false);
-    if (!found || !out.reason.empty()) return out;
-    out.state = found->state;
+    if (!found || !out.reason.empty()) {
+      out.converged = false;
+      return out;
+    }
+    out.state = std::move(found->state);
+    out.solution = {Unknowns::cracked, std::move(found->x)};
     from = &out.state;
+    out.newton_iterations += found->iterations;
     out.reduced_iterations += found->iterations;
     out.residual = system.excess_residual(out.state);
     out.state.multipliers = system.multipliers();
-    const auto laws = system.laws_at(out.state.d, out.state.load_factor);
-    if (system.iterates_multipliers()) out.gap = system.relative_gap(*laws);
-    out.converged = out.gap <= parameters.multipliers.tolerance;
-    if (out.converged) return out;
-    if (out.multiplier_iterations >= parameters.multipliers.max_iterations ||
-        settling.is_out_of_reach(out.gap, system.active_set(*laws)))
-      break;
-    system.set_multipliers(system.next_multipliers(*laws));
-  }
-  out.reason = fmt::format("the multipliers did not settle in {} iterations (relative gap {:.1e})",
-                           out.multiplier_iterations, out.gap);
+    out.converged = true;
+  } while (gap.is_carried_over(out));
   return out;
 }
 

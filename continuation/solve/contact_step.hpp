@@ -6,8 +6,7 @@ namespace dda {
 
 /// One step with contact and friction solved exactly (contact_solver.hpp), iterated multipliers carried over
 /// until no gap is left; the control has been started.
-Attempt contact_step(System& system, const StepGoal& goal, const StepperParameters& parameters,
-                     Thoroughness thoroughness);
+Attempt contact_step(Stepper& stepper, const StepGoal& goal, Thoroughness thoroughness);
 
 /// Points that may take part in it: everywhere where bodies touch that were never bonded, and elsewhere few
 /// until shorter steps have not helped, since their dense equations grow with the third power.

@@ -1,6 +1,8 @@
 #include "continuation/solve/reduced.hpp"
 
-#include "continuation/contact/cracked_points.hpp"
+#include <cmath>
+
+#include "continuation/solve/cracked_equations.hpp"
 
 namespace dda {
 namespace {
@@ -37,27 +39,60 @@ std::vector<std::size_t> newly_cracked(System& system, const LinearSystem& linea
   return out;
 }
 
-std::optional<Reduced> solve_reduced(System& system, const StepGoal& goal, int max_iterations) {
-  const auto sum = goal.control.as_sum(goal.step);
-  if (!sum || system.frozen() || !system.linear().updates() || system.iterates_multipliers()) return {};
-  if (has_offsets(system)) return {};
+namespace {
+
+/// Under a control that is a sum, taking points in until none is left out.
+std::optional<Reduced> solve_sum(Stepper& stepper, const ControlSum& sum, const StepGoal& goal,
+                                 int max_iterations) {
+  System& system = stepper.system();
   Reduced out;
   constexpr int most_rounds = 8;
   for (int round = 0; round < most_rounds; ++round) {
-    CrackedPoints points(system, system.linear(), *sum);
-    const auto iterations = [&] {
+    CrackedEquations equations(system, system.linear(), sum);
+    Solved found = [&] {
       const auto scope = system.timings().measure("reduced iterations");
-      points.start_at(goal.guess);
-      return points.newton(max_iterations, CrackedPoints::Cycles::may_settle);
+      const Iterate guess =
+          equations.begin(goal.guess, {.max_iterations = max_iterations, .may_settle = true});
+      return stepper.solve({equations, guess, goal.step});
     }();
-    if (!iterations) return {};
-    out.iterations += *iterations;
-    out.state = points.state();
+    if (!found.converged) return {};
+    out.iterations += found.iterations;
+    out.state = equations.state({found.x, found.load_factor});
+    out.x = std::move(found.x);
     const std::vector<std::size_t> added = newly_cracked(system, system.linear(), out.state);
     if (added.empty()) return out;
     if (!system.linear().make_columns(added)) return {};
   }
   return {};
+}
+
+/// Under a control that looks at every point: its tangent is a gauge, taken anew at each state found.
+std::optional<Reduced> solve_tangents(Stepper& stepper, const StepGoal& goal, int max_iterations) {
+  constexpr int most = 20;
+  constexpr double good = 1e-10;
+  Reduced out{.state = goal.guess, .x = {}};
+  for (int i = 0; i < most; ++i) {
+    const auto laws = stepper.system().laws_at(out.state.d, out.state.load_factor);
+    const ControlPoint at{out.state.d, out.state.load_factor, *laws};
+    if (i > 0 && std::abs(goal.control.residual(at, goal.step)) <= good) return out;
+    const auto tangent = goal.control.tangent_gauge(at, goal.step);
+    if (!tangent) return {};
+    const ControlSum sum{.gauge = &tangent->gauge, .spends = false, .target = tangent->value, .scale = 1};
+    auto found = solve_sum(stepper, sum, {goal.start, goal.control, goal.step, out.state}, max_iterations);
+    if (!found) return {};
+    found->iterations += out.iterations;
+    out = *std::move(found);
+  }
+  return {};
+}
+
+}  // namespace
+
+std::optional<Reduced> solve_reduced(Stepper& stepper, const StepGoal& goal, int max_iterations) {
+  const System& system = stepper.system();
+  if (!system.linear().updates() || system.iterates_multipliers() || has_offsets(system)) return {};
+  if (const auto sum = goal.control.as_sum(goal.step)) return solve_sum(stepper, *sum, goal, max_iterations);
+  return solve_tangents(stepper, goal, max_iterations);
 }
 
 std::size_t num_changed(System& system, const State& at) {

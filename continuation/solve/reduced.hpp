@@ -2,22 +2,23 @@
 
 #include <optional>
 
-#include "continuation/solve/step_goal.hpp"
+#include "continuation/solve/stepper.hpp"
 
 namespace dda {
 
 /// What was found on the cracked points alone.
 struct Reduced {
   State state;
+  std::vector<double> x;  ///< of the cracked points
   int iterations = 0;
 };
 
-/// Newton's method on the cracked points alone (contact/cracked_points.hpp). The state that is found is
+/// Newton's method on the cracked points alone (CrackedEquations). The state that is found is
 /// looked at in full: points that crack there are taken in and the iteration starts again from the guess, so
 /// that it goes the way of Newton's method for all unknowns. It is a better guess and no more: equilibrium is
-/// judged by the full residual. Nothing where no base is kept, under controls that look at every point, with
-/// initial stress or iterated multipliers, and where the iteration does not converge.
-std::optional<Reduced> solve_reduced(System& system, const StepGoal& goal, int max_iterations);
+/// judged by the full residual. Nothing where no base is kept, with initial stress or iterated multipliers,
+/// and where the iteration does not converge.
+std::optional<Reduced> solve_reduced(Stepper& stepper, const StepGoal& goal, int max_iterations);
 
 /// Whether loads leave openings of their own, which the equations of some points leave out.
 bool has_offsets(const System& system);

@@ -1,27 +1,28 @@
 #pragma once
 
+#include <array>
+#include <memory>
 #include <string>
 
+#include "continuation/solve/loca.hpp"
 #include "continuation/solve/step_goal.hpp"
-#include "framework/deck/node.hpp"
+#include "continuation/solve/whole_equations.hpp"
 
 namespace dda {
 
-/// When a Newton iteration ends.
-struct NewtonParameters {
-  double tolerance = 1e-9;  ///< ‖R‖ relative to the force level of the blocks
-  int max_iterations = 15;
+/// A solution of some equations, as LOCA's stepper may accept it.
+struct Solution {
+  Unknowns unknowns = Unknowns::whole;
+  std::vector<double> x;  ///< of the cracked points; of the whole it is the state's d
 };
-
-/// Largest |N| of a control, or of LOCA's arc length relative to the step, that counts as none.
-inline constexpr double control_tolerance = 1e-8;
 
 /// What one attempt at a step gave.
 struct Attempt {
   bool converged = false;
   State state;
+  Solution solution = {};  ///< by which it was found
   int newton_iterations = 0;
-  int reduced_iterations = 0;  ///< before them, on the cracked points alone
+  int reduced_iterations = 0;  ///< those among them on the cracked points alone
   double residual = 0;         ///< relative to the force level
   int multiplier_iterations = 0;
   double gap = 0;      ///< left by iterated multipliers, see System::relative_gap
@@ -40,27 +41,41 @@ struct StepperParameters {
   NewtonParameters newton;
   MultiplierParameters multipliers;
   bool stability = true;  ///< count the negative eigenvalues of every equilibrium that is tried
-  Node nox, loca;
-};
-
-/// How an arc length is measured and which way it goes.
-struct ArcLength {
-  Metric metric = Metric::openings;
-  double load_weight = 1;  ///< θ, length of a unit load factor in the metric
-  double length = 0;       ///< signed: the sign is that of the load factor's first change
-  double goal = 0.5;       ///< θ λ'/‖(d', λ')‖ at the start, so that LOCA keeps θ
+  Node nox, loca;         ///< the deck's sublists
 };
 
 /// How much is tried before a step is given up: where a shorter one may do, no large dense problem.
 enum class Thoroughness { usual, full };
 
-/// One step from an equilibrium to where the control holds: on the cracked
-/// points alone where that is all there is to solve, else by LOCA (TrilinosModule::controlled_step).
-Attempt controlled_step(System& system, const StepGoal& goal, const StepperParameters& parameters,
-                        Thoroughness thoroughness = Thoroughness::usual);
+/// Finds equilibria of a system with LOCA and NOX, and has LOCA take those that are the next points of the
+/// path: one LOCA::Stepper for the steps that are settled on the cracked points alone, one for the others,
+/// each made when it is first needed.
+class Stepper {
+ public:
+  Stepper(System& system, StepperParameters parameters);
 
-/// One LOCA::Stepper step by LOCA's arc length in λ with the tangent predictor.
-Attempt arc_length_step(System& system, const State& start, const ArcLength& arc,
-                        const StepperParameters& parameters);
+  System& system() { return system_; }
+  const System& system() const { return system_; }
+  const StepperParameters& parameters() const { return parameters_; }
+
+  /// One solve by NOX, a try of LOCA's next step.
+  Solved solve(const Solve& wanted);
+  /// One step from an equilibrium to where the control holds: on the cracked points alone where that is all
+  /// there is to solve, else on all unknowns.
+  Attempt find(const StepGoal& goal, Thoroughness thoroughness = Thoroughness::usual);
+  /// Has LOCA take a step to a solution.
+  void accept(const Solution& solution, const State& state);
+  /// Accepted steps, as LOCA counts them.
+  int num_steps(Unknowns unknowns) const;
+  /// Has NOX and LOCA read the deck's sublists; throws what they say to them.
+  void try_lists();
+
+ private:
+  LocaStepper& loca(Unknowns unknowns);
+
+  System& system_;
+  StepperParameters parameters_;
+  std::array<std::unique_ptr<LocaStepper>, 2> loca_;
+};
 
 }  // namespace dda

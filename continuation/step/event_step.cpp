@@ -18,7 +18,6 @@ namespace {
 std::optional<Point> approach(PathState& path, double amount) {
   const Move move{.kind = StepKind::load,
                   .equation = make_gauge_equation({.rows = {}, .per_load_factor = 1}),
-                  .arc = {},
                   .rate = path.walker.leaving().load_factor};
   constexpr double resolved = 0.02;  // of the way: a kink of friction or contact need not be cut finer
   for (double share = 0.5; share > smallest_share; share *= 0.5) {
@@ -78,7 +77,6 @@ std::optional<Point> linear_step(PathState& path) {
     return path.end(Ending::Kind::goal_reached, "nothing can crack; the full reference load is applied");
   const Move move{.kind = StepKind::load,
                   .equation = make_gauge_equation({.rows = {}, .per_load_factor = 1}),
-                  .arc = {},
                   .rate = path.walker.leaving().load_factor};
   const auto candidate = try_step(path, move, rest / path.walker.leaving().load_factor);
   const std::string why = path.refusal;

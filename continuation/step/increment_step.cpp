@@ -19,8 +19,8 @@ std::optional<Point> increment_step(PathState& path) {
   const double smallest = smallest_share * std::max(first, std::abs(path.walker.state().load_factor));
   std::string why = fmt::format("the increments have fallen below {:g} of it", smallest_share);
   for (double increment = first; increment > smallest; increment *= 0.5) {
-    const Increment found = load_increment(path.walker.system(), path.walker.state(),
-                                           {increment, *path.control->load_solver()}, path.parameters);
+    const Increment found =
+        load_increment(path.walker.stepper(), path.walker.state(), {increment, *path.control->load_solver()});
     path.walker.effort().newton_iterations += found.newton_iterations;
     path.walker.effort().relaxation_iterations += found.relaxation_iterations;
     if (!found.settled || is_mechanism(path, found.settled->state)) {

@@ -29,7 +29,7 @@ std::optional<Point> release_up_to(PathState& path, const Crossing& crossing, co
                                    double most) {
   const Landing& landing = crossing.landing;
   const double share = crossing.share * most;
-  const auto found = release_piece(path.walker.system(), path.walker.state(), path.parameters, {held, share});
+  const auto found = release_piece(path.walker.stepper(), path.walker.state(), {held, share});
   if (!found) return {};
   const State& at = found->end.state;
   const double off = std::abs(landing.gauge.value(at.d, at.load_factor) - landing.value);
@@ -45,8 +45,7 @@ std::optional<Point> release_holding(PathState& path, const Functional* held) {
   constexpr double nearest = 0.05, of_spent = 0.1, of_work = 1e-3;
   const Candidate& here = path.walker.here();
   for (double most = 1; most > nearest; most *= cut) {
-    const auto found =
-        release_piece(path.walker.system(), path.walker.state(), path.parameters, {held, most});
+    const auto found = release_piece(path.walker.stepper(), path.walker.state(), {held, most});
     if (!found || is_mechanism(path, found->end.state) || turns_load_round(path, *found)) continue;
     Candidate beyond = path.walker.settled(found->end);
     const double spent = std::abs(beyond.dissipated - here.dissipated),
@@ -63,20 +62,19 @@ std::optional<Point> release_holding(PathState& path, const Functional* held) {
 /// What a test finds that prescribes the displacement on which the load works: the pending points lose their
 /// strength while it is held, together or at last at once; else the largest of some shares of the load.
 std::optional<Point> release_by_jump(PathState& path) {
-  System& system = path.walker.system();
+  Stepper& stepper = path.walker.stepper();
   const State start = path.walker.state();
   const auto accepted = [&](const std::optional<Settled>& found) {
     if (!found || is_mechanism(path, found->state)) return std::optional<Point>();
     return jump_to(path, path.walker.settled(*found), StepKind::release);
   };
   std::optional<Point> point;
-  const auto piece = release_piece(system, start, path.parameters, {&path.displacement});
+  const auto piece = release_piece(stepper, start, {&path.displacement});
   if (piece) point = accepted(piece->end);
   if (!point)
-    point = accepted(
-        release_at_gauge(system, start, path.parameters, {path.displacement, path.displacement_of(start)}));
+    point = accepted(release_at_gauge(stepper, start, {path.displacement, path.displacement_of(start)}));
   for (const double share : {1.0, 0.9, 0.75, 0.5, 0.25, 0.1})
-    if (!point) point = accepted(release_at_load(system, start, path.parameters, share * start.load_factor));
+    if (!point) point = accepted(release_at_load(stepper, start, share * start.load_factor));
   if (!point) return end_without_equilibrium(path, "what is released leaves no equilibrium");
   ++path.walker.effort().rescues;
   path.report("rescued", fmt::format("the release jumped from a load factor of {:g} to {:g}",

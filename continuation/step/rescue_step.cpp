@@ -31,8 +31,7 @@ std::optional<Point> driven_step(PathState& path) {
   const double here = path.displacement_of(start);
   for (double share = largest; share > smallest; share *= cut) {
     const double value = here + std::copysign(share * path.memory.largest_displacement, here);
-    const auto found =
-        release_at_gauge(path.walker.system(), start, path.parameters, {path.displacement, value});
+    const auto found = release_at_gauge(path.walker.stepper(), start, {path.displacement, value});
     if (!found || is_mechanism(path, found->state)) continue;
     auto point = jump_to(path, path.walker.settled(*found), StepKind::displacement);
     if (!point) continue;

@@ -47,7 +47,6 @@ Move sliding_move(PathState& path) {
   if (serves) return own;
   return {.kind = StepKind::displacement,
           .equation = make_gauge_equation(path.displacement),
-          .arc = {},
           .rate = path.displacement_rate(path.walker.leaving())};
 }
 
@@ -56,7 +55,6 @@ std::optional<Point> first_slip(PathState& path, double change) {
   if (auto point = land_ahead(path, change)) return point;
   const Move move{.kind = StepKind::event,
                   .equation = make_gauge_equation({.rows = {}, .per_load_factor = 1}),
-                  .arc = {},
                   .rate = path.walker.leaving().load_factor};
   const auto candidate = try_step(path, move, change);
   if (!candidate) return {};

@@ -20,7 +20,6 @@ std::optional<Point> land_on_turn(PathState& path, const Stride& stride, bool on
   if (!(amount < 2 * stride.amount)) return {};
   const Move landing{.kind = kind == Initiation::corner ? StepKind::corner : StepKind::initiation,
                      .equation = make_event_equation(path.walker.system(), kind),
-                     .arc = {},
                      .rate = 1,
                      .to_event = true};
   const auto candidate = try_step(path, landing, amount);

@@ -21,8 +21,7 @@ std::optional<Point> unload_step(PathState& path) {
                     fmt::format("unloading does not lead to {} = {:g}", goal.name, goal.value));
   constexpr double parts = 10, smallest_share = 1e-4, cut = 0.25;
   if (path.memory.step == 0) path.memory.step = std::abs(rest) / parts;
-  const Move move{
-      .kind = StepKind::unloading, .equation = make_gauge_equation(goal.gauge), .arc = {}, .rate = rate};
+  const Move move{.kind = StepKind::unloading, .equation = make_gauge_equation(goal.gauge), .rate = rate};
   for (double length = path.memory.step; length > smallest_share * path.memory.step; length *= cut) {
     const bool arrives = length > (1 - 1e-9) * std::abs(rest);
     const double amount = arrives ? rest / rate : length / std::abs(rate);

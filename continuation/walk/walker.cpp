@@ -2,16 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "continuation/state/history_guard.hpp"
 
 namespace dda {
 
-Walker::Walker(System& system, StepperParameters parameters)
-    : system_(system), parameters_(std::move(parameters)) {
-  here_.state.d.assign(system.equilibrium().num_unknowns(), 0.0);
-  here_.state.multipliers = system.multipliers();
-  here_.history = system.history();
+Walker::Walker(Stepper& stepper) : stepper_(stepper), system_(stepper.system()) {
+  here_.state.d.assign(system_.equilibrium().num_unknowns(), 0.0);
+  here_.state.multipliers = system_.multipliers();
+  here_.history = system_.history();
   begin_stage(0);
 }
 
@@ -25,16 +25,9 @@ void Walker::begin_stage(std::size_t stage) {
 
 Attempt Walker::attempt(ControlEquation& control, double step, const State& guess,
                         Thoroughness thoroughness) {
-  Attempt out = controlled_step(system_, {here_.state, control, step, guess}, parameters_, thoroughness);
-  effort_.newton_iterations += out.newton_iterations;
+  Attempt out = stepper_.find({here_.state, control, step, guess}, thoroughness);
+  effort_.newton_iterations += out.newton_iterations - out.reduced_iterations;
   effort_.reduced_iterations += out.reduced_iterations;
-  effort_.multiplier_iterations += out.multiplier_iterations;
-  return out;
-}
-
-Attempt Walker::attempt(const ArcLength& arc) {
-  Attempt out = arc_length_step(system_, here_.state, arc, parameters_);
-  effort_.newton_iterations += out.newton_iterations;
   effort_.multiplier_iterations += out.multiplier_iterations;
   return out;
 }
@@ -60,7 +53,7 @@ void Walker::fill_energies(Candidate& candidate) {
 
 void Walker::fill_arriving(Candidate& candidate) {
   candidate.arriving = arriving_tangent(system_, candidate.state);
-  if (!parameters_.stability || candidate.arriving.d.empty()) return;
+  if (!parameters().stability || candidate.arriving.d.empty()) return;
   const auto scope = system_.timings().measure("stability");
   const NegativeEigenvalues found = negative_eigenvalues(system_);
   candidate.num_negative = found.of_stiffness;
@@ -71,6 +64,7 @@ Candidate Walker::evaluate(const Attempt& attempt) {
   Candidate out{.state = attempt.state,
                 .history = system_.next_history(attempt.state.d, attempt.state.load_factor),
                 .arriving = {},
+                .solution = attempt.solution,
                 .newton_iterations = attempt.newton_iterations,
                 .residual = attempt.residual,
                 .multiplier_iterations = attempt.multiplier_iterations,
@@ -91,9 +85,28 @@ void Walker::accept(Candidate candidate) {
   system_.set_history(here_.history);
   system_.set_multipliers(here_.state.multipliers);
   system_.remember_force_level(here_.state.d);
+  take(here_.solution ? *std::exchange(here_.solution, {}) : confirmed());
   if (here_.arriving.d.empty()) fill_arriving(here_);
   leaving_ = leaving_tangent(system_, here_.state, here_.arriving);
   ++effort_.accepted;
+}
+
+/// As LOCA counts its steps.
+void Walker::take(const Solution& solution) {
+  const auto count = [&] { return stepper_.num_steps(solution.unknowns); };
+  const int before = count();
+  stepper_.accept(solution, here_.state);
+  (solution.unknowns == Unknowns::cracked ? effort_.cracked_steps : effort_.whole_steps) += count() - before;
+}
+
+/// What a detour has found, as NOX finds it from there with the load factor held.
+Solution Walker::confirmed() {
+  const auto load = make_gauge_equation({.rows = {}, .per_load_factor = 1});
+  const State& at = here_.state;
+  load->start_at({at.d, at.load_factor, *system_.laws_at(at.d, at.load_factor)}, 1);
+  WholeEquations equations(system_, *load, 0, parameters().newton);
+  stepper_.solve({equations, {at.d, at.load_factor}});
+  return {};
 }
 
 Candidate Walker::settled(const Settled& found) {

@@ -16,9 +16,11 @@ namespace dda {
 /// Counts of a run.
 struct Effort {
   int accepted = 0;
-  int rejected = 0;  ///< attempts of the path that were not taken, each with a line in the log
+  int cracked_steps = 0;  ///< accepted ones that LOCA has taken on the cracked points
+  int whole_steps = 0;    ///< and on all unknowns
+  int rejected = 0;       ///< attempts of the path that were not taken, each with a line in the log
   int rescues = 0;
-  int newton_iterations = 0;
+  int newton_iterations = 0;   ///< on all unknowns
   int reduced_iterations = 0;  ///< on the cracked points alone
   int multiplier_iterations = 0;
   int relaxation_iterations = 0;  ///< residuals that dynamic relaxation evaluated
@@ -26,6 +28,8 @@ struct Effort {
   template <class Self, class Visit>
   static void visit(Self& self, Visit& visit) {
     visit("accepted", self.accepted);
+    visit("cracked_steps", self.cracked_steps);
+    visit("whole_steps", self.whole_steps);
     visit("rejected", self.rejected);
     visit("rescues", self.rescues);
     visit("newton_iterations", self.newton_iterations);
@@ -40,10 +44,11 @@ struct Candidate {
   State state;
   std::vector<History> history;
   Tangent arriving;
-  double dissipated = 0;  ///< since the start of the run [FL]
-  double stored = 0;      ///< [FL]
-  double work = 0;        ///< since the start of the run [FL]
-  double load = 0;        ///< load gauge
+  std::optional<Solution> solution = {};  ///< none of what a detour has found
+  double dissipated = 0;                  ///< since the start of the run [FL]
+  double stored = 0;                      ///< [FL]
+  double work = 0;                        ///< since the start of the run [FL]
+  double load = 0;                        ///< load gauge
   int newton_iterations = 0;
   double residual = 0;  ///< relative to the force level
   int multiplier_iterations = 0;
@@ -66,8 +71,10 @@ struct Candidate {
 /// Owns no law and no equation: it puts together system, tangents, energies and LOCA steps.
 class Walker {
  public:
-  Walker(System& system, StepperParameters parameters);
+  explicit Walker(Stepper& stepper);
 
+  Stepper& stepper() { return stepper_; }
+  const Stepper& stepper() const { return stepper_; }
   System& system() { return system_; }
   const System& system() const { return system_; }
   const State& state() const { return here_.state; }
@@ -75,14 +82,12 @@ class Walker {
   const Tangent& leaving() const { return leaving_; }
   const Effort& effort() const { return effort_; }
   Effort& effort() { return effort_; }
-  const StepperParameters& parameters() const { return parameters_; }
+  const StepperParameters& parameters() const { return stepper_.parameters(); }
   double value(const Functional& gauge) const { return gauge.value(here_.state.d, here_.state.load_factor); }
 
   /// Tries a step under a control; Newton starts from the guess.
   Attempt attempt(ControlEquation& control, double step, const State& guess,
                   Thoroughness thoroughness = Thoroughness::usual);
-  /// Tries an arc-length step.
-  Attempt attempt(const ArcLength& arc);
   /// Everything about a converged attempt; the walker stays where it is.
   Candidate evaluate(const Attempt& attempt);
   /// Moves to a candidate.
@@ -109,12 +114,14 @@ class Walker {
   void restore(Candidate at, std::vector<History> history, const Effort& effort, Tangent leaving);
 
  private:
+  Solution confirmed();
+  void take(const Solution& solution);
   void fill_energies(Candidate& candidate);
   /// The tangent with the flags of the system's history, and the inertia of its stiffness.
   void fill_arriving(Candidate& candidate);
 
+  Stepper& stepper_;
   System& system_;
-  StepperParameters parameters_;
   Candidate here_;
   Tangent leaving_;
   Effort effort_;

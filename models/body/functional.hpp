@@ -26,6 +26,12 @@ struct Functional {
   void add_gradient(double scale, std::span<double> out) const {
     for (const auto& [block, row] : rows) Eigen::Map<Vec6>(out.data() + 6 * block.value()) += scale * row;
   }
+  /// this += scale · wᵀ d, w a vector of length 6 · blocks.
+  void add_rows(double scale, std::span<const double> w) {
+    for (std::size_t b = 0; 6 * b < w.size(); ++b)
+      if (const Eigen::Map<const Vec6> row(w.data() + 6 * b); !row.isZero(0))
+        rows.emplace_back(BlockId(b), scale * row);
+  }
   /// this += scale · other.
   void add(double scale, const Functional& other) {
     for (const auto& [block, row] : other.rows) rows.emplace_back(block, scale * row);

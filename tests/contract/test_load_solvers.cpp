@@ -24,12 +24,12 @@ class LoadSolverContract : public testing::TestWithParam<std::tuple<std::string,
   std::unique_ptr<LoadSolver> solver() const { return load_solvers().choose(std::get<0>(GetParam())).make(); }
   Found find(LoadSolver& solver, double load_factor) {
     system().set_multipliers(start_.multipliers);
-    return solver.solve(system(), start_, load_factor, parameters_);
+    return solver.solve(stepper_, start_, load_factor);
   }
 
   CrackedSystem cracked_;
   State start_;
-  StepperParameters parameters_;
+  Stepper stepper_{system(), {}};
 };
 
 TEST_P(LoadSolverContract, FindsTheEquilibriumThatNewtonFinds) {
@@ -41,7 +41,7 @@ TEST_P(LoadSolverContract, FindsTheEquilibriumThatNewtonFinds) {
     EXPECT_EQ(found.why, "");
     EXPECT_EQ(found.state->load_factor, load_factor);
     EXPECT_GT(found.newton_iterations + found.relaxation_iterations, 0);
-    EXPECT_LE(system().excess_residual(*found.state), parameters_.newton.tolerance);
+    EXPECT_LE(system().excess_residual(*found.state), stepper_.parameters().newton.tolerance);
     const double size = vec(expected.state->d).norm();
     EXPECT_NEAR((vec(found.state->d) - vec(expected.state->d)).norm() / size, 0, 1e-6);
   }
@@ -50,7 +50,7 @@ TEST_P(LoadSolverContract, FindsTheEquilibriumThatNewtonFinds) {
 TEST_P(LoadSolverContract, HistoryAndMultipliersStayWhenAnIncrementIsTried) {
   const auto made = solver();
   const std::vector<History> before = system().history();
-  const Increment found = load_increment(system(), start_, {0.3, *made}, parameters_);
+  const Increment found = load_increment(stepper_, start_, {0.3, *made});
   ASSERT_TRUE(found.settled) << found.why;
   EXPECT_NEAR(found.settled->state.load_factor, 0.3, 1e-15);
   for (std::size_t p = 0; p < before.size(); ++p) EXPECT_EQ(system().history()[p].kappa, before[p].kappa);

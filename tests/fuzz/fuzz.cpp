@@ -60,7 +60,7 @@ struct Options {
 /// Loads what every process would load by itself, which takes longer than to read a small deck: a process
 /// that is forked has it, and finds nothing of it begun.
 void load_modules() {
-  for (const char* module : {DDA_GMSH_MODULE, DDA_GEOS_MODULE, DDA_TRILINOS_MODULE})
+  for (const char* module : {DDA_GMSH_MODULE, DDA_GEOS_MODULE, DDA_LOCA_MODULE, DDA_TRILINOS_MODULE})
     if (!dlopen(module, RTLD_LAZY | RTLD_LOCAL)) throw std::runtime_error(dlerror());
 }
 

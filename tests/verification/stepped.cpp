@@ -5,7 +5,7 @@ namespace dda::verification {
 Stepped::Stepped(const std::string& deck_text, const MultiplierParameters& multipliers)
     : structure_(deck_text),
       system_(structure_.equilibrium, direct_solvers().choose("cholmod"), LinearSystem::Update::low_rank),
-      parameters_{.newton = {}, .multipliers = multipliers, .nox = Node::map(), .loca = Node::map()},
+      stepper_(system_, {.newton = {}, .multipliers = multipliers, .nox = Node::map(), .loca = Node::map()}),
       state_{std::vector<double>(structure_.equilibrium.num_unknowns(), 0.0), 0, system_.multipliers()} {}
 
 Attempt Stepped::to(double load_factor) {
@@ -13,8 +13,7 @@ Attempt Stepped::to(double load_factor) {
   const auto control = make_gauge_equation({.rows = {}, .per_load_factor = 1});
   State guess = state_;
   guess.load_factor = load_factor;
-  Attempt out =
-      controlled_step(system_, {state_, *control, load_factor - state_.load_factor, guess}, parameters_);
+  Attempt out = stepper_.find({state_, *control, load_factor - state_.load_factor, guess});
   if (!out.converged) {
     system_.set_multipliers(state_.multipliers);
     return out;

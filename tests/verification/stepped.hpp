@@ -32,7 +32,7 @@ class Stepped {
 
   Structure structure_;
   System system_;
-  StepperParameters parameters_;
+  Stepper stepper_;
   std::size_t stage_ = 0;
   State state_;
   double last_change_ = 0;  ///< of the load factor in the step before

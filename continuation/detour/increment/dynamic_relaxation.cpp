@@ -31,8 +31,9 @@ class DynamicRelaxation final : public LoadSolver {
            "another treatment, or the solver 'newton'";
   }
 
-  Found solve(System& system, const State& from, double load_factor,
-              const StepperParameters& parameters) override {
+  Found solve(Stepper& stepper, const State& from, double load_factor) override {
+    System& system = stepper.system();
+    const StepperParameters& parameters = stepper.parameters();
     const auto scope = system.timings().measure("relaxation");
     if (of_ != &system.equilibrium()) {
       of_ = &system.equilibrium();

@@ -24,13 +24,13 @@ std::optional<std::vector<History>> overloaded_released(System& system, const St
 
 }  // namespace
 
-Increment load_increment(System& system, const State& start, const LoadStep& step,
-                         const StepperParameters& parameters) {
+Increment load_increment(Stepper& stepper, const State& start, const LoadStep& step) {
+  System& system = stepper.system();
   const HistoryGuard back(system, start.multipliers);
   Increment out;
   State at = start;
   for (bool more = true; more;) {
-    Found found = step.solver.solve(system, at, start.load_factor + step.increment, parameters);
+    Found found = step.solver.solve(stepper, at, start.load_factor + step.increment);
     out.newton_iterations += found.newton_iterations;
     out.relaxation_iterations += found.relaxation_iterations;
     out.why = std::move(found.why);

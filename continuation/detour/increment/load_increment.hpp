@@ -22,7 +22,6 @@ struct Increment {
 /// until none is beyond. What the increment jumps over is lost: Pearce et al. (2000) shortened it near
 /// failure. Points are judged in equilibrium alone, never on the way to it, so that a solver which overshoots
 /// releases no more than one that does not. History and multipliers of the system are left as they were.
-Increment load_increment(System& system, const State& start, const LoadStep& step,
-                         const StepperParameters& parameters);
+Increment load_increment(Stepper& stepper, const State& start, const LoadStep& step);
 
 }  // namespace dda

@@ -29,8 +29,7 @@ class LoadSolver {
   /// Why it cannot serve this structure; "" when it can.
   virtual std::string refusal(const Equilibrium&) const { return {}; }
   /// From a state near by. Iterated multipliers of the system are left as they were last.
-  virtual Found solve(System& system, const State& from, double load_factor,
-                      const StepperParameters& parameters) = 0;
+  virtual Found solve(Stepper& stepper, const State& from, double load_factor) = 0;
 };
 
 using LoadSolverFamily = Family<LoadSolver>;

@@ -9,10 +9,9 @@ struct NewtonAtLoadParameters {};
 /// Newton's method with the load factor held; factorises the tangent.
 class NewtonAtLoad final : public LoadSolver {
  public:
-  Found solve(System& system, const State& from, double load_factor,
-              const StepperParameters& parameters) override {
+  Found solve(Stepper& stepper, const State& from, double load_factor) override {
     const Functional load{.rows = {}, .per_load_factor = 1};
-    HeldEquilibrium equilibrium(system, parameters, load, load_factor);
+    HeldEquilibrium equilibrium(stepper, load, load_factor);
     Found out;
     out.state = equilibrium.solve(from);
     out.newton_iterations = equilibrium.iterations();

@@ -1,28 +1,22 @@
 #include "continuation/modules/loca/control_constraint.hpp"
 
-#include <algorithm>
-
 #include "continuation/modules/loca/group.hpp"
 
 namespace dda {
 
 using Status = NOX::Abstract::Group::ReturnType;
 
-ControlConstraint::ControlConstraint(System& system, const Teuchos::RCP<const TpetraMap>& map,
-                                     std::shared_ptr<ActiveControl> active, const State& start)
-    : system_(system),
-      active_(std::move(active)),
-      x_(Teuchos::rcp(new StateVector(map))),
-      load_factor_(start.load_factor),
+ControlConstraint::ControlConstraint(std::shared_ptr<const ActiveSolve> active,
+                                     const NOX::Abstract::Vector& x, double load_factor)
+    : active_(std::move(active)),
+      x_(x.clone(NOX::DeepCopy)),
+      load_factor_(load_factor),
       value_(1, 1),
-      dx_(x_->createMultiVector(1, NOX::ShapeCopy)) {
-  std::ranges::copy(start.d, x_->local().begin());
-}
+      dx_(x.createMultiVector(1, NOX::ShapeCopy)) {}
 
 ControlConstraint::ControlConstraint(const ControlConstraint& source, NOX::CopyType type)
-    : system_(source.system_),
-      active_(source.active_),
-      x_(Teuchos::rcp(new StateVector(*source.x_, type))),
+    : active_(source.active_),
+      x_(source.x_->clone(type)),
       value_(1, 1),
       dx_(source.dx_->clone(NOX::ShapeCopy)) {
   if (type == NOX::DeepCopy) copy(source);
@@ -61,25 +55,20 @@ void ControlConstraint::setParams(const std::vector<int>& ids,
   for (std::size_t i = 0; i < ids.size(); ++i) setParam(ids[i], values(static_cast<int>(i), 0));
 }
 
-template <class Use>
-auto ControlConstraint::at_point(Use use) const {
-  const auto laws = system_.laws_at(x_->local(), load_factor_);
-  return use(ControlPoint{std::as_const(*x_).local(), load_factor_, *laws});
-}
-
 Status ControlConstraint::computeConstraints() {
   if (valid_) return NOX::Abstract::Group::Ok;
-  value_(0, 0) = at_point([&](const ControlPoint& at) { return active_->control->residual(at, s_); });
-  active_->residual = value_(0, 0);
+  Equations& equations = *active_->equations;
+  value_(0, 0) = equations.control(iterate()) + equations.per_path() * (s_ - active_->step);
   valid_ = true;
   return NOX::Abstract::Group::Ok;
 }
 
 Status ControlConstraint::computeDX() {
   if (valid_dx_) return NOX::Abstract::Group::Ok;
-  dx_->init(0.0);
-  const auto per_d = as_state((*dx_)[0]).local();
-  per_load_factor_ = at_point([&](const ControlPoint& at) { return active_->control->gradient(at, per_d); });
+  NOX::Abstract::Vector& gradient = (*dx_)[0];
+  gradient = *x_;  // as long
+  gradient.init(0.0);
+  per_load_factor_ = active_->equations->control_gradient(iterate(), local(gradient));
   valid_dx_ = true;
   return NOX::Abstract::Group::Ok;
 }
@@ -93,7 +82,7 @@ Status ControlConstraint::computeDP(const std::vector<int>& ids,
   computeDX();
   for (std::size_t i = 0; i < ids.size(); ++i)
     dgdp(0, static_cast<int>(i) + 1) =
-        ids[i] == Group::load_factor_id ? per_load_factor_ : active_->control->per_path();
+        ids[i] == Group::load_factor_id ? per_load_factor_ : active_->equations->per_path();
   return NOX::Abstract::Group::Ok;
 }
 

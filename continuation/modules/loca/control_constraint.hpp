@@ -2,24 +2,17 @@
 
 #include <LOCA_MultiContinuation_ConstraintInterfaceMVDX.H>
 
-#include <memory>
-
-#include "continuation/equation/control_equation.hpp"
-#include "continuation/modules/loca/state_vector.hpp"
+#include "continuation/modules/loca/active_solve.hpp"
+#include "continuation/modules/loca/local_vector.hpp"
 
 namespace dda {
 
-/// The control in force, shared by every copy of the constraint.
-struct ActiveControl {
-  ControlEquation* control = nullptr;
-  double residual = 0;  ///< the last N that was computed
-};
-
-/// The one adapter that carries every control into LOCA as a constraint with unknown "lambda".
+/// The one adapter that carries every control into LOCA as a constraint with unknown "lambda",
+/// N(x, λ) + ∂N/∂s (s − s_end) = 0.
 class ControlConstraint final : public LOCA::MultiContinuation::ConstraintInterfaceMVDX {
  public:
-  ControlConstraint(System& system, const Teuchos::RCP<const TpetraMap>& map,
-                    std::shared_ptr<ActiveControl> active, const State& start);
+  ControlConstraint(std::shared_ptr<const ActiveSolve> active, const NOX::Abstract::Vector& x,
+                    double load_factor);
   ControlConstraint(const ControlConstraint& source, NOX::CopyType type);
 
   void copy(const ConstraintInterface& source) override;
@@ -40,13 +33,11 @@ class ControlConstraint final : public LOCA::MultiContinuation::ConstraintInterf
   bool isDXZero() const override { return false; }
 
  private:
-  template <class Use>
-  auto at_point(Use use) const;
+  Iterate iterate() const { return {local(std::as_const(*x_)), load_factor_}; }
   void invalidate() { valid_ = valid_dx_ = false; }
 
-  System& system_;
-  std::shared_ptr<ActiveControl> active_;
-  Teuchos::RCP<StateVector> x_;
+  std::shared_ptr<const ActiveSolve> active_;
+  Teuchos::RCP<NOX::Abstract::Vector> x_;
   double load_factor_ = 0, s_ = 0;
   NOX::Abstract::MultiVector::DenseMatrix value_;
   Teuchos::RCP<NOX::Abstract::MultiVector> dx_;

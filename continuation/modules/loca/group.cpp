@@ -2,49 +2,27 @@
 
 #include <LOCA_GlobalData.H>
 
-#include <algorithm>
-#include <numeric>
-
 namespace dda {
 
-Group::Group(const Teuchos::RCP<LOCA::GlobalData>& global, System& system,
-             const Teuchos::RCP<const TpetraMap>& map, const State& start, Metric metric)
+Group::Group(const Teuchos::RCP<LOCA::GlobalData>& global, std::shared_ptr<const ActiveSolve> active,
+             const Teuchos::RCP<NOX::Abstract::Vector>& x, double load_factor)
     : LOCA::Abstract::Group(global),
-      system_(system),
-      metric_(metric),
-      x_(Teuchos::rcp(new StateVector(map))),
-      f_(Teuchos::rcp(new StateVector(map))),
-      newton_(Teuchos::rcp(new StateVector(map))) {
-  parameters_.addParameter("lambda", start.load_factor);
+      active_(std::move(active)),
+      x_(x),
+      f_(x->clone(NOX::ShapeCopy)),
+      newton_(x->clone(NOX::ShapeCopy)) {
+  parameters_.addParameter("lambda", load_factor);
   parameters_.addParameter("s", 0.0);
-  std::ranges::copy(start.d, x_->local().begin());
 }
 
 Group::Group(const Group& source, NOX::CopyType type)
     : LOCA::Abstract::Group(source, type),
-      system_(source.system_),
-      metric_(source.metric_),
+      active_(source.active_),
       parameters_(source.parameters_),
-      x_(Teuchos::rcp(new StateVector(*source.x_, type))),
-      f_(Teuchos::rcp(new StateVector(*source.f_, type))),
-      newton_(Teuchos::rcp(new StateVector(*source.newton_, type))) {
+      x_(source.x_->clone(type)),
+      f_(source.f_->clone(type)),
+      newton_(source.newton_->clone(type)) {
   if (type == NOX::DeepCopy) copy(source);
-}
-
-State Group::state() const {
-  const auto local = x_->local();
-  return {{local.begin(), local.end()}, load_factor()};
-}
-
-const LawValues& Group::laws() const {
-  if (!laws_) laws_ = system_.laws_at(x_->local(), load_factor());
-  return *laws_;
-}
-
-void Group::invalidate() {
-  laws_.reset();
-  valid_f_ = valid_newton_ = false;
-  jacobian_stamp_ = 0;
 }
 
 NOX::Abstract::Group& Group::operator=(const NOX::Abstract::Group& source) {
@@ -61,8 +39,7 @@ void Group::copy(const NOX::Abstract::Group& source) {
   if (this == &from) return;
   parameters_ = from.parameters_;
   *x_ = *from.x_;
-  laws_ = from.laws_;
-  jacobian_stamp_ = from.jacobian_stamp_;
+  valid_jacobian_ = from.valid_jacobian_;
   valid_f_ = from.valid_f_;
   valid_newton_ = from.valid_newton_;
   if (valid_f_) *f_ = *from.f_;
@@ -81,19 +58,17 @@ void Group::computeX(const NOX::Abstract::Group& from, const NOX::Abstract::Vect
 
 NOX::Abstract::Group::ReturnType Group::computeF() {
   if (valid_f_) return Ok;
-  system_.residual(x_->local(), load_factor(), laws(), f_->local());
+  *f_ = *x_;  // and as long
+  active_->equations->residual(iterate(), local(*f_));
   valid_f_ = true;
   return Ok;
 }
 
 NOX::Abstract::Group::ReturnType Group::computeJacobian() {
-  if (jacobian_stamp_ != 0) return Ok;
-  jacobian_stamp_ = system_.new_stamp();
-  return use_jacobian() ? Ok : Failed;
+  if (valid_jacobian_) return Ok;
+  valid_jacobian_ = active_->equations->factorise(iterate());
+  return valid_jacobian_ ? Ok : Failed;
 }
-
-/// Copies of this group may have put their tangent into the shared linear system: put ours back.
-bool Group::use_jacobian() const { return system_.use_tangent(jacobian_stamp_, laws().tangent); }
 
 NOX::Abstract::Group::ReturnType Group::computeNewton(Teuchos::ParameterList& parameters) {
   if (valid_newton_) return Ok;
@@ -105,45 +80,35 @@ NOX::Abstract::Group::ReturnType Group::computeNewton(Teuchos::ParameterList& pa
 
 NOX::Abstract::Group::ReturnType Group::applyJacobian(const NOX::Abstract::Vector& in,
                                                       NOX::Abstract::Vector& out) const {
-  if (jacobian_stamp_ == 0) return BadDependency;
-  if (!use_jacobian()) return Failed;
-  system_.linear().multiply(as_state(in).local(), as_state(out).local());
+  if (!valid_jacobian_) return BadDependency;
+  if (!active_->equations->factorise(iterate())) return Failed;
+  out = in;
+  active_->equations->multiply(iterate(), local(in), local(out));
   return Ok;
 }
 
 NOX::Abstract::Group::ReturnType Group::applyJacobianInverse(Teuchos::ParameterList&,
                                                              const NOX::Abstract::Vector& in,
                                                              NOX::Abstract::Vector& out) const {
-  if (jacobian_stamp_ == 0) return BadDependency;
-  if (!use_jacobian()) return Failed;
-  const std::span<double> x = as_state(out).local();
-  solve_base(as_state(in).local(), x);
-  system_.linear().correct(std::span<const std::span<double>>(&x, 1));
+  if (!valid_jacobian_) return BadDependency;
+  if (!active_->equations->factorise(iterate())) return Failed;
+  out = in;
+  const std::span<double> column = local(out);
+  active_->equations->solve(iterate(), std::span<const std::span<double>>(&column, 1));
   return Ok;
 }
 
 NOX::Abstract::Group::ReturnType Group::applyJacobianInverseMultiVector(
     Teuchos::ParameterList&, const NOX::Abstract::MultiVector& in, NOX::Abstract::MultiVector& out) const {
-  if (jacobian_stamp_ == 0) return BadDependency;
-  if (!use_jacobian()) return Failed;
+  if (!valid_jacobian_) return BadDependency;
+  if (!active_->equations->factorise(iterate())) return Failed;
   std::vector<std::span<double>> columns;
   for (int c = 0; c < in.numVectors(); ++c) {
-    columns.push_back(as_state(out[c]).local());
-    solve_base(as_state(in[c]).local(), columns.back());
+    out[c] = in[c];
+    columns.push_back(local(out[c]));
   }
-  system_.linear().correct(columns);
+  active_->equations->solve(iterate(), columns);
   return Ok;
-}
-
-/// The residual far from convergence lives on the cracked points alone and needs no solve; close to it a true
-/// solve takes off the round-off of what was kept.
-void Group::solve_base(std::span<const double> b, std::span<double> y) const {
-  constexpr double close = 1e-6;
-  const bool own_residual = valid_f_ && std::ranges::equal(b, std::as_const(*f_).local());
-  if (own_residual && residual_norm() > close * system_.force_level(displacement()) &&
-      system_.solve_base_residual(displacement(), load_factor(), laws(), y))
-    return;
-  system_.linear().solve_base(b, y);
 }
 
 void Group::setParams(const LOCA::ParameterVector& p) {
@@ -166,25 +131,12 @@ NOX::Abstract::Group::ReturnType Group::computeDfDpMulti(const std::vector<int>&
     dfdp[0] = *f_;
   }
   for (std::size_t i = 0; i < ids.size(); ++i) {
-    StateVector& column = as_state(dfdp[static_cast<int>(i) + 1]);
-    if (ids[i] == load_factor_id)
-      system_.load_derivative(laws(), column.local());
-    else
-      column.init(0.0);
+    NOX::Abstract::Vector& column = dfdp[static_cast<int>(i) + 1];
+    column = *x_;  // as long
+    column.init(0.0);
+    if (ids[i] == load_factor_id) active_->equations->load_derivative(iterate(), local(column));
   }
   return Ok;
-}
-
-double Group::computeScaledDotProduct(const NOX::Abstract::Vector& a, const NOX::Abstract::Vector& b) const {
-  std::vector<double> weighted(as_state(b).local().begin(), as_state(b).local().end());
-  system_.apply_metric(metric_, weighted);
-  const auto left = as_state(a).local();
-  return std::inner_product(left.begin(), left.end(), weighted.begin(), 0.0);
-}
-
-void Group::scaleVector(NOX::Abstract::Vector& x) const {
-  StateVector& state = as_state(x);
-  if (state.take_second_half()) system_.apply_metric(metric_, state.local());
 }
 
 }  // namespace dda

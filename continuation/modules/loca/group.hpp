@@ -4,35 +4,26 @@
 #include <LOCA_Parameter_Vector.H>
 
 #include <memory>
-#include <optional>
 
-#include "continuation/modules/loca/state_vector.hpp"
-#include "continuation/state/system.hpp"
+#include "continuation/modules/loca/active_solve.hpp"
+#include "continuation/modules/loca/local_vector.hpp"
 
 namespace dda {
 
-/// The equilibrium equations as a LOCA group: F(x) = R(d, λ), parameters "lambda" and "s".
+/// Equations as a LOCA group: F(x, λ), parameters "lambda" and "s".
 ///
 /// "s" is the abstract path parameter of the user-defined controls, ∂F/∂s = 0. Groups hold values and
-/// validity flags; history, factorisation and laws are the System's. Laws are evaluated once per x and shared
-/// by copies.
+/// validity flags; the equations remember what was computed at the last place they were asked.
 class Group final : public LOCA::Abstract::Group {
  public:
   static constexpr int load_factor_id = 0, path_id = 1;
 
-  Group(const Teuchos::RCP<LOCA::GlobalData>& global, System& system,
-        const Teuchos::RCP<const TpetraMap>& map, const State& start, Metric metric);
+  Group(const Teuchos::RCP<LOCA::GlobalData>& global, std::shared_ptr<const ActiveSolve> active,
+        const Teuchos::RCP<NOX::Abstract::Vector>& x, double load_factor);
   Group(const Group& source, NOX::CopyType type);
 
-  System& system() const { return system_; }
-  State state() const;
-  std::span<const double> displacement() const { return x_->local(); }
   double load_factor() const { return parameters_.getValue(load_factor_id); }
-  const LawValues& laws() const;
-  /// R; valid after computeF.
-  std::span<const double> residual() const { return std::as_const(*f_).local(); }
-  /// ‖R‖ in forces; valid after computeF.
-  double residual_norm() const { return system_.residual_norm(f_->local()); }
+  Iterate iterate() const { return {std::as_const(*this).entries(), load_factor()}; }
 
   // NOX
   NOX::Abstract::Group& operator=(const NOX::Abstract::Group& source) override;
@@ -50,7 +41,7 @@ class Group final : public LOCA::Abstract::Group {
   ReturnType applyJacobianInverseMultiVector(Teuchos::ParameterList&, const NOX::Abstract::MultiVector& in,
                                              NOX::Abstract::MultiVector& out) const override;
   bool isF() const override { return valid_f_; }
-  bool isJacobian() const override { return jacobian_stamp_ != 0; }
+  bool isJacobian() const override { return valid_jacobian_; }
   bool isNewton() const override { return valid_newton_; }
   const NOX::Abstract::Vector& getX() const override { return *x_; }
   const NOX::Abstract::Vector& getF() const override { return *f_; }
@@ -71,24 +62,17 @@ class Group final : public LOCA::Abstract::Group {
   double getParam(std::string name) const override { return parameters_.getValue(name); }
   ReturnType computeDfDpMulti(const std::vector<int>& ids, NOX::Abstract::MultiVector& dfdp,
                               bool valid_f) override;
-  double computeScaledDotProduct(const NOX::Abstract::Vector& a,
-                                 const NOX::Abstract::Vector& b) const override;
-  void scaleVector(NOX::Abstract::Vector& x) const override;
   void printSolution(const double) const override {}
   void printSolution(const NOX::Abstract::Vector&, const double) const override {}
 
  private:
-  void invalidate();
-  bool use_jacobian() const;
-  void solve_base(std::span<const double> b, std::span<double> y) const;
+  std::span<const double> entries() const { return local(std::as_const(*x_)); }
+  void invalidate() { valid_f_ = valid_newton_ = valid_jacobian_ = false; }
 
-  System& system_;
-  Metric metric_;
+  std::shared_ptr<const ActiveSolve> active_;
   LOCA::ParameterVector parameters_;
-  Teuchos::RCP<StateVector> x_, f_, newton_;
-  mutable std::shared_ptr<const LawValues> laws_;
-  bool valid_f_ = false, valid_newton_ = false;
-  std::size_t jacobian_stamp_ = 0;  ///< 0 = none; else the number of this tangent
+  Teuchos::RCP<NOX::Abstract::Vector> x_, f_, newton_;
+  bool valid_f_ = false, valid_newton_ = false, valid_jacobian_ = false;
 };
 
 }  // namespace dda

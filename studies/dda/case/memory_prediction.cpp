@@ -18,9 +18,8 @@ constexpr double number = sizeof(double), mib = 1024.0 * 1024.0;
 /// Pages of libraries that a process holds once it has used them [MiB]. Measured as the sum of Rss over the
 /// files in /proc/PID/smaps, of a beam's run that uses one against the same run without it.
 namespace library {
-constexpr double of_every_run = 6;  // HDF5, the program's own pages
-constexpr double loca = 22, anasazi = 14, amesos2 = 24, mumps = 13;
-constexpr double shared = 7;  // of each of them (MPI, Teuchos), counted once
+constexpr double of_every_run = 21;  // HDF5, LOCA and NOX, the program's own pages
+constexpr double tpetra = 8, anasazi = 7, amesos2 = 17, mumps = 6;
 }  // namespace library
 
 /// Whether a damaged point bears friction.
@@ -105,12 +104,12 @@ double column_bytes(const Case& of, double columns) {
          (of.has_halves() ? half_column_bytes(of, columns) : whole_column_bytes(of, columns));
 }
 
-/// Of states, directions and right-hand sides that live at a time, counted: 88 in a step of LOCA, else some
-/// 32; and by point 6 histories, 4 evaluations of its law and 4 tangents.
-double vector_bytes(const Case& of, bool with_loca) {
-  constexpr double of_loca = 88, without = 32;
+/// Of states, directions and right-hand sides that live at a time, counted: 88 in a step on all unknowns, else
+/// some 32; and by point 6 histories, 4 evaluations of its law and 4 tangents.
+double vector_bytes(const Case& of, bool is_whole) {
+  constexpr double of_whole = 88, without = 32;
   constexpr double of_point = 6 * sizeof(History) + 16 * number * 4;
-  return number * of.n() * (with_loca ? of_loca : without) +
+  return number * of.n() * (is_whole ? of_whole : without) +
          of_point * static_cast<double>(of.equilibrium.num_active());
 }
 
@@ -119,25 +118,24 @@ double most_on_a_line(const Case& of) {
   return 4 * std::sqrt(static_cast<double>(of.equilibrium.num_points()));
 }
 
-/// Whatever the course: LOCA is asked where the cracked points alone do not tell, also where they have
-/// redundant multipliers.
-bool always_loca(const Case& of) {
-  return of.path.control.name() == "arc_length" || of.iterates || of.refactorises() || of.switches() ||
+/// Whatever the course: steps are taken on all unknowns where the cracked points alone do not tell, also where
+/// they have redundant multipliers.
+bool always_whole(const Case& of) {
+  return of.releases || of.iterates || of.refactorises() || of.switches() ||
          (of.has_multipliers() && of.crackable() > most_on_a_line(of));
 }
 
 /// Whether its first matrices may be indefinite already.
 bool is_indefinite(const Case& of) { return of.has_multipliers() || of.switches() || of.has_newton_at_loads; }
 
-double library_bytes(const Case& of, bool loca, bool mumps) {
+double library_bytes(const Case& of, bool whole, bool mumps) {
   const std::pair<bool, double> all[] = {
-      {loca, library::loca},
-      {!loca && of.has_modes(), library::anasazi},
+      {whole, library::tpetra},
+      {!whole && of.has_modes(), library::anasazi},
       {of.path.linear.name() == "amesos2", library::amesos2},
       {mumps || of.path.linear.name() == "mumps" || of.simulation.deck().record.condition, library::mumps}};
-  double sum = 0, used = 0;
-  for (const auto& [is_used, size] : all)
-    if (is_used) sum += size - (used++ > 0 ? library::shared : 0);
+  double sum = 0;
+  for (const auto& [is_used, size] : all) sum += is_used ? size : 0;
   return mib * (library::of_every_run + sum);
 }
 
@@ -163,9 +161,9 @@ MemoryPrediction updates_alone(const Case& of, double cracked) {
   const double systems = of.iterates ? 2 : 1;
   MemoryPrediction out;
   out.cracked_points = static_cast<std::size_t>(cracked);
-  out.libraries = library_bytes(of, always_loca(of), is_indefinite(of));
+  out.libraries = library_bytes(of, always_whole(of), is_indefinite(of));
   out.factor = systems * of.solver_bytes + other_matrix_bytes(of);
-  out.vectors = std::max(matrix_bytes(of), vector_bytes(of, always_loca(of)));
+  out.vectors = std::max(matrix_bytes(of), vector_bytes(of, always_whole(of)));
   out.columns = std::max(systems * column_bytes(of, 2 * cracked), redundancy_bytes(of));
   return out;
 }
@@ -235,12 +233,12 @@ MemoryPrediction predict_memory(const Simulation& simulation) {
   if (of.refactorises() || is_open) {
     constexpr double seldom_more = 2.5;
     const MemoryPrediction anew = new_bases(of, {seldom_more, of.releases, 0});
-    MemoryPrediction with_loca = alone;
-    with_loca.libraries = library_bytes(of, true, is_indefinite(of));
+    MemoryPrediction whole = alone;
+    whole.libraries = library_bytes(of, true, is_indefinite(of));
     if (of.refactorises() || is_much)
       out = anew;
-    else if (of.slides)  // which LOCA follows, and often with a new base
-      out = between(with_loca, anew);
+    else if (of.slides)  // which steps on all unknowns follow, and often with a new base
+      out = between(whole, anew);
     most = new_bases(of, {std::numeric_limits<double>::infinity(), of.slides, 1});
   }
   out.until_here = until_here;

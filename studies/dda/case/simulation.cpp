@@ -113,7 +113,7 @@ void Simulation::try_passed_through() {
   const Position& where = path.nox.entries.empty() ? path.loca.where : path.nox.where;
   const std::string text = "NOX and LOCA do not take what `path.nox` and `path.loca` say";
   try {
-    arc_length_step(*system_, walker_->state(), {.length = 1e-3}, walker_->parameters());
+    stepper_->try_lists();
   } catch (const InputError&) {
     throw;
   } catch (const std::exception& error) {
@@ -127,7 +127,8 @@ void Simulation::prepare() {
   const auto scope = timings_.measure("factorisation");
   system_ = std::make_unique<System>(*equilibrium_, deck_.path.linear, deck_.path.update);
   system_->measure_with(timings_);
-  walker_ = std::make_unique<Walker>(*system_, deck_.path);
+  stepper_ = std::make_unique<Stepper>(*system_, deck_.path);
+  walker_ = std::make_unique<Walker>(*stepper_);
   notices_ = equilibrium_->interfaces().notices;
   if (const std::size_t multipliers = equilibrium_->num_unknown_multipliers(); multipliers > 0)
     if (const int redundant = num_redundant(equilibrium_->unperturbed()); redundant > 0)

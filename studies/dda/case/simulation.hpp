@@ -55,6 +55,7 @@ class Simulation {
   std::unique_ptr<const Body> body_;
   std::unique_ptr<const Equilibrium> equilibrium_;
   std::unique_ptr<System> system_;
+  std::unique_ptr<Stepper> stepper_;
   std::unique_ptr<Walker> walker_;
   std::unique_ptr<Path> path_;
   GaugeBook gauges_;

@@ -88,6 +88,8 @@ namespace {
 void add_effort(const Effort& effort, Json& out) {
   out["steps"] = effort.accepted;
   out["rejected_steps"] = effort.rejected;
+  out["cracked_steps"] = effort.cracked_steps;
+  out["whole_steps"] = effort.whole_steps;
   out["newton_iterations"] = effort.newton_iterations;
   out["reduced_iterations"] = effort.reduced_iterations;
   out["relaxation_iterations"] = effort.relaxation_iterations;

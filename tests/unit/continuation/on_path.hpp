@@ -56,13 +56,15 @@ class OnPath {
         equilibrium_(structure_.equilibrium()),
         parameters_(path_schema().read(parse_yaml(path_yaml, "path.yaml"))),
         system_(equilibrium_, parameters_.linear, parameters_.update),
-        walker_(system_, parameters_),
+        stepper_(system_, parameters_),
+        walker_(stepper_),
         book_{system_.loading().gauges, "", "u"},
         path_(walker_, parameters_, book_, Route{wanted(landings)}) {}
 
   Path& path() { return path_; }
   const Walker& walker() const { return walker_; }
   System& system() { return system_; }
+  const Stepper& stepper() const { return stepper_; }
   /// What the path knows where the walker stands, on another route.
   PathState state(Route route = {}) {
     PathState out(walker_, parameters_, book_, std::move(route));
@@ -82,6 +84,7 @@ class OnPath {
   Equilibrium equilibrium_;
   PathParameters parameters_;
   System system_;
+  Stepper stepper_;
   Walker walker_;
   GaugeBook book_;
   Path path_;

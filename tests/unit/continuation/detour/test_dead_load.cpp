@@ -42,7 +42,8 @@ struct Panel {
         equilibrium(structure.equilibrium()),
         parameters(path_schema().read(parse_yaml("{}", "path.yaml"))),
         system(equilibrium, parameters.linear, parameters.update),
-        walker(system, parameters) {}
+        stepper(system, parameters),
+        walker(stepper) {}
 
   bool is_broken(std::size_t p) const {
     const InterfacePoint& point = equilibrium.point(p);
@@ -53,6 +54,7 @@ struct Panel {
   Equilibrium equilibrium;
   PathParameters parameters;
   System system;
+  Stepper stepper;
   Walker walker;
 };
 

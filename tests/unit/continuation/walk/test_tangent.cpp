@@ -43,7 +43,8 @@ struct CrackedBar {
         equilibrium(structure.equilibrium()),
         parameters(path_schema().read(parse_yaml("{}", "path.yaml"))),
         system(equilibrium, parameters.linear, parameters.update),
-        walker(system, parameters) {
+        stepper(system, parameters),
+        walker(stepper) {
     failure = apply_full_stage(walker);
     loads = system.history()[0].loading;
     walker.begin_stage(1);
@@ -53,6 +54,7 @@ struct CrackedBar {
   Equilibrium equilibrium;
   PathParameters parameters;
   System system;
+  Stepper stepper;
   Walker walker;
   std::string failure;
   bool loads = false;  ///< the crack, at the end of the first stage

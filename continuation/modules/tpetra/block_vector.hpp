@@ -1,10 +1,9 @@
 #pragma once
 
-#include <NOX_Abstract_Vector.H>
-
 #include <Teuchos_RCP.hpp>
 #include <Tpetra_Vector.hpp>
-#include <span>
+
+#include "continuation/modules/loca/local_vector.hpp"
 
 namespace dda {
 
@@ -15,19 +14,16 @@ using TpetraMap = Tpetra::Map<>;
 ///
 /// A distributed run is another map; `local()` is always the part that this rank owns. Tested on one rank
 /// only.
-class StateVector final : public NOX::Abstract::Vector {
+class BlockVector final : public LocalVector {
  public:
-  explicit StateVector(Teuchos::RCP<const TpetraMap> map) : data_(Teuchos::rcp(new TpetraVector(map))) {}
-  StateVector(const StateVector& other, NOX::CopyType type);
+  explicit BlockVector(Teuchos::RCP<const TpetraMap> map) : data_(Teuchos::rcp(new TpetraVector(map))) {}
+  BlockVector(const BlockVector& other, NOX::CopyType type);
 
-  StateVector& operator=(const StateVector& y);
+  BlockVector& operator=(const BlockVector& y);
 
-  /// Owned entries; rotations and strains carry their own units.
-  std::span<double> local();
-  std::span<const double> local() const;
-  /// LOCA forms W v by asking twice for W^½ v; a metric that is no diagonal is applied at the second request,
-  /// and this remembers the first. True at every second call.
-  bool take_second_half() { return (half_scaled_ = !half_scaled_, !half_scaled_); }
+  /// Rotations and strains carry their own units.
+  std::span<double> local() override;
+  std::span<const double> local() const override;
 
   NOX::Abstract::Vector& init(double value) override;
   NOX::Abstract::Vector& random(bool use_seed, int seed) override;
@@ -47,11 +43,6 @@ class StateVector final : public NOX::Abstract::Vector {
 
  private:
   Teuchos::RCP<TpetraVector> data_;
-  bool half_scaled_ = false;
 };
-
-/// The StateVector behind a NOX vector.
-const StateVector& as_state(const NOX::Abstract::Vector& x);
-StateVector& as_state(NOX::Abstract::Vector& x);
 
 }  // namespace dda

@@ -2,37 +2,37 @@
 
 #include <cmath>
 
-#include "continuation/modules/loca/state_vector.hpp"
+#include "continuation/modules/tpetra/block_vector.hpp"
 #include "continuation/modules/trilinos_session.hpp"
 
 namespace dda {
 namespace {
 
-StateVector vector_of(const std::vector<double>& values) {
-  StateVector out(Teuchos::rcp(new TpetraMap(values.size(), 0, all_ranks())));
+BlockVector vector_of(const std::vector<double>& values) {
+  BlockVector out(Teuchos::rcp(new TpetraMap(values.size(), 0, all_ranks())));
   std::copy(values.begin(), values.end(), out.local().begin());
-  return StateVector(out, NOX::DeepCopy);
+  return BlockVector(out, NOX::DeepCopy);
 }
 
-std::vector<double> values_of(const StateVector& x) { return {x.local().begin(), x.local().end()}; }
+std::vector<double> values_of(const BlockVector& x) { return {x.local().begin(), x.local().end()}; }
 
-class StateVectorTest : public testing::Test {
+class BlockVectorTest : public testing::Test {
   TrilinosSession session_;
 };
 
-TEST_F(StateVectorTest, CopiesDeepOrByShape) {
-  const StateVector x = vector_of({1, -2, 3});
-  EXPECT_EQ(values_of(StateVector(x, NOX::DeepCopy)), (std::vector<double>{1, -2, 3}));
-  EXPECT_EQ(values_of(StateVector(x, NOX::ShapeCopy)), (std::vector<double>{0, 0, 0}));
+TEST_F(BlockVectorTest, CopiesDeepOrByShape) {
+  const BlockVector x = vector_of({1, -2, 3});
+  EXPECT_EQ(values_of(BlockVector(x, NOX::DeepCopy)), (std::vector<double>{1, -2, 3}));
+  EXPECT_EQ(values_of(BlockVector(x, NOX::ShapeCopy)), (std::vector<double>{0, 0, 0}));
   const auto clone = x.clone(NOX::DeepCopy);
   clone->scale(2);
   EXPECT_EQ(values_of(x), (std::vector<double>{1, -2, 3})) << "a clone is its own";
-  EXPECT_EQ(values_of(as_state(*clone)), (std::vector<double>{2, -4, 6}));
+  EXPECT_EQ(values_of(dynamic_cast<const BlockVector&>(*clone)), (std::vector<double>{2, -4, 6}));
 }
 
-TEST_F(StateVectorTest, Arithmetic) {
-  StateVector x = vector_of({1, -2, 4});
-  const StateVector y = vector_of({3, 5, 7});
+TEST_F(BlockVectorTest, Arithmetic) {
+  BlockVector x = vector_of({1, -2, 4});
+  const BlockVector y = vector_of({3, 5, 7});
   x.update(2, static_cast<const NOX::Abstract::Vector&>(y), -1);
   EXPECT_EQ(values_of(x), (std::vector<double>{5, 12, 10}));
   x.update(1, static_cast<const NOX::Abstract::Vector&>(y), 2, static_cast<const NOX::Abstract::Vector&>(y),
@@ -48,8 +48,8 @@ TEST_F(StateVectorTest, Arithmetic) {
   EXPECT_EQ(values_of(x), (std::vector<double>{7, 7, 7}));
 }
 
-TEST_F(StateVectorTest, Norms) {
-  const StateVector x = vector_of({3, -4, 0}), y = vector_of({1, 2, 5});
+TEST_F(BlockVectorTest, Norms) {
+  const BlockVector x = vector_of({3, -4, 0}), y = vector_of({1, 2, 5});
   EXPECT_EQ(x.norm(NOX::Abstract::Vector::TwoNorm), 5);
   EXPECT_EQ(x.norm(NOX::Abstract::Vector::OneNorm), 7);
   EXPECT_EQ(x.norm(NOX::Abstract::Vector::MaxNorm), 4);

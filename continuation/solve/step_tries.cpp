@@ -1,0 +1,85 @@
+#include "continuation/solve/step_tries.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+
+#include "continuation/solve/contact_step.hpp"
+#include "continuation/solve/reduced.hpp"
+#include "continuation/solve/whole_step.hpp"
+
+namespace dda {
+namespace {
+
+/// Up to so many points that have cracked contacts are solved before Newton's method is tried on all
+/// unknowns.
+constexpr std::size_t few_points = 200;
+
+/// A state found on the cracked points as the end of the step, if the full equations and the control have
+/// nothing to add.
+std::optional<Attempt> finished(System& system, const StepGoal& goal, const Reduced& found,
+                                double tolerance) {
+  if (system.iterates_multipliers()) return {};
+  const State& at = found.state;
+  const auto laws = system.laws_at(at.d, at.load_factor);
+  const double miss = goal.control.residual({at.d, at.load_factor, *laws}, goal.step);
+  if (!(std::abs(miss) <= control_tolerance)) return {};
+  std::vector<double> r(at.d.size());
+  system.residual(at.d, at.load_factor, *laws, r);
+  const double residual = system.relative(system.residual_norm(r), at.d);
+  if (!(residual <= tolerance)) return {};
+  return Attempt{.converged = true,
+                 .state = at,
+                 .solution = {Unknowns::cracked, found.x},
+                 .residual = residual,
+                 .reason = {}};
+}
+
+}  // namespace
+
+StepTries::StepTries(Stepper& stepper, const StepGoal& goal, Thoroughness thoroughness)
+    : stepper_(stepper), system_(stepper.system()), goal_(goal), thoroughness_(thoroughness) {
+  touches_ = system_.joins_by_contact();
+  if (touches_) num_cracked_ = num_cracked(system_, goal.guess);
+}
+
+Attempt StepTries::find() {
+  const NewtonParameters& newton = stepper_.parameters().newton;
+  const auto reduced = only_touches() ? std::nullopt : solve_reduced(stepper_, goal_, newton.max_iterations);
+  if (reduced)
+    if (auto whole = finished(system_, goal_, *reduced, newton.tolerance)) out_ = *std::move(whole);
+  const bool contacts_first = touches_ && num_cracked_ <= few_points;
+  if (contacts_first) by_contacts();
+  by_all(reduced ? reduced->state : goal_.guess);
+  // At a rupture the tangent is singular on the far side of the kink: only from this one can it be reached.
+  if (reduced) by_all(goal_.guess);
+  if (!contacts_first && (touches_ || are_few())) by_contacts();
+  if (!out_.converged && touches_ && !of_contacts_.empty())
+    out_.reason = fmt::format("{} (Newton's method: {})", of_contacts_, out_.reason);
+  if (reduced) {
+    out_.newton_iterations += reduced->iterations;
+    out_.reduced_iterations += reduced->iterations;
+  }
+  return std::move(out_);
+}
+
+bool StepTries::are_few() const {
+  return num_changed(system_, goal_.guess) <= most_contacts(system_, thoroughness_);
+}
+
+void StepTries::by_contacts() {
+  if (out_.converged) return;
+  system_.set_multipliers(goal_.start.multipliers);
+  Attempt found = contact_step(stepper_, goal_, thoroughness_);
+  of_contacts_ = found.reason;
+  if (found.converged || out_.reason.empty()) out_ = std::move(found);
+}
+
+void StepTries::by_all(const State& guess) {
+  if (out_.converged) return;
+  system_.set_multipliers(goal_.start.multipliers);
+  out_ = whole_step(stepper_, {goal_.start, goal_.control, goal_.step, guess}, Method::newton);
+}
+
+}  // namespace dda
