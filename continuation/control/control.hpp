@@ -39,6 +39,8 @@ class Control {
   virtual double load_increment() const { return 0; }
   /// What finds the equilibrium of an increment; null without increments.
   virtual LoadSolver* load_solver() { return nullptr; }
+  /// Whether its steps have a size that can be set.
+  virtual bool sizes_steps() const { return true; }
   /// Why this control cannot follow the path of this structure; "" when it can.
   virtual std::string refusal(const Equilibrium&) const { return {}; }
   /// Whether sequentially linear steps may carry on where this control fails.

@@ -17,6 +17,7 @@ class LoadIncrements final : public Control {
   Move next(Walker& walker) override { return event_move(walker); }
   double load_increment() const override { return increment_; }
   double prescribed_rate(const Tangent& along) const override { return along.load_factor; }
+  bool sizes_steps() const override { return false; }
   LoadSolver* load_solver() override { return solver_.get(); }
   std::string refusal(const Equilibrium& equilibrium) const override { return solver_->refusal(equilibrium); }
 

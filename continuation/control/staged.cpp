@@ -44,6 +44,7 @@ std::unique_ptr<Control> make_dissipation(const DissipationParameters&, const Ga
 class EventOnly final : public Control {
  public:
   Move next(Walker& walker) override { return event_move(walker); }
+  bool sizes_steps() const override { return false; }
 };
 
 struct EventParameters {};

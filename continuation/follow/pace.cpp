@@ -45,6 +45,11 @@ double first_amount(const PathState& path) {
   return amount;
 }
 
+double first_amount(const PathState& path, const Move& move) {
+  const auto& wanted = path.parameters.step.first;
+  return wanted ? *wanted / std::abs(move.rate) : first_amount(path);
+}
+
 double unit_of(const PathState& path, const Move& move) {
   return path.walker.leaving().dissipates ? 1 : std::abs(move.rate);
 }
@@ -55,7 +60,7 @@ double sliding_amount(const PathState& path) {
   return load_rate > 0 ? little * load_size(path.memory, path.parameters) / load_rate : 0;
 }
 
-double bounded(const PathState& path, double amount) {
+double bounded(const PathState& path, const Move& move, double amount) {
   const double load_rate = std::abs(path.walker.leaving().rate(path.load));
   const double displacement_rate_now = std::abs(path.displacement_rate(path.walker.leaving()));
   const double load_size_now = load_size(path.memory, path.parameters);
@@ -68,10 +73,15 @@ double bounded(const PathState& path, double amount) {
   if (displacement_rate_now > 0 && path.memory.largest_displacement > 0)
     amount = std::min(amount, of_displacement * path.parameters.step.largest *
                                   path.memory.largest_displacement / displacement_rate_now);
+  if (path.parameters.step.longest)
+    amount = std::min(amount, *path.parameters.step.longest / std::abs(move.rate));
   return amount;
 }
 
-void resize(PathState& path, const Candidate& candidate, double amount, const Move& move) {
+namespace {
+
+/// By how much the next step may grow for what this one has strayed from its tangent.
+double growth_by_deviation(const PathState& path, const Candidate& candidate, double amount) {
   const State predicted = path.walker.ahead(amount);
   const double load =
       std::abs(path.load_of(predicted) - path.load_of(candidate.state)) /
@@ -82,8 +92,31 @@ void resize(PathState& path, const Candidate& candidate, double amount, const Mo
   constexpr double balance_share = 0.005;  // of the accuracy, for the energy a step leaves unaccounted for
   const double strayed = std::max(
       {load, displacement, std::abs(missing_work(path, candidate)) / candidate.work / balance_share, 1e-12});
-  path.memory.step =
-      amount * unit_of(path, move) * std::clamp(std::sqrt(path.parameters.step.accuracy / strayed), 0.3, 2.0);
+  return std::clamp(std::sqrt(path.parameters.step.accuracy / strayed), 0.3, 2.0);
+}
+
+/// LOCA's adaptive step size, 1 + a (1 − n/N)².
+double growth_by_iterations(const PathState& path, const Candidate& candidate) {
+  const double most = path.parameters.newton.max_iterations,
+               left = 1 - std::min<double>(candidate.newton_iterations, most) / most;
+  return 1 + path.parameters.step.aggressiveness.value_or(0.5) * left * left;
+}
+
+}  // namespace
+
+void resize(PathState& path, const Candidate& candidate, double amount, const Move& move) {
+  const bool is_known = path.memory.step > 0 && path.memory.step_kind == move.kind;
+  const double taken = amount * unit_of(path, move);
+  switch (path.parameters.step.sizing) {
+    case Sizing::deviation:
+      path.memory.step = taken * growth_by_deviation(path, candidate, amount);
+      break;
+    case Sizing::iterations:
+      path.memory.step = taken * growth_by_iterations(path, candidate);
+      break;
+    case Sizing::constant:
+      if (!is_known) path.memory.step = taken;
+  }
   path.memory.step_kind = move.kind;
 }
 

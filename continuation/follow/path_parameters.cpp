@@ -3,19 +3,58 @@
 namespace dda {
 namespace {
 
+/// Sizes in the unit of what the control prescribes, and what they follow.
+Schema<StepSizes> with_sizes(Schema<StepSizes> schema) {
+  using P = StepSizes;
+  return schema
+      .number("first", &P::first,
+              {.bounds = above(0),
+               .text = "Length of the first step under a control, in the unit of what it prescribes."})
+      .number("shortest", &P::shortest,
+              {.bounds = above(0), .text = "Steps that would have to be shorter end the path; same unit."})
+      .number("longest", &P::longest, {.bounds = above(0), .text = "No step is longer; same unit."})
+      .one_of("sizing", &P::sizing,
+              {{"deviation", Sizing::deviation},
+               {"iterations", Sizing::iterations},
+               {"constant", Sizing::constant}},
+              {.fallback = Sizing::deviation,
+               .text = "What the next step is sized by: how well the tangent has predicted the last one "
+                       "(`accuracy`), how many iterations that took, or nothing."})
+      .number("aggressiveness", &P::aggressiveness,
+              {.bounds = at_least(0) & at_most(10),
+               .text = "a of `sizing: iterations`, 0.5 if not given: a step that took n of N iterations is "
+                       "followed by one that is 1 + a (1 - n/N)^2 times as long."})
+      .number("cut", &P::cut,
+              {.fallback = 0.25,
+               .bounds = above(0) & below(1),
+               .text = "A step that fails is tried again with this share of its length."})
+      .one_of("predictor", &P::predictor,
+              {{"tangent", Predictor::tangent}, {"constant", Predictor::constant}},
+              {.fallback = Predictor::tangent,
+               .text = "Where Newton's method begins: on the tangent, or at the last point."})
+      .check([](const P& p, const Position& where, Findings& findings) {
+        if (p.aggressiveness && p.sizing != Sizing::iterations)
+          findings.add(where, "aggressiveness: only `sizing: iterations` has one");
+        if (p.shortest && p.longest && *p.shortest > *p.longest)
+          findings.add(where, "shortest: no step is as long, see `longest`");
+      });
+}
+
 Schema<StepSizes> step_schema() {
   using P = StepSizes;
-  return Schema<P>("How closely the path is followed.")
-      .number("accuracy", &P::accuracy,
+  return with_sizes(
+      Schema<P>("How closely the path is followed.")
+          .number(
+              "accuracy", &P::accuracy,
               {.fallback = 0.02,
                .bounds = above(0) & at_most(0.5),
                .text = "Deviation from the tangent that one step aims at, relative to the largest load and "
                        "displacement."})
-      .number(
-          "largest", &P::largest,
-          {.fallback = 0.1,
-           .bounds = above(0) & at_most(1),
-           .text = "Largest predicted change of the load in one step, relative to the largest load so far."});
+          .number("largest", &P::largest,
+                  {.fallback = 0.1,
+                   .bounds = above(0) & at_most(1),
+                   .text = "Largest predicted change of the load in one step, relative to the largest load "
+                           "so far."}));
 }
 
 Schema<StopRules> stop_schema() {
@@ -39,6 +78,10 @@ Schema<StopRules> stop_schema() {
                 .bounds = at_least(1),
                 .text = "Limit: a run that has accepted so many steps and not reached its goal is stopped "
                         "early."})
+      .number("load_factor_above", &P::load_factor_above,
+              {.text = "End where the load factor of the last stage has risen to this value."})
+      .number("load_factor_below", &P::load_factor_below,
+              {.text = "End where the load factor of the last stage has fallen to this value."})
       .number("energy_error", &P::energy_error,
               {.fallback = 0.05,
                .bounds = above(0),
@@ -54,7 +97,29 @@ Schema<NewtonParameters> newton_schema() {
                .bounds = above(0) & at_most(1e-4),
                .text = "Residual force relative to the force level of the blocks."})
       .integer("max_iterations", &P::max_iterations,
-               {.fallback = 15, .bounds = between(2, 200), .text = "Iterations before a step is given up."});
+               {.fallback = 15, .bounds = between(2, 200), .text = "Iterations before a step is given up."})
+      .one_of("line_search", &P::line_search,
+              {{"full_step", LineSearch::full_step},
+               {"backtrack", LineSearch::backtrack},
+               {"polynomial", LineSearch::polynomial}},
+              {.fallback = LineSearch::full_step,
+               .text = "NOX's line search: none, or shorter and shorter, or by a parabola, until the "
+                       "residual falls."})
+      .number("reduction", &P::reduction,
+              {.bounds = above(0) & below(1),
+               .text = "Of `line_search: backtrack`, 0.5 if not given: each trial is so much of the last."})
+      .integer("output", &P::output,
+               {.fallback = 0,
+                .bounds = at_least(0),
+                .text = "What NOX and LOCA print into nox.log of the run folder, NOX's sum of bits: 1 "
+                        "warnings, 2 outer "
+                        "iterations, 4 inner ones, 8 parameters, 16 details, 128 status tests of iterations, "
+                        "512 steps "
+                        "of LOCA, 1024 their details; 0 nothing."})
+      .check([](const P& p, const Position& where, Findings& findings) {
+        if (p.reduction && p.line_search != LineSearch::backtrack)
+          findings.add(where, "reduction: only `line_search: backtrack` has one");
+      });
 }
 
 Schema<MultiplierParameters> multiplier_schema() {
@@ -89,8 +154,13 @@ Schema<PathParameters> with_solvers(Schema<PathParameters> schema) {
           "expected_to_stop", &P::expected_to_stop,
           {.fallback = std::vector<std::string>{},
            .text = "Controls that this scene is known to stop early; `dda compare` takes that as a success."})
-      .passthrough("nox", &P::nox, {.text = "Parameters for NOX, as they stand."})
-      .passthrough("loca", &P::loca, {.text = "Parameters for LOCA, as they stand."});
+      .text("parameters", &P::lists,
+            {.fallback = "",
+             .text =
+                 "A Teuchos::ParameterList with the sublists NOX and LOCA, an XML or YAML file; what it sets "
+                 "stands for keys of the deck, in effective_deck.yaml. See `dda explain parameters`."})
+      .passthrough("nox", &P::nox, {.text = "The sublist NOX of such a list."})
+      .passthrough("loca", &P::loca, {.text = "The sublist LOCA of such a list."});
 }
 
 }  // namespace

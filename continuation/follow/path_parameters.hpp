@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,10 +10,34 @@
 
 namespace dda {
 
-/// Step sizes as multiples of what the path itself suggests, and how closely it is followed.
+/// By what the next step is sized.
+enum class Sizing {
+  deviation,   ///< how well the tangent has predicted the last one
+  iterations,  ///< how many of Newton's iterations it took
+  constant
+};
+
+/// Where Newton's method begins.
+enum class Predictor {
+  tangent,  ///< as far along the leaving tangent as the step goes
+  constant  ///< at the last point
+};
+
+/// Step sizes as multiples of what the path itself suggests, and in units of what the control prescribes.
 struct StepSizes {
   double accuracy = 0.02;
   double largest = 1;
+  std::optional<double> first, shortest, longest;  ///< in the control's own unit
+  Sizing sizing = Sizing::deviation;
+  std::optional<double> aggressiveness;  ///< of `iterations`
+  double cut = 0.25;                     ///< share that is left of a step that has failed
+  Predictor predictor = Predictor::tangent;
+
+  /// Whether something is set that only controls heed whose steps have a size.
+  bool sets_sizes() const {
+    return first || shortest || longest || sizing != Sizing::deviation || aggressiveness || cut != 0.25 ||
+           predictor != Predictor::tangent;
+  }
 };
 
 /// Where the path is to end.
@@ -21,6 +46,7 @@ struct StopRules {
   std::map<std::string, double> gauges;
   int after_steps = 0;  ///< a goal; 0: none
   int steps = 1000;     ///< a limit
+  std::optional<double> load_factor_above, load_factor_below;
   double energy_error = 0.05;
 };
 
@@ -41,6 +67,8 @@ struct PathParameters : StepperParameters {
   DirectSolverChoice linear;
   LinearSystem::Update update = LinearSystem::Update::low_rank;
   std::vector<std::string> expected_to_stop;
+  std::string lists;  ///< parameter lists, which stand for keys of the deck when it has been read
+  Node nox, loca;     ///< likewise
   Position where;
 };
 

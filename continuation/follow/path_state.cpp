@@ -34,6 +34,9 @@ PathState::PathState(Walker& stands, const PathParameters& wanted, const GaugeBo
       standstill(walker.system().equilibrium().block_size(), size) {
   if (std::ranges::find(travelling, "load", &NamedGauge::name) == travelling.end())
     travelling.push_back({"load", walker.system().loading().load, dimension::force});
+  for (const Landing& landing : route.landings)
+    if (std::ranges::find(travelling, landing.name, &NamedGauge::name) == travelling.end())
+      travelling.push_back({landing.name, landing.gauge, {}});
   for (const auto& law : walker.system().equilibrium().interfaces().laws)
     releases_at_once = releases_at_once || law->releases_at_once();
   memory.largest_force = holding_of(walker.system(), walker.state()).load;

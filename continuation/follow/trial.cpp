@@ -15,8 +15,9 @@ namespace dda {
 namespace {
 
 Attempt attempt(PathState& path, const Move& move, double amount, Thoroughness thoroughness) {
+  const bool is_constant = path.parameters.step.predictor == Predictor::constant && !move.to_event;
   return path.walker.attempt(*move.equation, move.to_event ? 1.0 : amount * move.rate,
-                             path.walker.ahead(amount), thoroughness);
+                             is_constant ? path.walker.state() : path.walker.ahead(amount), thoroughness);
 }
 
 /// Whether the load has gone back on the way to an event although nothing cracks.

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "continuation/solve/equations.hpp"
-#include "framework/deck/node.hpp"
 
 namespace dda {
 
@@ -46,13 +48,30 @@ class LocaStepper {
   virtual int num_steps() const = 0;
 };
 
-/// The deck's sublists for them.
-struct LocaLists {
-  Node nox, loca;
+/// What the lists of a stepper say beside what is always so.
+struct LocaSettings {
+  std::string line_search = "Full Step";  ///< of Method::newton, by NOX's name
+  double reduction = 0.5;                 ///< of "Backtrack"
+  int output = 0;                         ///< "Output Information"
+  std::filesystem::path log = {};         ///< a file that is appended to; none: nothing is printed
 };
 
 /// A stepper, from a module that is loaded when it is first asked for. Throws std::runtime_error with the
-/// loader's words, and what NOX or LOCA say to the lists.
-std::unique_ptr<LocaStepper> make_loca_stepper(const LocaLists& lists);
+/// loader's words.
+std::unique_ptr<LocaStepper> make_loca_stepper(const LocaSettings& settings);
+
+/// A parameter of a Teuchos::ParameterList: the names of the lists that it is in, and its own; its value as
+/// text.
+struct ListEntry {
+  std::vector<std::string> lists;
+  std::string name;
+  enum class Type { boolean, integer, number, text } type = Type::text;
+  std::string value;
+};
+
+/// The parameters of a list in an XML file, in its order. Throws std::runtime_error with what Teuchos says.
+std::vector<ListEntry> read_parameter_list(const std::filesystem::path& file);
+/// The XML text of a list.
+std::string parameter_list_text(const std::vector<ListEntry>& entries);
 
 }  // namespace dda

@@ -17,6 +17,12 @@ class FrozenDamage {
   System& system_;
 };
 
+/// Its name in NOX's lists.
+std::string line_search_of(const NewtonParameters& newton) {
+  if (newton.line_search == LineSearch::full_step) return "Full Step";
+  return newton.line_search == LineSearch::backtrack ? "Backtrack" : "Polynomial";
+}
+
 }  // namespace
 
 Stepper::Stepper(System& system, StepperParameters parameters)
@@ -24,7 +30,11 @@ Stepper::Stepper(System& system, StepperParameters parameters)
 
 LocaStepper& Stepper::loca(Unknowns unknowns) {
   auto& kept = loca_[static_cast<std::size_t>(unknowns)];
-  if (!kept) kept = make_loca_stepper({parameters_.nox, parameters_.loca});
+  if (!kept)
+    kept = make_loca_stepper({.line_search = line_search_of(parameters_.newton),
+                              .reduction = parameters_.newton.reduction.value_or(0.5),
+                              .output = parameters_.newton.output,
+                              .log = log_});
   return *kept;
 }
 
@@ -33,14 +43,6 @@ Solved Stepper::solve(const Solve& wanted) { return loca(wanted.equations.unknow
 void Stepper::accept(const Solution& solution, const State& state) {
   const std::vector<double>& x = solution.unknowns == Unknowns::whole ? state.d : solution.x;
   loca(solution.unknowns).accept({x, state.load_factor});
-}
-
-void Stepper::try_lists() {
-  const auto load = make_gauge_equation({.rows = {}, .per_load_factor = 1});
-  const std::vector<double> rest(system_.equilibrium().num_unknowns(), 0.0);
-  load->start_at({rest, 0, *system_.laws_at(rest, 0)}, 1);
-  WholeEquations equations(system_, *load, 0, parameters_.newton);
-  make_loca_stepper({parameters_.nox, parameters_.loca})->solve({equations, {rest, 0}});
 }
 
 int Stepper::num_steps(Unknowns unknowns) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -36,12 +37,11 @@ struct MultiplierParameters {
   bool predicted = true;  ///< start from the path's tangent; otherwise from the last step
 };
 
-/// What every attempt needs beside the system: Newton's tolerances and the deck's `nox` and `loca` sublists.
+/// What every attempt needs beside the system.
 struct StepperParameters {
   NewtonParameters newton;
   MultiplierParameters multipliers;
   bool stability = true;  ///< count the negative eigenvalues of every equilibrium that is tried
-  Node nox, loca;         ///< the deck's sublists
 };
 
 /// How much is tried before a step is given up: where a shorter one may do, no large dense problem.
@@ -67,14 +67,15 @@ class Stepper {
   void accept(const Solution& solution, const State& state);
   /// Accepted steps, as LOCA counts them.
   int num_steps(Unknowns unknowns) const;
-  /// Has NOX and LOCA read the deck's sublists; throws what they say to them.
-  void try_lists();
+  /// Where NOX and LOCA print what `path.newton.output` asks for, from the first solve on.
+  void log_to(const std::filesystem::path& file) { log_ = file; }
 
  private:
   LocaStepper& loca(Unknowns unknowns);
 
   System& system_;
   StepperParameters parameters_;
+  std::filesystem::path log_;
   std::array<std::unique_ptr<LocaStepper>, 2> loca_;
 };
 

@@ -9,10 +9,16 @@
 
 namespace dda {
 
-/// When a Newton iteration ends.
+/// What NOX makes of a Newton step.
+enum class LineSearch { full_step, backtrack, polynomial };
+
+/// How a Newton iteration goes on, and when it ends.
 struct NewtonParameters {
   double tolerance = 1e-9;  ///< ‖R‖ relative to the force level of the blocks
   int max_iterations = 15;
+  LineSearch line_search = LineSearch::full_step;
+  std::optional<double> reduction = {};  ///< of `backtrack`
+  int output = 0;                        ///< NOX's and LOCA's, into a file (Stepper::log_to); bits
 };
 
 /// Largest |N| of a control that counts as none.

@@ -32,12 +32,12 @@ Outcome climb(PathState& path, const Candidate& candidate, Stride& stride) {
 
 /// A try that found no next point: where the load ends, joints snap or the path turns before its end, there.
 Outcome after_failure(PathState& path, Stride& stride, bool is_cut) {
-  if (path.load_of(path.walker.ahead(stride.amount / cut)) <= 0)
+  if (path.load_of(path.walker.ahead(stride.amount / path.parameters.step.cut)) <= 0)
     if (auto point = rupture(path)) return {std::move(point)};
   if (path.jumped)
     if (auto point = snap(path, *path.jumped, stride)) return {std::move(point)};
   if (auto point = land_on_turn(path, stride, is_cut)) return {std::move(point)};
-  stride.amount *= cut;
+  stride.amount *= path.parameters.step.cut;
   return {};
 }
 
@@ -79,15 +79,17 @@ std::optional<Point> end_of_control(PathState& path, const Stride& stride) {
 
 std::optional<Point> controlled_step(PathState& path, const Move& move) {
   const bool known = path.memory.step > 0 && path.memory.step_kind == move.kind;
-  const double first = bounded(path, known ? path.memory.step / unit_of(path, move) : first_amount(path));
+  const double first =
+      bounded(path, move, known ? path.memory.step / unit_of(path, move) : first_amount(path, move));
   if (path.load_of(path.walker.ahead(first)) <= 0 && path.load_of(path.walker.state()) > 0)
     if (auto point = rupture(path)) return point;
   Stride stride{.move = move,
                 .amount = first,
-                .natural = std::max(first, bounded(path, first_amount(path))),
+                .natural = std::max(first, bounded(path, move, first_amount(path, move))),
                 .why = "the tangent does not tell how far a step may go"};
   constexpr double few_cuts = 0.1;  // of the step: more is tried, which takes long, once they have not helped
-  while (stride.amount > smallest_share * first) {
+  const double shortest = path.parameters.step.shortest.value_or(0) / std::abs(move.rate);
+  while (stride.amount > std::max(smallest_share * first, shortest)) {
     const bool is_cut = stride.amount <= few_cuts * stride.natural;
     const auto candidate =
         try_step(path, move, stride.amount, is_cut ? Thoroughness::full : Thoroughness::usual);

@@ -40,7 +40,7 @@ std::optional<Outcome> refuse_stray(PathState& path, const Candidate& candidate,
   if (why.empty()) return {};
   stride.why = why;
   path.reject(to_string(stride.move.kind), why);
-  stride.amount *= cut;
+  stride.amount *= path.parameters.step.cut;
   return Outcome{};
 }
 

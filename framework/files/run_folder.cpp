@@ -101,7 +101,8 @@ bool is_run_file(const fs::path& file) {
   static constexpr std::array names = {"deck.yaml",   "effective_deck.yaml", "curve.csv",  "curve.units.json",
                                        "curve.svg",   "deformed.svg",        "log.jsonl",  "run.h5",
                                        "run.xdmf",    "summary.json",        "restart.h5", "overrides.txt",
-                                       "report.html", "eigenvalues.svg",     "modes.svg"};
+                                       "report.html", "eigenvalues.svg",     "modes.svg",  "parameters.xml",
+                                       "nox.log"};
   if (file.extension() == ".part" || file.extension() == ".journal") return true;
   for (const char* name : names) {
     if (file.filename() == name) return true;

@@ -5,7 +5,7 @@ namespace dda::verification {
 Stepped::Stepped(const std::string& deck_text, const MultiplierParameters& multipliers)
     : structure_(deck_text),
       system_(structure_.equilibrium, direct_solvers().choose("cholmod"), LinearSystem::Update::low_rank),
-      stepper_(system_, {.newton = {}, .multipliers = multipliers, .nox = Node::map(), .loca = Node::map()}),
+      stepper_(system_, {.newton = {}, .multipliers = multipliers}),
       state_{std::vector<double>(structure_.equilibrium.num_unknowns(), 0.0), 0, system_.multipliers()} {}
 
 Attempt Stepped::to(double load_factor) {

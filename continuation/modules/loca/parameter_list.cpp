@@ -1,43 +1,80 @@
-#include "continuation/modules/loca/parameter_list.hpp"
-
+#include <Teuchos_ParameterList.hpp>
+#include <Teuchos_XMLParameterListHelpers.hpp>
 #include <charconv>
-#include <optional>
+#include <sstream>
+#include <stdexcept>
+
+#include "continuation/solve/loca.hpp"
 
 namespace dda {
 namespace {
 
-template <class Number>
-std::optional<Number> parse(const std::string& text) {
-  Number value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc{} && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
+/// Shortest text that reads back to the same bits.
+std::string text_of(double value) {
+  std::array<char, 32> digits;
+  return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
 }
 
-void set_scalar(const std::string& key, const Node& value, Teuchos::ParameterList& into) {
-  const std::string& text = value.text;
-  if (value.quoted)
-    into.set(key, text);
-  else if (text == "true" || text == "false")
-    into.set(key, text == "true");
-  else if (const auto integer = parse<int>(text))
-    into.set(key, *integer);
-  else if (const auto number = parse<double>(text))
-    into.set(key, *number);
-  else
-    into.set(key, text);
+ListEntry entry_of(const Teuchos::ParameterEntry& value) {
+  using enum ListEntry::Type;
+  if (value.isType<bool>()) return {{}, {}, boolean, value.getValue<bool>(nullptr) ? "true" : "false"};
+  if (value.isType<int>()) return {{}, {}, integer, std::to_string(value.getValue<int>(nullptr))};
+  if (value.isType<double>()) return {{}, {}, number, text_of(value.getValue<double>(nullptr))};
+  if (value.isType<std::string>()) return {{}, {}, text, value.getValue<std::string>(nullptr)};
+  throw std::runtime_error("its type is none of bool, int, double and string");
 }
 
-}  // namespace
-
-void merge(const Node& from, Teuchos::ParameterList& into) {
-  for (const NodeEntry& entry : from.entries) {
-    if (entry.value.is_map())
-      merge(entry.value, into.sublist(entry.key));
-    else if (entry.value.is_scalar())
-      set_scalar(entry.key, entry.value, into);
-    else
-      throw InputError(entry.where, "parameter lists take scalars and maps; '" + entry.key + "' is neither");
+void collect(const Teuchos::ParameterList& list, const std::vector<std::string>& lists,
+             std::vector<ListEntry>& out) {
+  for (auto at = list.begin(); at != list.end(); ++at) {
+    const std::string& name = list.name(at);
+    const Teuchos::ParameterEntry& value = list.entry(at);
+    if (value.isList()) {
+      std::vector<std::string> deeper = lists;
+      deeper.push_back(name);
+      collect(list.sublist(name), deeper, out);
+      continue;
+    }
+    ListEntry entry = entry_of(value);
+    entry.lists = lists;
+    entry.name = name;
+    out.push_back(std::move(entry));
   }
 }
 
+void set(const ListEntry& entry, Teuchos::ParameterList& list) {
+  switch (entry.type) {
+    case ListEntry::Type::boolean:
+      list.set(entry.name, entry.value == "true");
+      return;
+    case ListEntry::Type::integer:
+      list.set(entry.name, std::stoi(entry.value));
+      return;
+    case ListEntry::Type::number:
+      list.set(entry.name, std::stod(entry.value));
+      return;
+    case ListEntry::Type::text:
+      list.set(entry.name, entry.value);
+  }
+}
+
+}  // namespace
 }  // namespace dda
+
+/// What continuation/solve/loca.cpp loads.
+extern "C" void dda_read_parameter_list(const std::filesystem::path& file, std::vector<dda::ListEntry>& out) {
+  dda::collect(*Teuchos::getParametersFromXmlFile(file.string()), {}, out);
+}
+
+/// Likewise.
+extern "C" void dda_parameter_list_text(const std::vector<dda::ListEntry>& entries, std::string& out) {
+  Teuchos::ParameterList list("ddapath");
+  for (const dda::ListEntry& entry : entries) {
+    Teuchos::ParameterList* at = &list;
+    for (const std::string& name : entry.lists) at = &at->sublist(name);
+    dda::set(entry, *at);
+  }
+  std::ostringstream text;
+  Teuchos::writeParameterListToXmlOStream(list, text);
+  out = text.str();
+}

@@ -7,6 +7,7 @@
 #include <NOX_Solver_Generic.H>
 
 #include <Teuchos_oblackholestream.hpp>
+#include <fstream>
 #include <optional>
 #include <stdexcept>
 
@@ -15,7 +16,6 @@
 #include "continuation/modules/loca/equations_merit.hpp"
 #include "continuation/modules/loca/extended.hpp"
 #include "continuation/modules/loca/group.hpp"
-#include "continuation/modules/loca/parameter_list.hpp"
 #include "continuation/modules/loca/status_test.hpp"
 #include "continuation/modules/loca/walk_direction.hpp"
 #include "framework/base/loaded.hpp"
@@ -60,24 +60,29 @@ class PathStrategies final : public LOCA::Abstract::Factory {
   std::shared_ptr<const ActiveSolve> active_;
 };
 
-Teuchos::RCP<Teuchos::ParameterList> list_of(const LocaLists& wanted,
+/// What NOX and LOCA print goes into a file, or nowhere.
+Teuchos::RCP<std::ostream> stream_of(const LocaSettings& settings) {
+  if (settings.output == 0 || settings.log.empty()) return Teuchos::rcp(new Teuchos::oblackholestream);
+  return Teuchos::rcp(new std::ofstream(settings.log, std::ios::app));
+}
+
+Teuchos::RCP<Teuchos::ParameterList> list_of(const LocaSettings& settings,
                                              const std::shared_ptr<const ActiveSolve>& active) {
   auto list = Teuchos::rcp(new Teuchos::ParameterList);
   auto& nox = list->sublist("NOX");
   nox.set("Nonlinear Solver", "Line Search Based");
-  nox.sublist("Line Search").set("Method", "Full Step");
+  nox.sublist("Line Search").set("Method", settings.line_search);
   const Teuchos::RCP<NOX::Direction::UserDefinedFactory> walks =
       Teuchos::rcp(new WalkDirectionFactory(active));
   nox.sublist("Direction").set("Method", "Newton");
   nox.sublist("Direction").set("User Defined Direction Factory", walks);
   const Teuchos::RCP<NOX::MeritFunction::Generic> merit = Teuchos::rcp(new EquationsMerit(active));
   nox.sublist("Solver Options").set("User Defined Merit Function", merit);
-  nox.sublist("Line Search").sublist("Backtrack").set("Reduction Factor", 0.6);
   nox.sublist("Line Search").sublist("Backtrack").set("Max Iters", 8);
-  const Teuchos::RCP<std::ostream> nowhere = Teuchos::rcp(new Teuchos::oblackholestream);
-  nox.sublist("Printing").set("Output Information", 0);
-  nox.sublist("Printing").set("Output Stream", nowhere);
-  nox.sublist("Printing").set("Error Stream", nowhere);
+  const Teuchos::RCP<std::ostream> stream = stream_of(settings);
+  nox.sublist("Printing").set("Output Information", settings.output);
+  nox.sublist("Printing").set("Output Stream", stream);
+  nox.sublist("Printing").set("Error Stream", stream);
   auto& loca = list->sublist("LOCA");
   auto& stepper = loca.sublist("Stepper");
   stepper.set("Continuation Method", "Natural");
@@ -90,8 +95,6 @@ Teuchos::RCP<Teuchos::ParameterList> list_of(const LocaLists& wanted,
   loca.sublist("Step Size").set("Method", "path");
   loca.sublist("Predictor").set("Method", "Constant");
   loca.sublist("Constraints").set("Bordered Solver Method", "Bordering");
-  merge(wanted.nox, nox);
-  merge(wanted.loca, loca);
   return list;
 }
 
@@ -129,15 +132,17 @@ class Global {
 class Steps final : public LOCA::Stepper {
  public:
   Steps(const Global& global, const Teuchos::RCP<Group>& group, std::shared_ptr<ActiveSolve> active,
-        const Teuchos::RCP<Teuchos::ParameterList>& list)
+        const Teuchos::RCP<Teuchos::ParameterList>& list, const LocaSettings& settings)
       : LOCA::Stepper(global.data(), group, Teuchos::rcp(new EquationsTest(active)), list),
         active_(std::move(active)),
         nox_(list->sublist("NOX")),
-        usual_search_(nox_.sublist("Line Search").get<std::string>("Method")),
-        usual_direction_(nox_.sublist("Direction").get<std::string>("Method")) {
+        settings_(settings) {
     start();
     active_->is_start = false;
+    before_ = getStepNumber();
   }
+
+  int num_accepted() const { return getStepNumber() - before_; }
 
   Solved solve(const Solve& wanted) {
     refuse_pending();
@@ -188,9 +193,14 @@ class Steps final : public LOCA::Stepper {
 
   /// NOX's solver is built anew for each try from its list.
   void choose(Method method) {
-    nox_.sublist("Direction").set("Method", method == Method::walk ? "User Defined" : usual_direction_);
-    const bool shortens = method == Method::line_search;
-    nox_.sublist("Line Search").set("Method", shortens ? "Backtrack" : usual_search_);
+    constexpr double of_held = 0.6;  // what equilibria with a gauge held are found by
+    nox_.sublist("Direction").set("Method", method == Method::walk ? "User Defined" : "Newton");
+    Teuchos::ParameterList& search = nox_.sublist("Line Search");
+    const bool is_held = method == Method::line_search;
+    search.sublist("Backtrack").set("Reduction Factor", is_held ? of_held : settings_.reduction);
+    search.set("Method", is_held                  ? "Backtrack"
+                         : method == Method::walk ? "Full Step"
+                                                  : settings_.line_search);
   }
 
   Teuchos::RCP<NOX::Abstract::Vector> extended(const Iterate& at, double s) const {
@@ -205,15 +215,19 @@ class Steps final : public LOCA::Stepper {
 
   std::shared_ptr<ActiveSolve> active_;
   Teuchos::ParameterList& nox_;
-  const std::string usual_search_, usual_direction_;
+  const LocaSettings settings_;
   StepStatus status_ = Successful;
   bool pending_ = false;
+  int before_ = 0;  ///< steps that the start counts
 };
 
 class PathStepper final : public LocaStepper {
  public:
-  explicit PathStepper(const LocaLists& lists)
-      : active_(std::make_shared<ActiveSolve>()), list_(list_of(lists, active_)), global_(list_, active_) {}
+  explicit PathStepper(const LocaSettings& settings)
+      : settings_(settings),
+        active_(std::make_shared<ActiveSolve>()),
+        list_(list_of(settings, active_)),
+        global_(list_, active_) {}
 
   Solved solve(const Solve& wanted) override {
     active_->equations = &wanted.equations;
@@ -223,7 +237,7 @@ class PathStepper final : public LocaStepper {
     return steps_->solve(wanted);
   }
   void accept(const Iterate& at) override { steps_->accept(at); }
-  int num_steps() const override { return steps_ ? steps_->getStepNumber() - 1 : 0; }
+  int num_steps() const override { return steps_ ? steps_->num_accepted() : 0; }
 
  private:
   void begin(const Solve& wanted) {
@@ -234,9 +248,10 @@ class PathStepper final : public LocaStepper {
     constraints.set("Constraint Object", constraint);
     constraints.set("Constraint Parameter Names", Teuchos::rcp(new std::vector<std::string>{"lambda"}));
     const auto group = Teuchos::rcp(new Group(global_.data(), active_, x, wanted.guess.load_factor));
-    steps_ = std::make_unique<Steps>(global_, group, active_, list_);
+    steps_ = std::make_unique<Steps>(global_, group, active_, list_, settings_);
   }
 
+  const LocaSettings settings_;
   std::shared_ptr<ActiveSolve> active_;
   Teuchos::RCP<Teuchos::ParameterList> list_;
   Global global_;
@@ -247,6 +262,6 @@ class PathStepper final : public LocaStepper {
 }  // namespace dda
 
 /// What continuation/solve/loca.cpp loads.
-extern "C" dda::LocaStepper* dda_loca_stepper(const dda::LocaLists& lists) {
-  return new dda::PathStepper(lists);
+extern "C" dda::LocaStepper* dda_loca_stepper(const dda::LocaSettings& settings) {
+  return new dda::PathStepper(settings);
 }

@@ -2,6 +2,7 @@
 
 #include "framework/files/run_folder.hpp"
 #include "framework/messages/provenance.hpp"
+#include "studies/dda/case/parameter_list.hpp"
 
 namespace dda {
 namespace {
@@ -123,9 +124,11 @@ DeckSource read_source(const std::filesystem::path& path) {
 DeckFile read_deck(DeckSource source, const std::vector<std::string>& overrides) {
   for (const std::string& assignment : overrides) set_value(source.root, assignment);
   refuse_sweep(source.root);
+  std::vector<std::string> resolved = resolve_parameter_lists(source.root, source.path.parent_path());
+  resolved.insert(resolved.begin(), overrides.begin(), overrides.end());
   return {.path = std::move(source.path),
           .text = std::move(source.text),
-          .overrides = overrides,
+          .overrides = std::move(resolved),
           .deck = deck_schema().read(source.root)};
 }
 

@@ -65,9 +65,7 @@ Simulation::Simulation(const Deck& deck, Timings& timings) : deck_(deck), timing
                      fmt::format("record.stiffness: the structure has {} blocks; at most {} can be "
                                  "written by contribution",
                                  equilibrium_->num_blocks(), RecordParameters::most_stiffness_blocks));
-  // A control that names no known gauge, or that cannot serve, is found before anything is solved.
-  if (const std::string why = deck.path.control.make(gauges_)->refusal(*equilibrium_); !why.empty())
-    throw InputError(deck.path.control.where(), "path.control: " + why);
+  require_control();
   landings();
   legs();
   if (deck.record.detail)
@@ -87,6 +85,18 @@ void Simulation::require_loads() const {
   findings.throw_if_any();
 }
 
+void Simulation::require_control() const {
+  const auto control = deck_.path.control.make(gauges_);
+  if (const std::string why = control->refusal(*equilibrium_); !why.empty())
+    throw InputError(deck_.path.control.where(), "path.control: " + why);
+  if (deck_.path.step.sets_sizes() && !control->sizes_steps())
+    throw InputError(
+        deck_.path.where,
+        fmt::format("path.step: the steps of control '{}' have no size that could be set; of this section "
+                    "only `accuracy` and `largest` may stay",
+                    deck_.path.control.name()));
+}
+
 void Simulation::require_eigenvalues() const {
   const double count = deck_.record.eigenvalues.count,
                unknowns = static_cast<double>(equilibrium_->num_unknowns());
@@ -102,27 +112,6 @@ void Simulation::require_eigenvalues() const {
                                  bytes / bytes_per_gib));
 }
 
-void Simulation::try_passed_through() {
-  const PathParameters& path = deck_.path;
-  Findings findings;
-  for (const auto& [name, list] : {std::pair("path.nox", &path.nox), std::pair("path.loca", &path.loca)})
-    if (!list->is_map() && !list->is_null())
-      findings.add(list->where, std::string(name) + ": expected a map of parameters");
-  findings.throw_if_any();
-  if (path.nox.entries.empty() && path.loca.entries.empty()) return;
-  const Position& where = path.nox.entries.empty() ? path.loca.where : path.nox.where;
-  const std::string text = "NOX and LOCA do not take what `path.nox` and `path.loca` say";
-  try {
-    stepper_->try_lists();
-  } catch (const InputError&) {
-    throw;
-  } catch (const std::exception& error) {
-    throw InputError(where, text + ": " + error.what());
-  } catch (...) {  // both throw texts
-    throw InputError(where, text);
-  }
-}
-
 void Simulation::prepare() {
   const auto scope = timings_.measure("factorisation");
   system_ = std::make_unique<System>(*equilibrium_, deck_.path.linear, deck_.path.update);
@@ -136,7 +125,6 @@ void Simulation::prepare() {
           "{} of {} Lagrange multipliers are redundant: their joints are tied more often than their "
           "blocks can move; the perturbation keeps them determined",
           redundant, multipliers));
-  try_passed_through();
 }
 
 std::string Simulation::apply_dead_loads() {
@@ -169,8 +157,13 @@ std::vector<Landing> Simulation::landings() const {
   std::vector<Landing> out;
   for (const auto& [name, values] : deck_.record.at)
     for (const double value : values) out.push_back({name, gauge(name, deck_.where), value, false});
-  for (const auto& [name, value] : deck_.path.stop.gauges)
+  const StopRules& stop = deck_.path.stop;
+  for (const auto& [name, value] : stop.gauges)
     out.push_back({name, gauge(name, deck_.path.where), value, true});
+  const Functional load_factor{.rows = {}, .per_load_factor = 1};
+  if (stop.load_factor_above) out.push_back({"load_factor", load_factor, *stop.load_factor_above, true});
+  if (stop.load_factor_below)
+    out.push_back({"load_factor", load_factor, *stop.load_factor_below, true, true});
   return out;
 }
 

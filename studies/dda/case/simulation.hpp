@@ -28,6 +28,7 @@ class Simulation {
   void begin_path();
   Walker& walker() { return *walker_; }
   const Walker& walker() const { return *walker_; }
+  Stepper& stepper() { return *stepper_; }
   Path& path() { return *path_; }
   const Path& path() const { return *path_; }
   System& system() { return *system_; }
@@ -40,11 +41,11 @@ class Simulation {
  private:
   /// Throws InputError for stages that apply nothing.
   void require_loads() const;
+  /// Throws InputError for a control that names no known gauge, that cannot serve, or whose steps have no size to
+  /// be set.
+  void require_control() const;
   /// Throws InputError for more eigenvalues than there are, or than fit into memory.
   void require_eigenvalues() const;
-  /// Tries a step with what the deck hands through to NOX and LOCA. Throws InputError when they do not take
-  /// it.
-  void try_passed_through();
   std::vector<Landing> landings() const;
   std::vector<Leg> legs() const;
   const Functional& gauge(const std::string& name, const Position& where) const;

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "framework/deck/explain.hpp"
+#include "studies/dda/case/parameter_list.hpp"
 #include "studies/dda/commands/commands.hpp"
 
 namespace dda {
@@ -37,6 +38,8 @@ Exit codes: 0 all reached their goals, 3 some stopped early, 4 some failed, 2 so
 int command_explain(const CommandLine& line) {
   if (line.json)
     fmt::print("{}\n", deck_schema().json_schema().dump(2));
+  else if (line.topic == "parameters")
+    fmt::print("{}", explain_parameter_lists());
   else
     fmt::print("{}{}", explain(deck_schema(), line.topic), line.topic == "sweep" ? sweep_manual : "");
   return 0;

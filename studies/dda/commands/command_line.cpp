@@ -9,6 +9,7 @@
 #include <functional>
 #include <iostream>
 #include <new>
+#include <nlohmann/json.hpp>
 
 #include "framework/base/memory.hpp"
 #include "framework/base/suggestion.hpp"
@@ -32,6 +33,9 @@ void use_threads(int count) {
   set_num_threads(count);
   setenv("OMP_NUM_THREADS", std::to_string(count).c_str(), 1);
 }
+
+/// A text as YAML takes it whatever it holds.
+std::string quoted(const std::string& text) { return nlohmann::json(text).dump(); }
 
 /// The program's grammar; the values land in a CommandLine.
 class Grammar {
@@ -66,6 +70,13 @@ class Grammar {
   void add_deck(CLI::App* sub) {
     sub->add_option("deck", line_.deck, "The deck, a YAML file")->required();
     add_set(sub);
+    sub->add_option_function<std::string>(
+        "--parameters",
+        [this](const std::string& file) {
+          line_.overrides.insert(line_.overrides.begin(),
+                                 "path.parameters=" + quoted(std::filesystem::absolute(file).string()));
+        },
+        "A Teuchos::ParameterList, XML or YAML, for NOX and LOCA; `dda explain parameters` has what it may set");
   }
   void add_set(CLI::App* sub) {
     sub->add_option("--set", line_.overrides,

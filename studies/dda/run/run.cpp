@@ -9,6 +9,7 @@
 
 #include "framework/base/memory.hpp"
 #include "framework/messages/interrupt.hpp"
+#include "studies/dda/case/parameter_list.hpp"
 #include "studies/dda/run/restart.hpp"
 #include "studies/dda/run/summary.hpp"
 
@@ -35,6 +36,8 @@ RunFolder new_folder(const DeckFile& deck, const RunOptions& options) {
 }
 
 void write_decks(const RunFolder& folder, const DeckFile& deck, const std::string& effective) {
+  write_whole(folder.file("parameters.xml"), effective_parameter_list(deck_schema().echo(deck.deck)),
+              Flush::to_system);
   write_whole(folder.file("deck.yaml"), deck.text, Flush::to_system);
   write_whole(folder.file("effective_deck.yaml"), effective, Flush::to_system);
 }
@@ -122,6 +125,7 @@ RunResult run_deck(const DeckFile& deck, const RunOptions& options) {
   const RunFolder folder = new_folder(deck, options);
   const std::string effective = effective_deck(deck);
   write_decks(folder, deck, effective);
+  simulation.stepper().log_to(folder.file("nox.log"));
   const std::string obstacle = simulation.apply_dead_loads();
   simulation.walker().effort().accepted = 0;  // steps are counted along the path
   simulation.begin_path();
@@ -152,6 +156,7 @@ RunResult resume_run(const fs::path& existing, const std::vector<std::string>& o
   remove_conclusions(folder);
   const std::string effective = effective_deck(deck);
   write_decks(folder, deck, effective);
+  simulation.stepper().log_to(folder.file("nox.log"));
   RunRecorder recorder(folder, simulation, deck, effective, timings, memory);
   const Ending ending = follow(simulation, recorder, options.quiet);
   follow_primary(deck, folder, recorder.memory());

@@ -98,11 +98,12 @@ TEST_F(OnTheWayDown, TheLimitPointIsSoughtWhereTheTangentsMeet) {
 
 TEST_F(OnTheWayDown, NoStepMayChangeTheLoadByMoreThanItsPeak) {
   PathState path = bar_.state();
-  const double far = 1e9, amount = bounded(path, far);
+  const Move move{.kind = StepKind::dissipation, .equation = {}, .rate = 1};
+  const double far = 1e9, amount = bounded(path, move, far);
   const double change = std::abs(path.walker.leaving().rate(path.load)) * amount;
   EXPECT_LT(amount, far);
   EXPECT_LE(change, path.memory.peak_load * (1 + 1e-12));
-  EXPECT_EQ(bounded(path, 1e-9), 1e-9);
+  EXPECT_EQ(bounded(path, move, 1e-9), 1e-9);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "continuation/on_path.hpp"
+#include "unit/continuation/on_path.hpp"
 
 namespace dda {
 namespace {
