@@ -195,7 +195,7 @@ class SecantWalk {
       t[p] -= secant.tangent[p] * loading.dead_opening(p);
       is_needed = is_needed || is_held;
     }
-    if (is_needed) system_.equilibrium().scatter_add({t.data()->data(), 2 * t.size()}, force);
+    if (is_needed) system_.equilibrium().scatter_add(components(t), force);
     for (const double value : force)
       if (value != 0) return closed(force);
     return {std::move(force), {}};

@@ -20,7 +20,7 @@ class DissipationEquation final : public ControlEquation {
     const Equilibrium& equilibrium = system_.equilibrium();
     std::vector<Vec2> per_q(at.laws.opening.size());
     for (std::size_t p = 0; p < per_q.size(); ++p) per_q[p] = spending(at, p).gradient / scale_;
-    equilibrium.scatter_add({per_q.data()->data(), 2 * per_q.size()}, per_d);
+    equilibrium.scatter_add(components(per_q), per_d);
     double per_load_factor = 0;
     for (std::size_t p = 0; p < per_q.size(); ++p)
       per_load_factor += equilibrium.point(p).weight * per_q[p].dot(system_.loading().reference_opening(p));

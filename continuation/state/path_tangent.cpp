@@ -134,7 +134,7 @@ std::vector<Vec2> System::left_open(std::span<const double> d, std::span<const V
 void System::subtract_carried(std::span<const Vec2> carried, std::span<double> force) const {
   std::vector<Vec2> t(carried.size());
   for (std::size_t p = 0; p < t.size(); ++p) t[p] = -(path_tangent_[p] * carried[p]);
-  equilibrium_.scatter_add({t.data()->data(), 2 * t.size()}, force);
+  equilibrium_.scatter_add(components(t), force);
 }
 
 }  // namespace dda

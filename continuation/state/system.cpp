@@ -99,7 +99,7 @@ double System::relative_gap(const LawValues& laws) const {
 std::vector<Vec2> System::openings(std::span<const double> d, double load_factor) const {
   const std::size_t n = equilibrium_.num_active();
   std::vector<Vec2> out(n);
-  equilibrium_.gather(*loading_, d, load_factor, {out.data()->data(), 2 * n});
+  equilibrium_.gather(*loading_, d, load_factor, components(out));
   for (std::size_t p = 0; p < multipliers_.size(); ++p) out[p] += multipliers_[p];
   return out;
 }
@@ -187,7 +187,7 @@ void System::residual(std::span<const double> d, double load_factor, const LawVa
     if (!multipliers_.empty()) jump -= multipliers_[p];
     correction[p] = laws.traction[p] - stiffness.cwiseProduct(jump);
   });
-  equilibrium_.scatter_add({correction.data()->data(), 2 * correction.size()}, out);
+  equilibrium_.scatter_add(components(correction), out);
 }
 
 bool System::solve_base_residual(std::span<const double> d, double load_factor, const LawValues& laws,
@@ -201,7 +201,7 @@ void System::load_derivative(const LawValues& laws, std::span<double> out) const
   if (loading_->reference_offset.empty()) return;
   std::vector<Vec2> t(laws.tangent.size());
   for (std::size_t p = 0; p < t.size(); ++p) t[p] = laws.tangent[p] * loading_->reference_opening(p);
-  equilibrium_.scatter_add({t.data()->data(), 2 * t.size()}, out);
+  equilibrium_.scatter_add(components(t), out);
 }
 
 BlockMatrix System::stiffness(const State& state) const {

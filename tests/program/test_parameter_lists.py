@@ -21,24 +21,25 @@ SHORT = ("path.stop.load_below=0.5", "record.fields_every=0")
 ADAPTIVE = {"LOCA/Step Size/Method": "Adaptive"}
 BY_DISPLACEMENT = ("path.control=opening",)
 WHOLE = ("path.update=refactorise", "path.stop.after_steps=8")
+LONG_STEPS = ("path.update=refactorise", "path.stop.after_steps=14", "path.step.accuracy=0.5", "path.step.largest=1")
 CHANGES = {
     "NOX/Line Search/Method": ("Polynomial", {"NOX/Printing/Output Information": 4}, ()),
     "NOX/Line Search/Backtrack/Reduction Factor": (0.3, {"NOX/Line Search/Method": "Backtrack",
                                                          "NOX/Printing/Output Information": 8}, ()),
     "NOX/Printing/Output Information": (2, {}, ()),
     "NOX/Status Tests/NormF/Tolerance": (1e-12, {}, WHOLE),
-    "NOX/Status Tests/MaxIters/Maximum Iterations": (3, {}, WHOLE),
+    "NOX/Status Tests/MaxIters/Maximum Iterations": (2, {}, LONG_STEPS),
     "LOCA/Stepper/Continuation Method": ("Arc Length", {}, ()),
     "LOCA/Stepper/Max Value": (500.0, {}, ()),
     "LOCA/Stepper/Min Value": (1500.0, {}, ()),
     "LOCA/Stepper/Max Steps": (7, {}, ()),
-    "LOCA/Stepper/Max Nonlinear Iterations": (3, {}, WHOLE),
+    "LOCA/Stepper/Max Nonlinear Iterations": (2, {}, LONG_STEPS),
     "LOCA/Step Size/Method": ("Constant", {}, ()),
     "LOCA/Step Size/Initial Step Size": (1e-4, {}, BY_DISPLACEMENT),
     "LOCA/Step Size/Min Step Size": (1.0, {}, BY_DISPLACEMENT),
     "LOCA/Step Size/Max Step Size": (5e-4, {}, BY_DISPLACEMENT),
     "LOCA/Step Size/Aggressiveness": (0.1, ADAPTIVE, BY_DISPLACEMENT),
-    "LOCA/Step Size/Failed Step Reduction Factor": (0.6, {}, ("path.step.largest=1", "path.step.accuracy=0.5")),
+    "LOCA/Step Size/Failed Step Reduction Factor": (0.6, {}, ("path.control=load",)),
     "LOCA/Predictor/Method": ("Constant", {}, ()),
 }
 FIXED = {"NOX/Nonlinear Solver": "Line Search Based", "NOX/Direction/Method": "Newton",

@@ -73,8 +73,7 @@ Vec2 Fields::displacement(BlockId block, const Vec2& x, std::span<const double> 
 Fields::Interface Fields::interface_at(const StoredState& at) const {
   const std::size_t n = equilibrium_.num_active();
   std::vector<Vec2> q(n);
-  equilibrium_.gather(equilibrium_.stages().back(), at.state.d, at.state.load_factor,
-                      {q.data()->data(), 2 * n});
+  equilibrium_.gather(equilibrium_.stages().back(), at.state.d, at.state.load_factor, components(q));
   Interface out{std::vector<Vec2>(n), std::vector<Vec2>(n), std::vector<Vec2>(n), std::vector<double>(n)};
   for (std::size_t p = 0; p < n; ++p) {
     const InterfacePoint& point = equilibrium_.point(p);
