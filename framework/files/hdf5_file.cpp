@@ -3,13 +3,9 @@
 #include <fmt/format.h>
 #include <hdf5.h>
 
-#include <algorithm>
 #include <array>
 #include <atomic>
-#include <thread>
 #include <utility>
-
-#include "framework/files/hdf5_overlay.hpp"
 
 namespace dda {
 namespace {
@@ -29,11 +25,6 @@ std::string last_reason() {
   };
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, keep, &reason);
   return reason.empty() ? "unknown HDF5 error" : reason;
-}
-
-/// The overlay driver's words, or those of HDF5's own driver, which reads.
-bool is_lock(const std::string& reason) {
-  return reason == locked_reason || reason.starts_with("unable to lock file");
 }
 
 /// Passes results through and turns negative ones into exceptions.
@@ -165,27 +156,9 @@ std::string unique_name() {
 
 }  // namespace
 
-Hdf5File Hdf5File::open(const std::filesystem::path& path, Access access) {
+Hdf5File Hdf5File::open(const std::filesystem::path& path) {
   const Handle properties = file_access();
-  if (access == Access::append) checked(H5Pset_driver(properties, overlay_driver(), nullptr), "driver");
-  const unsigned flags = access == Access::read ? H5F_ACC_RDONLY : H5F_ACC_RDWR;
-  const hid_t file = H5Fopen(path.c_str(), flags, properties);
-  if (file < 0 && is_lock(last_reason())) throw Hdf5Locked(locked_reason);
-  return Hdf5File(checked(file, "open"));
-}
-
-Hdf5File Hdf5File::open_patiently(const std::filesystem::path& path, Access access,
-                                  std::chrono::milliseconds patience) {
-  using Clock = std::chrono::steady_clock;
-  const auto end = Clock::now() + patience;
-  for (std::chrono::milliseconds pause{1};; pause = std::min(2 * pause, std::chrono::milliseconds{100})) {
-    try {
-      return open(path, access);
-    } catch (const Hdf5Locked&) {
-      if (Clock::now() >= end) throw;
-    }
-    std::this_thread::sleep_for(pause);
-  }
+  return Hdf5File(checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, properties), "open"));
 }
 
 Hdf5File Hdf5File::in_memory() {
@@ -225,8 +198,6 @@ void Hdf5File::make_group(const std::string& name) {
   const Handle links = making_groups();
   const Handle group(H5Gcreate2(id_, name.c_str(), links, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, name);
 }
-
-void Hdf5File::remove(const std::string& name) { checked(H5Ldelete(id_, name.c_str(), H5P_DEFAULT), name); }
 
 std::vector<double> Hdf5File::numbers(const std::string& name) const {
   return read_array<double>(id_, name, H5T_NATIVE_DOUBLE);
@@ -317,12 +288,6 @@ std::string Hdf5File::bytes() const {
   std::string result(static_cast<std::size_t>(checked(H5Fget_file_image(id_, nullptr, 0), "image")), '\0');
   checked(H5Fget_file_image(id_, result.data(), result.size()), "image");
   return result;
-}
-
-void Hdf5File::close() {
-  if (id_ < 0) return;
-  checked(H5Fclose(std::exchange(id_, -1)), "close");
-  if (const std::string reason = take_closing_failure(); !reason.empty()) throw Hdf5Error("close: " + reason);
 }
 
 }  // namespace dda

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <span>
@@ -17,24 +16,13 @@ class Hdf5Error : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Another program holds the lock of the file; waiting may help.
-class Hdf5Locked : public Hdf5Error {
- public:
-  using Hdf5Error::Hdf5Error;
-};
-
 /// An open HDF5 file: named arrays, texts and attributes; groups on the way to a name are made as needed.
 ///
 /// Arrays have `width` columns; width 1 makes them one-dimensional. Every method throws Hdf5Error.
 class Hdf5File {
  public:
-  enum class Access { read, append };
-
-  /// Appending changes nothing on the disk before close(), see hdf5_overlay.hpp.
-  static Hdf5File open(const std::filesystem::path& path, Access access);
-  /// Waits up to `patience` for another program that holds the file's lock.
-  static Hdf5File open_patiently(const std::filesystem::path& path, Access access,
-                                 std::chrono::milliseconds patience);
+  /// A file of the disk, for reading.
+  static Hdf5File open(const std::filesystem::path& path);
   /// A file in memory: empty, or from the bytes of one.
   static Hdf5File in_memory();
   static Hdf5File from_bytes(const std::string& bytes);
@@ -46,7 +34,6 @@ class Hdf5File {
   void write(const std::string& name, std::span<const std::int64_t> values, std::size_t width = 1);
   void write(const std::string& name, const std::vector<std::string>& texts);
   void make_group(const std::string& name);
-  void remove(const std::string& name);
 
   std::vector<double> numbers(const std::string& name) const;
   std::vector<std::int64_t> integers(const std::string& name) const;
@@ -67,8 +54,6 @@ class Hdf5File {
 
   /// The whole file as bytes.
   std::string bytes() const;
-  /// Flushes and closes; the destructor closes too, but cannot report a failure.
-  void close();
 
  private:
   explicit Hdf5File(std::int64_t id) : id_(id) {}

@@ -15,6 +15,7 @@
 
 #include "framework/base/errors.hpp"
 #include "framework/files/file_writer.hpp"
+#include "framework/files/results.hpp"
 
 namespace dda {
 namespace fs = std::filesystem;
@@ -98,12 +99,13 @@ std::shared_ptr<const FolderLock> lock_or_refuse(const fs::path& folder) {
 }
 
 bool is_run_file(const fs::path& file) {
-  static constexpr std::array names = {"deck.yaml",   "effective_deck.yaml", "curve.csv",  "curve.units.json",
-                                       "curve.svg",   "deformed.svg",        "log.jsonl",  "run.h5",
-                                       "run.xdmf",    "summary.json",        "restart.h5", "overrides.txt",
-                                       "report.html", "eigenvalues.svg",     "modes.svg",  "parameters.xml",
-                                       "nox.log"};
-  if (file.extension() == ".part" || file.extension() == ".journal") return true;
+  static constexpr std::array names = {
+      "deck.yaml",       "effective_deck.yaml", "curve.csv",      "curve.units.json",
+      "curve.svg",       "deformed.svg",        "log.jsonl",      "run.xdmf",
+      "summary.json",    "restart.h5",          "overrides.txt",  "report.html",
+      "eigenvalues.svg", "modes.svg",           "parameters.xml", "nox.log"};
+  const fs::path inner = file.parent_path().filename() / file.filename();
+  if (file.extension() == ".part" || inner == mesh_file || step_of(inner)) return true;
   for (const char* name : names) {
     if (file.filename() == name) return true;
   }
@@ -117,10 +119,11 @@ void remove_run_files(const fs::path& folder) {
     fs::remove(entry.path(), error);
     if (error) refuse(folder, fmt::format("cannot remove '{}': {}", entry.path().string(), error.message()));
   }
-  // The run of the branch that an earlier one left: it must not be taken for this one's.
-  if (const fs::path primary = folder / "primary"; fs::is_directory(primary, error)) {
-    remove_run_files(primary);
-    fs::remove(primary, error);  // stays when it holds anything else
+  // The fields of an earlier run and the run of the branch that it left must not be taken for this one's.
+  for (const fs::path& part : {folder / fields_folder, folder / "primary"}) {
+    if (!fs::is_directory(part, error)) continue;
+    remove_run_files(part);
+    fs::remove(part, error);  // stays when it holds anything else
   }
 }
 

@@ -27,13 +27,12 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-/// Writes the grids of one file; holds what all of them share.
+/// Writes the grids of the steps; holds what all of them share.
 class Writer {
  public:
-  Writer(const std::string& h5_name, const ResultsFile::Sizes& sizes)
-      : h5_(escaped(h5_name)), sizes_(sizes) {}
+  explicit Writer(const XdmfSizes& sizes) : sizes_(sizes) {}
 
-  std::string step(const ResultsFile::StepEntry& entry) const {
+  std::string step(const XdmfStep& entry) const {
     return fmt::format(
         "      <Grid Name=\"step {}\" GridType=\"Collection\" CollectionType=\"Spatial\">\n"
         "        <Time Value=\"{}\"/>\n{}{}      </Grid>\n",
@@ -41,31 +40,43 @@ class Writer {
   }
 
  private:
-  std::string item(const std::string& dataset, const std::string& extent, const char* type) const {
+  /// `place`: FILE:/DATASET.
+  static std::string item(const std::string& place, const std::string& extent, const char* type) {
     return fmt::format(
-        "<DataItem Format=\"HDF\" NumberType=\"{}\" Precision=\"8\" Dimensions=\"{}\">{}:{}</DataItem>", type,
-        extent, h5_, escaped(dataset));
+        "<DataItem Format=\"HDF\" NumberType=\"{}\" Precision=\"8\" Dimensions=\"{}\">{}</DataItem>", type,
+        extent, escaped(place));
   }
 
-  std::string points(const std::string& dataset, std::size_t count) const {
+  static std::string of_mesh(const std::string& dataset, const std::string& extent, const char* type) {
+    return item(fmt::format("{}:/mesh/{}", mesh_file, dataset), extent, type);
+  }
+
+  std::string of_field(int step, const XdmfField& field) const {
+    const std::size_t rows = num_places(sizes_, field.place);
+    return item(fmt::format("{}:{}", step_file(step), dataset_of(field.name, field.place)),
+                field.components == 1 ? std::to_string(rows) : fmt::format("{} {}", rows, field.components),
+                "Float");
+  }
+
+  static std::string points(const std::string& dataset, std::size_t count) {
     return fmt::format("          <Geometry GeometryType=\"XYZ\">{}</Geometry>\n",
-                       item(dataset, fmt::format("{} 3", count), "Float"));
+                       of_mesh(dataset, fmt::format("{} 3", count), "Float"));
   }
 
-  std::string blocks(const ResultsFile::StepEntry& entry) const {
+  std::string blocks(const XdmfStep& entry) const {
     const std::string topology =
         fmt::format("          <Topology TopologyType=\"Mixed\" NumberOfElements=\"{}\">{}</Topology>\n",
-                    sizes_.blocks, item("/mesh/mixed", std::to_string(sizes_.mixed), "Int"));
-    return grid("blocks", topology + points("/mesh/vertices", sizes_.vertices) + region() +
+                    sizes_.blocks, of_mesh("mixed", std::to_string(sizes_.mixed), "Int"));
+    return grid("blocks", topology + points("vertices", sizes_.vertices) + region() +
                               fields(entry, FieldPlace::block, FieldPlace::block_vertex));
   }
 
-  std::string segments(const ResultsFile::StepEntry& entry) const {
+  std::string segments(const XdmfStep& entry) const {
     const std::string topology = fmt::format(
         "          <Topology TopologyType=\"Polyline\" NodesPerElement=\"2\" NumberOfElements=\"{0}\">{1}"
         "</Topology>\n",
-        sizes_.segments, item("/mesh/segments", fmt::format("{} 2", sizes_.segments), "Int"));
-    return grid("interfaces", topology + points("/mesh/segment_ends", 2 * sizes_.segments) +
+        sizes_.segments, of_mesh("segments", fmt::format("{} 2", sizes_.segments), "Int"));
+    return grid("interfaces", topology + points("segment_ends", 2 * sizes_.segments) +
                                   fields(entry, FieldPlace::segment, FieldPlace::segment_end));
   }
 
@@ -77,31 +88,28 @@ class Writer {
     if (!sizes_.has_region) return "";
     return fmt::format(
         "          <Attribute Name=\"region\" AttributeType=\"Scalar\" Center=\"Cell\">{}</Attribute>\n",
-        item("/mesh/region", std::to_string(sizes_.blocks), "Int"));
+        of_mesh("region", std::to_string(sizes_.blocks), "Int"));
   }
 
-  std::string fields(const ResultsFile::StepEntry& entry, FieldPlace cell, FieldPlace node) const {
+  std::string fields(const XdmfStep& entry, FieldPlace cell, FieldPlace node) const {
     std::string text;
-    for (const ResultsFile::FieldEntry& field : entry.fields) {
+    for (const XdmfField& field : entry.fields) {
       if (field.place != cell && field.place != node) continue;
-      text += field.labels == "n s" ? normal_and_sliding(field) : attribute(field, field.place == node);
+      const std::string numbers = of_field(entry.step, field);
+      text += field.labels == "n s" ? normal_and_sliding(field, numbers)
+                                    : attribute(field, numbers, field.place == node);
     }
     return text;
   }
 
-  std::string attribute(const ResultsFile::FieldEntry& field, bool on_nodes) const {
-    const std::size_t rows = num_places(sizes_, field.place);
-    const std::string extent =
-        field.components == 1 ? std::to_string(rows) : fmt::format("{} {}", rows, field.components);
+  static std::string attribute(const XdmfField& field, const std::string& numbers, bool on_nodes) {
     return fmt::format("          <Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"{}\">{}</Attribute>\n",
-                       escaped(field.name), kind(field.components), on_nodes ? "Node" : "Cell",
-                       item(field.dataset, extent, "Float"));
+                       escaped(field.name), kind(field.components), on_nodes ? "Node" : "Cell", numbers);
   }
 
   /// Two numbers, not one vector: its magnitude would call a slip an opening.
-  std::string normal_and_sliding(const ResultsFile::FieldEntry& field) const {
+  std::string normal_and_sliding(const XdmfField& field, const std::string& numbers) const {
     const std::size_t rows = num_places(sizes_, field.place);
-    const std::string whole = item(field.dataset, fmt::format("{} {}", rows, field.components), "Float");
     std::string text;
     for (int component = 0; component < 2; ++component)
       text += fmt::format(
@@ -109,7 +117,7 @@ class Writer {
           "ItemType=\"HyperSlab\" Dimensions=\"{} 1\"><DataItem Dimensions=\"3 2\" Format=\"XML\">0 {} 1 1 "
           "{} 1"
           "</DataItem>{}</DataItem></Attribute>\n",
-          escaped(field.name), component == 0 ? "n" : "s", rows, component, rows, whole);
+          escaped(field.name), component == 0 ? "n" : "s", rows, component, rows, numbers);
     return text;
   }
 
@@ -118,13 +126,12 @@ class Writer {
     return components == 3 ? "Vector" : "Matrix";
   }
 
-  std::string h5_;
-  ResultsFile::Sizes sizes_;
+  XdmfSizes sizes_;
 };
 
 }  // namespace
 
-std::size_t num_places(const ResultsFile::Sizes& sizes, FieldPlace place) {
+std::size_t num_places(const XdmfSizes& sizes, FieldPlace place) {
   switch (place) {
     case FieldPlace::block:
       return sizes.blocks;
@@ -138,13 +145,12 @@ std::size_t num_places(const ResultsFile::Sizes& sizes, FieldPlace place) {
   return 0;
 }
 
-std::string xdmf_text(const std::string& h5_name, const ResultsFile::Sizes& sizes,
-                      const std::vector<ResultsFile::StepEntry>& steps) {
-  const Writer writer(h5_name, sizes);
+std::string xdmf_text(const XdmfSizes& sizes, const std::vector<XdmfStep>& steps) {
+  const Writer writer(sizes);
   std::string text =
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Xdmf Version=\"2.2\">\n  <Domain>\n"
       "    <Grid Name=\"path\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
-  for (const ResultsFile::StepEntry& step : steps) text += writer.step(step);
+  for (const XdmfStep& step : steps) text += writer.step(step);
   return text + "    </Grid>\n  </Domain>\n</Xdmf>\n";
 }
 

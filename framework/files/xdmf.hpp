@@ -3,17 +3,35 @@
 #include <string>
 #include <vector>
 
-#include "framework/files/results_file.hpp"
+#include "framework/files/results.hpp"
 
 namespace dda {
 
+/// What run.xdmf says about one field and one step.
+struct XdmfField {
+  std::string name;
+  FieldPlace place;
+  int components;
+  std::string labels = {};  ///< of the components, "n s"; those beyond them are zero
+};
+
+struct XdmfStep {
+  int step;
+  double time;
+  std::vector<XdmfField> fields;
+};
+
+struct XdmfSizes {
+  std::size_t blocks = 0, vertices = 0, mixed = 0, segments = 0;
+  bool has_region = false;
+};
+
 /// The text of run.xdmf: a temporal collection whose steps hold the grid of blocks (Mixed polygons) and, when
-/// there are any, the grid of interface segments; all numbers stay in `h5_name`, a file beside it.
+/// there are any, the grid of interface segments; all numbers stay in the files of `fields/` beside it.
 /// Source: XDMF 2.2 as both readers of ParaView 5.11 take it.
-std::string xdmf_text(const std::string& h5_name, const ResultsFile::Sizes& sizes,
-                      const std::vector<ResultsFile::StepEntry>& steps);
+std::string xdmf_text(const XdmfSizes& sizes, const std::vector<XdmfStep>& steps);
 
 /// How many rows a field on `place` has.
-std::size_t num_places(const ResultsFile::Sizes& sizes, FieldPlace place);
+std::size_t num_places(const XdmfSizes& sizes, FieldPlace place);
 
 }  // namespace dda

@@ -15,7 +15,7 @@ struct Provenance {
 
 Provenance provenance();
 
-/// The same as named texts, as ResultsFile wants them.
+/// The same as named texts, as results hold them.
 std::map<std::string, std::string> to_texts(const Provenance& provenance);
 
 /// UTC now with milliseconds: "2024-05-01T12:00:00.123Z".

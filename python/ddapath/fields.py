@@ -1,6 +1,6 @@
 """Fields of one stored step as tables: over blocks, their vertices, interface points and the points' ends.
 
-Whatever run.h5 holds becomes columns: a field `stress` with the components "xx yy xy" is stress_xx, stress_yy and
+Whatever a step's file holds becomes columns: a field `stress` with the components "xx yy xy" is stress_xx, stress_yy and
 stress_xy. Zero z components, which ParaView needs, are left out.
 """
 
@@ -148,7 +148,7 @@ def text_of(value):
 
 
 def read_field(dataset):
-    """A dataset of run.h5 as a Field."""
+    """A dataset of a step as a Field."""
     name = dataset.name.rsplit("/", 1)[1]
     values = dataset[()]
     values = values.reshape(len(values), -1)
@@ -161,7 +161,7 @@ def read_field(dataset):
 
 
 def read_mesh(file):
-    """The mesh of an open run.h5."""
+    """The mesh of an open fields/mesh.h5."""
     group = file["mesh"]
     vertices = group["vertices"][()][:, :2]
     offsets = group["offsets"][()]
@@ -171,10 +171,10 @@ def read_mesh(file):
     return Mesh(vertices, offsets, region, segments, text_of(group["vertices"].attrs.get("unit", "")))
 
 
-def read_fields(mesh, group):
-    """The fields of one step's group of an open run.h5."""
-    members = [item for name, item in group.items() if name != "segments"]
-    if "segments" in group:
-        members += list(group["segments"].values())
-    return Fields(mesh, {name: value for name, value in group.attrs.items()},
+def read_fields(mesh, file):
+    """The fields of an open fields/000034.h5, say."""
+    members = [item for name, item in file.items() if name != "segments"]
+    if "segments" in file:
+        members += list(file["segments"].values())
+    return Fields(mesh, {name: value for name, value in file.attrs.items()},
                   [read_field(dataset) for dataset in members])

@@ -1,9 +1,8 @@
 """A run folder, finished or not, read piece by piece as it is asked for."""
 
-import errno
 import io
 import json
-import time
+import re
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -14,7 +13,7 @@ from . import deck as decks
 from .errors import NotFound, NothingStored
 from .fields import read_fields, read_mesh
 
-PATIENCE = 5.0  # s that a running program's lock of run.h5 is waited for
+MESH = "fields/mesh.h5"  # beside it a file for each stored step, fields/000034.h5
 
 
 def whole_lines(file):
@@ -25,16 +24,11 @@ def whole_lines(file):
 
 @contextmanager
 def opened(file):
-    """run.h5 for reading; the program holds its lock only while it stores a step."""
-    end = time.monotonic() + PATIENCE
-    while True:
-        try:
-            store = h5py.File(file, "r")
-            break
-        except OSError as error:
-            if error.errno not in (errno.EAGAIN, errno.EACCES) or time.monotonic() > end:
-                raise NothingStored(f"{file}: cannot be read: {error}") from error
-            time.sleep(0.05)
+    """A file of the fields for reading; it is whole as soon as it is there."""
+    try:
+        store = h5py.File(file, "r")
+    except OSError as error:
+        raise NothingStored(f"{file}: cannot be read: {error}") from error
     with store:
         yield store
 
@@ -85,25 +79,23 @@ class Run:
 
     @property
     def steps(self):
-        with opened(self._file("run.h5")) as store:
-            return sorted(self._groups(store))
+        return sorted(self._step_files())
 
     def fields(self, step=None):
-        with opened(self._file("run.h5")) as store:
-            groups = self._groups(store)
-            if not groups:
-                raise NothingStored(f"{self.folder}: no fields are stored (yet); `record.fields_every` says how often")
-            step = max(groups) if step is None else step
-            if step not in groups:
-                stored = ", ".join(str(known) for known in sorted(groups))
-                raise NothingStored(f"{self.folder}: the fields of step {step} are not stored; those of {stored} are")
-            return read_fields(read_mesh(store), store[groups[step]])
+        files = self._step_files()
+        if not files:
+            raise NothingStored(f"{self.folder}: no fields are stored (yet); `record.fields_every` says how often")
+        step = max(files) if step is None else step
+        if step not in files:
+            stored = ", ".join(str(known) for known in sorted(files))
+            raise NothingStored(f"{self.folder}: the fields of step {step} are not stored; those of {stored} are")
+        with opened(self._file(MESH)) as mesh, opened(files[step]) as fields:
+            return read_fields(read_mesh(mesh), fields)
 
-    @staticmethod
-    def _groups(store):
-        """Step → group. The attribute `time` is written last: a step without it was cut short."""
-        groups = store["field"].values() if "field" in store else ()
-        return {int(group.attrs["step"]): group.name for group in groups if "time" in group.attrs}
+    def _step_files(self):
+        """Step → file."""
+        beside = self._file(MESH).parent.glob("*.h5")
+        return {int(file.stem): file for file in beside if re.fullmatch("[0-9]{6,}", file.stem)}
 
     def _file(self, name):
         file = self.folder / name

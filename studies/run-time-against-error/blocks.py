@@ -24,7 +24,7 @@ def regions(polygons):
 
 def of_run(folder):
     """The outlines of the blocks of a run folder, in their order."""
-    with h5py.File(Path(folder) / "run.h5") as file:
+    with h5py.File(Path(folder) / "fields" / "mesh.h5") as file:
         vertices, offsets = file["mesh/vertices"][:, :2], file["mesh/offsets"][:]
     return [vertices[first:last].tolist() for first, last in zip(offsets[:-1], offsets[1:])]
 

@@ -111,10 +111,10 @@ def error(_, rows, folder):
     factor = rows[-1]["load_factor"]
     if factor == 0:
         raise ValueError("no solution")
-    with h5py.File(folder / "run.h5") as file:
-        field = file["field"][sorted(file["field"])[-1]]
-        moved = field["displacement"][:, :2] / factor
-        vertices, offsets = file["mesh/vertices"][:, :2], file["mesh/offsets"][:]
+    last = max((folder / "fields").glob("[0-9]*.h5"))
+    with h5py.File(folder / "fields" / "mesh.h5") as mesh, h5py.File(last) as fields:
+        moved = fields["displacement"][:, :2] / factor
+        vertices, offsets = mesh["mesh/vertices"][:, :2], mesh["mesh/offsets"][:]
     points, weights = radon()
     wrong = total = 0
     for first, last in zip(offsets[:-1], offsets[1:]):

@@ -29,7 +29,7 @@ def given_scene(runner, energy, quick):
     meshed = runner.run_one(Case(f"placement-blocks-Gf{energy}", first))
     deck = decks.beam({"type": "given"}, decks.softening("linear", energy))
     deck["scene"]["regions"] = [{"name": f"block{i}", "material": "concrete", "vertices": polygon}
-                                for i, polygon in enumerate(transform.outlines(meshed.folder / "run.h5"))]
+                                for i, polygon in enumerate(transform.outlines(meshed.folder))]
     deck["gauges"]["force"] = {"type": "load", "scale": 1}
     deck["record"]["at"] = {"force": [share * meshed.peak for share in LANDINGS]}
     deck["supports"]["right"] = {"at": deck["supports"]["right"]["at"], "direction": [0, 1]}

@@ -12,9 +12,9 @@ ENERGIES = ("dissipated_energy", "stored_energy")
 IDENTITY = ((1.0, 0.0), (0.0, 1.0))
 
 
-def outlines(file):
-    """The blocks' polygons of a run.h5."""
-    with h5py.File(file) as results:
+def outlines(folder):
+    """The blocks' polygons of a run."""
+    with h5py.File(folder / "fields" / "mesh.h5") as results:
         offsets, vertices = results["mesh/offsets"][:], results["mesh/vertices"][:, :2]
     return [vertices[begin:end].tolist() for begin, end in zip(offsets, offsets[1:])]
 

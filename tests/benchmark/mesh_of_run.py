@@ -26,7 +26,7 @@ def edges_at(triangles, places, x):
 
 def write(run, tip, file):
     """The notched beam of a run: slit on x = 0 up to y = tip, ligament above."""
-    with h5py.File(run / "run.h5") as stream:
+    with h5py.File(run / "fields" / "mesh.h5") as stream:
         vertices, regions = stream["mesh/vertices"][:, :2], stream["mesh/region"][:]
     places, numbers = nodes_of(vertices)
     triangles = numbers.reshape(-1, 3)

@@ -41,7 +41,10 @@ std::string read(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-void write(const fs::path& file, const std::string& text) { std::ofstream(file, std::ios::binary) << text; }
+void write(const fs::path& file, const std::string& text) {
+  fs::create_directories(file.parent_path());
+  std::ofstream(file, std::ios::binary) << text;
+}
 
 /// A deck with the files beside it, or a run folder.
 struct Seed {
@@ -192,9 +195,9 @@ class Campaign {
     if (end.is_late || end.signal || (end.code != 0 && end.code != 3)) return;
     if (is_run) {
       seed.files.clear();
-      for (const fs::directory_entry& entry : fs::directory_iterator(scratch_ / "it" / "out"))
+      for (const fs::directory_entry& entry : fs::recursive_directory_iterator(scratch_ / "it" / "out"))
         if (entry.is_regular_file())
-          seed.files["out/" + entry.path().filename().string()] = read(entry.path());
+          seed.files[entry.path().lexically_relative(scratch_ / "it").string()] = read(entry.path());
     }
     seeds_.push_back(std::move(seed));
   }
@@ -210,11 +213,13 @@ class Campaign {
   /// Of a run those that are read again.
   static std::vector<std::string> changeable(const Seed& seed) {
     static const std::set<std::string> read_again{
-        "out/restart.h5",   "out/run.h5",           "out/curve.csv", "out/log.jsonl",
-        "out/summary.json", "out/curve.units.json", "out/deck.yaml", "out/effective_deck.yaml"};
+        "out/restart.h5",       "out/curve.csv", "out/log.jsonl",          "out/summary.json",
+        "out/curve.units.json", "out/deck.yaml", "out/effective_deck.yaml"};
     std::vector<std::string> out;
     for (const auto& [name, text] : seed.files)
-      if (!seed.files.contains("out/restart.h5") || read_again.contains(name)) out.push_back(name);
+      if (!seed.files.contains("out/restart.h5") || read_again.contains(name) ||
+          name.starts_with("out/fields/"))
+        out.push_back(name);
     return out;
   }
 

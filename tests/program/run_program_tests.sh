@@ -12,7 +12,7 @@ status_is() { grep -q "\"status\": \"$2\"" "$1/summary.json" || complain "$1 is 
 
 whole_run() {
   expect 0 "run" "$program" run "$bar" --folder whole --quiet
-  for file in deck.yaml effective_deck.yaml log.jsonl curve.csv curve.svg deformed.svg summary.json run.h5 run.xdmf restart.h5
+  for file in deck.yaml effective_deck.yaml log.jsonl curve.csv curve.svg deformed.svg summary.json fields/mesh.h5 run.xdmf restart.h5
   do exists whole/$file; done
   same whole/deck.yaml "$bar"
   head -n 1 whole/curve.csv |

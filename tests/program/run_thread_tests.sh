@@ -12,7 +12,7 @@ open_scratch
 
 same_results() {
   same "$1/curve.csv" "$2/curve.csv"
-  /usr/bin/python3 "$compare" "$1/run.h5" "$2/run.h5" >said.log 2>&1 || complain "fields differ: $(cat said.log)"
+  /usr/bin/python3 "$compare" "$1" "$2" >said.log 2>&1 || complain "fields differ: $(cat said.log)"
 }
 
 # has_threads RUN NUMBER: what summary.json says.

@@ -1,4 +1,4 @@
-"""Tables of fields: geometry of the blocks, and columns for whatever a run.h5 holds."""
+"""Tables of fields: geometry of the blocks, and columns for whatever a step's file holds."""
 
 import io
 import unittest

@@ -81,20 +81,31 @@ class Unfinished(Folder):
         self.assertEqual((len(self.read().curve), len(self.read().log)), lines)
 
     def test_nothing_but_the_deck(self):
-        for name in ("curve.csv", "run.h5", "summary.json"):
+        for name in ("curve.csv", "fields/mesh.h5", "summary.json"):
             (self.folder / name).unlink()
         run = self.read()
         self.assertEqual(run.deck["title"], "Small notched beam of Voronoi blocks, every interface able to crack")
         for ask in (lambda: run.curve, lambda: run.steps, run.fields):
-            with self.assertRaisesRegex(ddapath.NothingStored, r"this run has no (curve.csv|run.h5) \(yet\)"):
+            with self.assertRaisesRegex(ddapath.NothingStored, r"this run has no (curve.csv|fields/mesh.h5) \(yet\)"):
                 ask()
 
     def test_a_step_that_was_cut_short(self):
-        import h5py
-
-        with h5py.File(self.folder / "run.h5", "a") as store:
-            store.create_group("field/000999").attrs["step"] = 999
+        for name in ("000999.h5.part", "999.h5"):
+            (self.folder / "fields" / name).write_bytes(b"half a step")
         self.assertNotIn(999, self.read().steps)
+
+    def test_a_step_that_is_damaged(self):
+        (self.folder / "fields" / "000004.h5").write_bytes(b"no HDF5")
+        with self.assertRaisesRegex(ddapath.NothingStored, "000004.h5: cannot be read"):
+            self.read().fields(4)
+        self.assertEqual(self.read().fields(8).step, 8)
+
+    def test_a_mesh_and_no_step(self):
+        for file in (self.folder / "fields").glob("0*.h5"):
+            file.unlink()
+        self.assertEqual(self.read().steps, [])
+        with self.assertRaisesRegex(ddapath.NothingStored, "no fields are stored"):
+            self.read().fields()
 
 
 class Others(Folder):

@@ -207,11 +207,11 @@ class Reports(unittest.TestCase):
     def test_an_unfinished_run_says_so(self):
         unfinished = self.work / "unfinished"
         dda("run", BEAM, "--folder", unfinished, "--quiet", "--set", "path.stop.after_steps=6")
-        for name in ("summary.json", "run.h5", "curve.svg", "deformed.svg"):
+        for name in ("summary.json", "fields/mesh.h5", "curve.svg", "deformed.svg"):
             (unfinished / name).unlink()
         page = self.open(unfinished)
         self.assertIn("Unfinished.", self.text(page, "#status"))
-        self.assertIn("run.h5", self.text(page, ".notice"))
+        self.assertIn("fields/mesh.h5", self.text(page, ".notice"))
         self.assertIn("highest load so far", self.text(page, "#numbers").lower())
         self.check(page)
 

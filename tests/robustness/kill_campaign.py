@@ -4,7 +4,7 @@
     kill_campaign.py PROGRAM --kills 200 [--seed 1] [--only release] [--folder DIR]
 
 Four decks (a softening beam, unloading legs, release at once, plates with friction) and a sweep. Compared are the bytes of
-curve.csv, every dataset of run.h5 but its provenance, and what summary.json says but its efforts and times. Exit code 1 when
+curve.csv, every dataset of fields/ but the provenance, and what summary.json says but its efforts and times. Exit code 1 when
 one differs or cannot be resumed.
 """
 import argparse
@@ -142,9 +142,9 @@ class Campaign:
 def difference(one, other):
     """In what two run folders differ, or ""."""
     out = [name for name in ("curve.csv",) if (one / name).read_bytes() != (other / name).read_bytes()]
-    first, second = (datasets(folder / "run.h5") for folder in (one, other))
-    out += [f"run.h5 {name}" for name in sorted(first.keys() | second.keys())
-            if not name.startswith("provenance") and first.get(name) != second.get(name)]
+    first, second = (datasets(folder) for folder in (one, other))
+    out += [f"fields/{name}" for name in sorted(first.keys() | second.keys())
+            if not name.startswith("mesh/provenance") and first.get(name) != second.get(name)]
     first, second = (json.loads((folder / "summary.json").read_text(encoding="utf-8")) for folder in (one, other))
     out += [f"summary.json {name}" for name in SAID if first.get(name) != second.get(name)]
     return ", ".join(out[:8])

@@ -3,13 +3,13 @@
     from ddapath.verify import verify
     for finding in verify("runs/notched-beam"): print(finding.check, finding.worst, finding.bound, finding.holds)
 
-Read are run.h5, curve.csv, summary.json, effective_deck.yaml and log.jsonl. Stresses, openings, forces, energies and
+Read are fields/, curve.csv, summary.json, effective_deck.yaml and log.jsonl. Stresses, openings, forces, energies and
 envelopes are derived again from strains, displacements, stored tractions and the deck's materials and laws.
 """
 import re
 import threading
 
-from ..run_folder import opened, read_run
+from ..run_folder import MESH, opened, read_run
 from . import curve_checks, fields_checks
 from .finding import Finding
 from .model import Model
@@ -44,7 +44,7 @@ def verify(folder):
 
 def findings_of(run):
     out = curve_checks.all_checks(run)
-    with opened(run.folder / "run.h5") as file:
+    with opened(run.folder / MESH) as file:
         model = Model(file, run.deck)
     steps = read_steps(run, model)
     return out + (fields_checks.all_checks(steps, run.curve, dead_loads_are_carried(run)) if steps else [])

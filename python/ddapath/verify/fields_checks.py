@@ -11,7 +11,7 @@ MULTIPLIERS = 1e-6  # of the shortening of a block under the largest traction
 DAMAGE = 1e-9
 ENERGY = 1e-6       # of the largest stored energy
 DISPLACEMENT = 1.0  # of the diagonal of the structure
-CURVE = 1e-9        # curve.csv against run.h5, of the largest value of the column
+CURVE = 1e-9        # curve.csv against the fields, of the largest value of the column
 
 
 def at(step, place, what):
@@ -177,7 +177,7 @@ def stored_energies(steps, curve):
 
 
 def agrees_with_curve(steps, curve):
-    """Load factors and reactions of curve.csv are those of run.h5."""
+    """Load factors and reactions of curve.csv are those of the fields."""
     found = []
     for step in steps:
         if step.number >= len(curve):
@@ -194,7 +194,7 @@ def agrees_with_curve(steps, curve):
             scale = max(np.abs(curve[column]).max(), 1e-300)
             error = abs(value - row[column]) - (0 if column == "load_factor" else step.spring_noise.sum())
             found.append((max(error, 0) / scale if error == error else error, f"step {step.number}, {column}"))
-    return worst_of("run.h5 agrees with curve.csv", found, CURVE)
+    return worst_of("fields agree with curve.csv", found, CURVE)
 
 
 def all_checks(steps, curve, is_carried):

@@ -1,4 +1,4 @@
-"""What a run's equilibrium is checked with: blocks, points, loads and springs, from run.h5 and the deck alone.
+"""What a run's equilibrium is checked with: blocks, points, loads and springs, from fields/mesh.h5 and the deck alone.
 
 Per block d = (u0, v0, r0, εx, εy, γxy) about the centroid, u(x) = T(x) d; per point a trial opening q in (n, s).
 """
@@ -84,7 +84,7 @@ BOND = Interface("", laws.make({"type": "bonded"}), "consistent", "gauss", 0.0, 
 
 
 class Tables:
-    """The group /model of run.h5."""
+    """The group /model of fields/mesh.h5."""
 
     def __init__(self, group):
         self._group = group
@@ -156,7 +156,7 @@ class Model:
 
 
 class Points:
-    """All points of all sides, side after side; the active ones are those whose tractions run.h5 has, in that order."""
+    """All points of all sides, side after side; the active ones are those whose tractions are stored, in that order."""
 
     def __init__(self, model):
         sides = model.sides

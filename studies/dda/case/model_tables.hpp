@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "framework/files/results_file.hpp"
+#include "framework/files/results.hpp"
 #include "models/body/body.hpp"
 #include "models/equilibrium.hpp"
 #include "models/parameters.hpp"
@@ -10,7 +10,7 @@
 namespace dda {
 
 /// What equilibrium, laws and reactions of a run can be checked from, beside its fields and deck: `/model` of
-/// run.h5. All of it is given; nothing of it is a result.
+/// fields/mesh.h5. All of it is given; nothing of it is a result.
 ///
 ///     side/blocks [n,2], ends [n,4], stiffness k [n], interface [n]     sides between blocks; −1 a bond
 ///     nobody named load/block [m], dead [m,6], reference [m,6]      forces on d in the last stage: dead + λ

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "framework/figure/drawing.hpp"
+#include "framework/files/results_reader.hpp"
 #include "studies/dda/record/stability_record.hpp"
 
 namespace dda {
@@ -74,7 +75,7 @@ class Eigenvalues {
 };
 
 /// First, last, and as many in between as a sheet has room for.
-std::vector<int> stages_of(const ResultsFile& results) {
+std::vector<int> stages_of(const ResultsReader& results) {
   std::vector<int> with_modes, out;
   for (const int step : results.steps())
     if (results.has(step, "mode_1")) with_modes.push_back(step);
@@ -86,7 +87,8 @@ std::vector<int> stages_of(const ResultsFile& results) {
 /// The shapes of one run side by side.
 class ModeSheet {
  public:
-  ModeSheet(const ResultsFile& results, const Fields& fields, const CsvTable& curve, const Measures& measures)
+  ModeSheet(const ResultsReader& results, const Fields& fields, const CsvTable& curve,
+            const Measures& measures)
       : results_(results), fields_(fields), eigenvalues_(curve), unit_(measures.load_unit()) {
     for (const Block& block : fields.body().assembly.blocks)
       for (const Vec2& x : block.outline.vertices) box_.include(x);
@@ -112,7 +114,7 @@ class ModeSheet {
       add_state(out, {0, -down}, step, row);
       for (std::size_t i = 0; i < modes; ++i)
         if (const auto name = fmt::format("mode_{}", i + 1); results_.has(step, name))
-          add(out, {static_cast<double>(i + 1) * width(), -down}, upright(results_.numbers(step, name)),
+          add(out, {static_cast<double>(i + 1) * width(), -down}, upright(results_.values(step, name)),
               {eigenvalues_.value(row, i), eigenvalues_.origin(row, i)});
       down += height();
     }
@@ -137,7 +139,7 @@ class ModeSheet {
 
   /// The deformed structure at a stage.
   void add_state(svg::Drawing& out, const Vec2& shift, int step, std::size_t row) const {
-    std::vector<double> shape = results_.numbers(step, "displacement");
+    std::vector<double> shape = results_.values(step, "displacement");
     double top = 0;
     for (std::size_t i = 0; i + 2 < shape.size(); i += 3)
       top = std::max(top, std::hypot(shape[i], shape[i + 1]));
@@ -165,7 +167,7 @@ class ModeSheet {
     }
   }
 
-  const ResultsFile& results_;
+  const ResultsReader& results_;
   const Fields& fields_;
   Eigenvalues eigenvalues_;
   std::string unit_;
@@ -240,12 +242,12 @@ std::vector<svg::Series> by_stability(const CsvTable& curve, const std::string& 
   return out;
 }
 
-void write_stability_pictures(const RunFolder& folder, const ResultsFile& results, const Fields& fields,
-                              const Measures& measures) {
+void write_stability_pictures(const RunFolder& folder, const Fields& fields, const Measures& measures) {
   const CsvTable curve = read_csv(folder.file("curve.csv"));
   if (!curve.has("mu_1")) return;
   write_whole(folder.file("eigenvalues.svg"), svg::to_svg(over_the_path(curve, measures)), Flush::to_system);
   if (fields.equilibrium().num_blocks() > most_blocks) return;
+  const ResultsReader results(folder.path());
   write_whole(folder.file("modes.svg"), svg::to_svg(ModeSheet(results, fields, curve, measures).draw()),
               Flush::to_system);
 }

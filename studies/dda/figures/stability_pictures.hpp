@@ -1,7 +1,6 @@
 #pragma once
 
 #include "framework/figure/plot.hpp"
-#include "framework/files/results_file.hpp"
 #include "framework/files/run_folder.hpp"
 #include "studies/dda/record/fields.hpp"
 #include "studies/dda/record/measures.hpp"
@@ -26,7 +25,6 @@ std::vector<svg::Series> by_stability(const CsvTable& curve, const std::string& 
 /// Of a run with eigenvalues: eigenvalues.svg, μ/μ₀ of the tracked modes and the current stiffness over the
 /// path; and, up to `most_blocks` blocks, modes.svg, the shapes at the stored stages (rows) and modes
 /// (columns).
-void write_stability_pictures(const RunFolder& folder, const ResultsFile& results, const Fields& fields,
-                              const Measures& measures);
+void write_stability_pictures(const RunFolder& folder, const Fields& fields, const Measures& measures);
 
 }  // namespace dda

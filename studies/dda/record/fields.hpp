@@ -4,7 +4,7 @@
 
 #include "continuation/state/system.hpp"
 #include "framework/deck/units.hpp"
-#include "framework/files/results_file.hpp"
+#include "framework/files/results.hpp"
 #include "models/body/body.hpp"
 #include "models/parameters.hpp"
 
@@ -18,7 +18,7 @@ struct StoredState {
   std::vector<std::vector<double>> modes = {};  ///< shapes φ, where they were computed
 };
 
-/// Turns a state into the fields of `run.h5`.
+/// Turns a state into the fields that a run stores.
 ///
 ///     blocks     displacement (vertices), strain ε, stress C ε + σ0(λ)
 ///     modes      φ_1, φ_2, … as displacements (vertices), the largest of each 1

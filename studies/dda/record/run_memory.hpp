@@ -29,7 +29,7 @@ struct RunMemory {
   Measurement start;  ///< where the path of the last stage begins
   Measurement peak;   ///< at the largest load so far
   std::optional<StoredState>
-      peak_state;  ///< fields of the peak; `is_peak_stored` says whether run.h5 has them
+      peak_state;  ///< fields of the peak; `is_peak_stored` says whether they are stored
   bool is_peak_stored = true;
   IndicatorMemory indicator;
   nlohmann::ordered_json events = nlohmann::ordered_json::array();  ///< located so far, see PathEvents

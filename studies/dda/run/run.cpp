@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "framework/base/memory.hpp"
+#include "framework/files/results.hpp"
 #include "framework/messages/interrupt.hpp"
 #include "studies/dda/case/parameter_list.hpp"
 #include "studies/dda/run/restart.hpp"
@@ -83,9 +84,10 @@ RunResult conclude(const RunFolder& folder, RunRecorder& recorder, const Ending&
 /// The files that a continued run goes on with.
 void copy_run(const fs::path& from, const RunFolder& to) {
   for (const char* name :
-       {"curve.csv", "curve.units.json", "log.jsonl", "run.h5", "run.xdmf", "restart.h5"}) {
+       {"curve.csv", "curve.units.json", "log.jsonl", fields_folder, "run.xdmf", "restart.h5"}) {
     std::error_code error;
-    fs::copy_file(from / name, to.file(name), fs::copy_options::overwrite_existing, error);
+    fs::copy(from / name, to.file(name), fs::copy_options::overwrite_existing | fs::copy_options::recursive,
+             error);
     if (error)
       throw OutputError(fmt::format("cannot copy '{}': {}", (from / name).string(), error.message()));
   }

@@ -35,7 +35,7 @@ Measures measures_of(const Simulation& simulation) {
   return {loading, simulation.path().load_gauge(), unit_of(dimension, deck.units), deck.units};
 }
 
-ResultsFile::Texts texts_of(const DeckFile& deck, const std::string& effective) {
+ResultsTexts texts_of(const DeckFile& deck, const std::string& effective) {
   auto out = to_texts(provenance());
   out["deck"] = deck.text;
   out["effective_deck"] = effective;
@@ -73,8 +73,8 @@ RunRecorder::RunRecorder(const RunFolder& folder, Simulation& simulation, const 
       log_(folder.file("log.jsonl"), memory ? FileWriter::Mode::append : FileWriter::Mode::create),
       curve_(open_curve(folder, columns(), memory)),
       results_(memory
-                   ? ResultsFile::resume(folder.path(), memory->last_step)
-                   : ResultsFile(folder.path(), mesh_of(fields_, simulation), texts_of(deck, effective_))) {
+                   ? ResultsWriter::resume(folder.path(), memory->last_step)
+                   : ResultsWriter(folder.path(), mesh_of(fields_, simulation), texts_of(deck, effective_))) {
   simulation.path().report_to([this](const std::string& event, const std::string& text) {
     log_.info(event, {{"step", memory_.last_step + 1}, {"text", text}});
   });
@@ -254,8 +254,7 @@ nlohmann::ordered_json RunRecorder::finish(const Ending& ending) {
     write_restart_file();
     const auto inner = timings_.measure("figures");
     write_pictures(folder_, fields_, measures_, {memory_, here(), simulation_.deck().record, torn_});
-    if (deck_.deck.record.eigenvalues.count > 0)
-      write_stability_pictures(folder_, results_, fields_, measures_);
+    if (deck_.deck.record.eigenvalues.count > 0) write_stability_pictures(folder_, fields_, measures_);
     if (deck_.deck.record.stiffness) write_stiffness();
   }
   log_.info("ended", {{"status", status_of(ending)}, {"reason", ending.reason}});

@@ -3,6 +3,7 @@
 #include <optional>
 #include <utility>
 
+#include "framework/files/results_writer.hpp"
 #include "framework/files/run_folder.hpp"
 #include "framework/messages/log.hpp"
 #include "framework/messages/progress.hpp"
@@ -73,7 +74,7 @@ class RunRecorder {
   InterfaceRecord interfaces_;
   Log log_;
   CurveTable curve_;
-  ResultsFile results_;
+  ResultsWriter results_;
   int last_stored_ = -1;
   double restart_written_ = -1e9;  ///< when [s]
   Measurement last_;

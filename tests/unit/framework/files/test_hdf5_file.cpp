@@ -54,67 +54,7 @@ TEST(Hdf5File, RefusesArraysThatCannotBeInIt) {
   const hid_t set = H5Dcreate2(file, "huge", H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, layout, H5P_DEFAULT);
   EXPECT_GE(set, 0);
   H5Dclose(set), H5Pclose(layout), H5Sclose(space), H5Fclose(file);
-  EXPECT_THROW(Hdf5File::open(path, Hdf5File::Access::read).numbers("/huge"), Hdf5Error);
-}
-
-TEST(Hdf5File, AppendingReachesTheDiskOnClosingOnly) {
-  const Scratch scratch;
-  const auto path = small_file(scratch);
-  const std::string before = test::content(path);
-  Hdf5File file = Hdf5File::open(path, Hdf5File::Access::append);
-  file.write("/b", std::vector<double>(5000, 2.5));
-  EXPECT_EQ(test::content(path), before);
-  EXPECT_EQ(file.numbers("/b").at(4999), 2.5);
-  file.close();
-  const Hdf5File read = Hdf5File::open(path, Hdf5File::Access::read);
-  EXPECT_THAT(read.numbers("/a/x"), ElementsAre(1, 2, 3));
-  EXPECT_EQ(read.numbers("/b").at(4999), 2.5);
-  EXPECT_FALSE(std::filesystem::exists(path.string() + ".journal"));
-}
-
-TEST(Hdf5File, ManyAppendsKeepEverything) {
-  const Scratch scratch;
-  const auto path = small_file(scratch);
-  for (int i = 0; i < 200; ++i) {
-    Hdf5File file = Hdf5File::open(path, Hdf5File::Access::append);
-    file.write("/s/" + std::to_string(i) + "/x", std::vector<double>(static_cast<std::size_t>(i * 7), i));
-    file.close();
-  }
-  const Hdf5File read = Hdf5File::open(path, Hdf5File::Access::read);
-  for (int i = 0; i < 200; ++i) {
-    EXPECT_EQ(read.numbers("/s/" + std::to_string(i) + "/x"),
-              std::vector<double>(static_cast<std::size_t>(i * 7), i));
-  }
-}
-
-TEST(Hdf5File, OpeningFinishesWhatAKillLeftUndone) {
-  const Scratch scratch;
-  const auto path = small_file(scratch);
-  std::string bytes = test::content(path);
-  // The journal holds the first page as it should be; the file has it damaged.
-  const std::uint64_t address = 0;
-  std::string page = bytes.substr(0, 4096);
-  page.resize(4096);
-  test::put(path.string() + ".journal",
-            std::string(reinterpret_cast<const char*>(&address), sizeof address) + page);
-  std::fill(bytes.begin() + 100, bytes.begin() + 2000, '\7');
-  test::put(path, bytes);
-  Hdf5File::open(path, Hdf5File::Access::append).close();
-  EXPECT_FALSE(std::filesystem::exists(path.string() + ".journal"));
-  EXPECT_THAT(Hdf5File::open(path, Hdf5File::Access::read).numbers("/a/x"), ElementsAre(1, 2, 3));
-}
-
-TEST(Hdf5File, AFailedAppendChangesNothing) {
-  const Scratch scratch;
-  const auto path = small_file(scratch);
-  const std::string before = test::content(path);
-  {
-    const test::FileSizeLimit limit(before.size() + 100);
-    Hdf5File file = Hdf5File::open(path, Hdf5File::Access::append);
-    file.write("/b", std::vector<double>(5000, 2.5));
-    EXPECT_THROW(file.close(), Hdf5Error);
-  }
-  EXPECT_EQ(test::content(path), before);
+  EXPECT_THROW(Hdf5File::open(path).numbers("/huge"), Hdf5Error);
 }
 
 }  // namespace

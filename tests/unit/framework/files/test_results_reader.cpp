@@ -1,12 +1,8 @@
-#include <fcntl.h>
 #include <gmock/gmock.h>
-#include <sys/file.h>
-
-#include <thread>
 
 #include "framework/base/errors.hpp"
-#include "framework/files/hdf5_file.hpp"
 #include "framework/files/results_reader.hpp"
+#include "framework/files/results_writer.hpp"
 #include "unit/framework/files/scratch.hpp"
 
 namespace dda {
@@ -35,7 +31,7 @@ Snapshot snapshot(int step) {
 
 TEST(ResultsReader, ReadsWhatWasStored) {
   const Scratch scratch;
-  ResultsFile written(scratch.path(), small_mesh(), {{"version", "0.1"}});
+  ResultsWriter written(scratch.path(), small_mesh(), {{"version", "0.1"}});
   written.store(snapshot(3));
   written.store(snapshot(7));
   const ResultsReader results(scratch.path());
@@ -52,35 +48,35 @@ TEST(ResultsReader, ReadsWhatWasStored) {
   EXPECT_EQ(results.provenance().at("version"), "0.1");
 }
 
-TEST(ResultsReader, LeavesOutAStepThatWasCutShort) {
+TEST(ResultsReader, TakesNothingElseForAStep) {
   const Scratch scratch;
-  ResultsFile written(scratch.path(), small_mesh(), {});
-  written.store(snapshot(3));
-  Hdf5File file = Hdf5File::open(written.path(), Hdf5File::Access::append);
-  file.make_group("/field/000007");
-  file.set_attribute("/field/000007", "step", std::int64_t{7});
-  file.close();
-  EXPECT_THAT(ResultsReader(scratch.path()).steps(), ElementsAre(3));
+  ResultsWriter written(scratch.path(), small_mesh(), {});
+  written.store(snapshot(1000007));
+  written.store(snapshot(1000008));
+  for (const char* other : {"000009.h5.part", "9.h5", "-00009.h5", "000009 copy.h5", "99999999999.h5"})
+    test::put(scratch / (std::string("fields/") + other), "");
+  EXPECT_THAT(ResultsReader(scratch.path()).steps(), ElementsAre(1000007, 1000008));
 }
 
-TEST(ResultsReader, WaitsForAWriter) {
+TEST(ResultsReader, ReadsWhileAnotherStepIsWritten) {
   const Scratch scratch;
-  ResultsFile written(scratch.path(), small_mesh(), {});
+  ResultsWriter written(scratch.path(), small_mesh(), {});
   written.store(snapshot(3));
-  const int descriptor = ::open(written.path().c_str(), O_RDWR);
-  ASSERT_EQ(flock(descriptor, LOCK_EX | LOCK_NB), 0);
-  std::thread writer([&] {
-    usleep(50000);
-    close(descriptor);
-  });
-  EXPECT_THAT(ResultsReader(scratch.path()).steps(), ElementsAre(3));
-  writer.join();
+  const ResultsReader results(scratch.path());
+  written.store(snapshot(7));
+  EXPECT_THAT(results.steps(), ElementsAre(3));
+  EXPECT_THAT(results.values(3, "segments/damage"), ElementsAre(0.3));
 }
 
 TEST(ResultsReader, SaysWhichFileItCannotRead) {
   const Scratch scratch;
-  EXPECT_THAT(message_of<InputError>([&] { ResultsReader{scratch.path()}; }), HasSubstr("run.h5"));
-  test::put(scratch / "run.h5", "this is no HDF5");
+  EXPECT_THAT(message_of<InputError>([&] { ResultsReader{scratch.path()}; }), HasSubstr(mesh_file));
+  ResultsWriter(scratch.path(), small_mesh(), {}).store(snapshot(3));
+  test::put(scratch / "fields/000003.h5", "this is no HDF5");
+  const ResultsReader results(scratch.path());
+  const std::string message = message_of<InputError>([&] { results.values(3, "displacement"); });
+  EXPECT_THAT(message, HasSubstr("fields/000003.h5: cannot be read"));
+  test::put(scratch / mesh_file, "this is no HDF5");
   EXPECT_THAT(message_of<InputError>([&] { ResultsReader{scratch.path()}; }), HasSubstr("cannot be read"));
 }
 

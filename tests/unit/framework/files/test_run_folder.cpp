@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <array>
 #include <functional>
 
 #include "framework/base/errors.hpp"
@@ -53,12 +54,17 @@ TEST(RunFolder, RefusesAFolderThatHoldsSomething) {
 TEST(RunFolder, OverwritingRemovesOnlyFilesOfARun) {
   const Scratch scratch;
   test::put(scratch / "mine.txt", "keep");
-  test::put(scratch / "run.h5", "old");
-  test::put(scratch / "curve.csv.part", "old");
+  test::put(scratch / "mesh.h5", "keep");
+  fs::create_directory(scratch / "fields");
+  const std::array old{"run.xdmf", "curve.csv.part", "fields/mesh.h5", "fields/000034.h5"};
+  for (const char* file : old) test::put(scratch / file, "old");
+  test::put(scratch / "fields/mine.h5", "keep");
   RunFolder::create(scratch.path(), IfExists::overwrite);
-  EXPECT_TRUE(fs::exists(scratch / "mine.txt"));
-  EXPECT_FALSE(fs::exists(scratch / "run.h5"));
-  EXPECT_FALSE(fs::exists(scratch / "curve.csv.part"));
+  for (const char* file : {"mine.txt", "mesh.h5", "fields/mine.h5"}) EXPECT_TRUE(fs::exists(scratch / file));
+  for (const char* file : old) EXPECT_FALSE(fs::exists(scratch / file)) << file;
+  fs::remove(scratch / "fields/mine.h5");
+  RunFolder::create(scratch.path(), IfExists::overwrite);
+  EXPECT_FALSE(fs::exists(scratch / "fields"));
 }
 
 TEST(RunFolder, OverwritingForgetsTheBranchThatAnEarlierRunLeft) {
@@ -97,7 +103,7 @@ TEST(RunFolder, FullDiskLeavesNoFolders) {
 TEST(RunFolder, OpeningNeedsAFolder) {
   const Scratch scratch;
   EXPECT_THROW(RunFolder::open(scratch / "none"), InputError);
-  EXPECT_EQ(RunFolder::open(scratch.path()).file("run.h5"), scratch / "run.h5");
+  EXPECT_EQ(RunFolder::open(scratch.path()).file("run.xdmf"), scratch / "run.xdmf");
 }
 
 TEST(DefaultRunFolder, IsNamedAfterTheDeckOrItsFolder) {

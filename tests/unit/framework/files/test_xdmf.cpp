@@ -11,14 +11,11 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-const ResultsFile::Sizes sizes{2, 7, 11, 1, true};
+const XdmfSizes sizes{2, 7, 11, 1, true};
 
-std::vector<ResultsFile::StepEntry> two_steps() {
-  return {{1, 0.5, {{"stress", "/field/000001/stress", FieldPlace::block, 3}}},
-          {2,
-           1.5,
-           {{"displacement", "/field/000002/displacement", FieldPlace::block_vertex, 3},
-            {"damage", "/field/000002/segments/damage", FieldPlace::segment, 1}}}};
+std::vector<XdmfStep> two_steps() {
+  return {{1, 0.5, {{"stress", FieldPlace::block, 3}}},
+          {2, 1.5, {{"displacement", FieldPlace::block_vertex, 3}, {"damage", FieldPlace::segment, 1}}}};
 }
 
 /// Whether every element is closed, in order.
@@ -39,24 +36,23 @@ bool is_balanced(const std::string& text) {
 }
 
 TEST(Xdmf, IsWellFormed) {
-  EXPECT_TRUE(is_balanced(xdmf_text("run.h5", sizes, two_steps())));
-  EXPECT_TRUE(is_balanced(xdmf_text("run.h5", sizes, {})));
+  EXPECT_TRUE(is_balanced(xdmf_text(sizes, two_steps())));
+  EXPECT_TRUE(is_balanced(xdmf_text(sizes, {})));
 }
 
 TEST(Xdmf, SizesAreThoseOfTheDatasets) {
-  const std::string text = xdmf_text("run.h5", sizes, two_steps());
-  EXPECT_THAT(text, HasSubstr("Dimensions=\"7 3\">run.h5:/mesh/vertices"));
-  EXPECT_THAT(text, HasSubstr("Dimensions=\"11\">run.h5:/mesh/mixed"));
-  EXPECT_THAT(text, HasSubstr("Dimensions=\"2 3\">run.h5:/field/000001/stress"));
-  EXPECT_THAT(text, HasSubstr("Dimensions=\"7 3\">run.h5:/field/000002/displacement"));
-  EXPECT_THAT(text, HasSubstr("Dimensions=\"1\">run.h5:/field/000002/segments/damage"));
+  const std::string text = xdmf_text(sizes, two_steps());
+  EXPECT_THAT(text, HasSubstr("Dimensions=\"7 3\">fields/mesh.h5:/mesh/vertices"));
+  EXPECT_THAT(text, HasSubstr("Dimensions=\"11\">fields/mesh.h5:/mesh/mixed"));
+  EXPECT_THAT(text, HasSubstr("Dimensions=\"2 3\">fields/000001.h5:/stress"));
+  EXPECT_THAT(text, HasSubstr("Dimensions=\"7 3\">fields/000002.h5:/displacement"));
+  EXPECT_THAT(text, HasSubstr("Dimensions=\"1\">fields/000002.h5:/segments/damage"));
   EXPECT_THAT(text, HasSubstr("<Time Value=\"1.5\"/>"));
 }
 
 TEST(Xdmf, NormalAndSlidingComponentsAreNamed) {
   const std::string text =
-      xdmf_text("run.h5", {2, 7, 11, 4, true},
-                {{1, 0.5, {{"opening", "/field/000001/segments/opening", FieldPlace::segment, 3, "n s"}}}});
+      xdmf_text({2, 7, 11, 4, true}, {{1, 0.5, {{"opening", FieldPlace::segment, 3, "n s"}}}});
   EXPECT_TRUE(is_balanced(text));
   EXPECT_THAT(text, HasSubstr("Name=\"opening_n\" AttributeType=\"Scalar\""));
   EXPECT_THAT(text, HasSubstr("Format=\"XML\">0 0 1 1 4 1</DataItem>"));
@@ -66,14 +62,14 @@ TEST(Xdmf, NormalAndSlidingComponentsAreNamed) {
 }
 
 TEST(Xdmf, NoInterfaceGridWithoutSegments) {
-  ResultsFile::Sizes blocks_only = sizes;
+  XdmfSizes blocks_only = sizes;
   blocks_only.segments = 0;
-  EXPECT_THAT(xdmf_text("run.h5", blocks_only, two_steps()), Not(HasSubstr("interfaces")));
+  EXPECT_THAT(xdmf_text(blocks_only, two_steps()), Not(HasSubstr("interfaces")));
 }
 
 TEST(Xdmf, NamesAreEscaped) {
-  const std::string text = xdmf_text("a&b.h5", sizes, {{1, 1, {{"<\"x\">", "/f", FieldPlace::block, 1}}}});
-  EXPECT_THAT(text, HasSubstr("a&amp;b.h5:/f"));
+  const std::string text = xdmf_text(sizes, {{1, 1, {{"<\"x\">", FieldPlace::block, 1}}}});
+  EXPECT_THAT(text, HasSubstr(".h5:/&lt;"));
   EXPECT_THAT(text, HasSubstr("&lt;&quot;x&quot;>"));
 }
 

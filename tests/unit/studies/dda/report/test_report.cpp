@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "framework/base/errors.hpp"
+#include "framework/files/results_writer.hpp"
 #include "studies/dda/report/report.hpp"
 #include "unit/framework/files/scratch.hpp"
 
@@ -142,7 +143,7 @@ Snapshot snapshot(int step) {
 
 TEST(Report, BlocksAndCracksAreCompact) {
   const Scratch scratch;
-  ResultsFile file(scratch.path(), two_triangles(), {});
+  ResultsWriter file(scratch.path(), two_triangles(), {});
   for (const int step : {1, 2, 3}) file.store(snapshot(step));
   const Json data = data_of_blocks(ResultsReader(scratch.path()), 2, {});
   EXPECT_EQ(data["stored"], 3);
@@ -158,7 +159,7 @@ TEST(Report, BlocksAndCracksAreCompact) {
 
 TEST(Report, WhatDoesNotMoveHasNoSize) {
   const Scratch scratch;
-  ResultsFile file(scratch.path(), two_triangles(), {});
+  ResultsWriter file(scratch.path(), two_triangles(), {});
   file.store(snapshot(0));
   const Json data = data_of_blocks(ResultsReader(scratch.path()), 0, {});
   EXPECT_EQ(data["steps"][0]["motion"]["mean"]["scale"], 0.0);
@@ -167,7 +168,7 @@ TEST(Report, WhatDoesNotMoveHasNoSize) {
 
 TEST(Report, APageThatWouldBeTooLargeHasFewerSteps) {
   const Scratch scratch;
-  ResultsFile file(scratch.path(), two_triangles(), {});
+  ResultsWriter file(scratch.path(), two_triangles(), {});
   for (int step = 1; step <= 9; ++step) file.store(snapshot(step));
   const Json data = data_of_blocks(ResultsReader(scratch.path()), 2, {.fields = 2800});
   EXPECT_EQ(data["stored"], 9);
@@ -183,7 +184,7 @@ TEST(Report, ARunWithoutFieldsHasNotices) {
   const Json data = data_of_run(scratch.path(), {});
   EXPECT_EQ(data["curve"]["rows"], 2);
   EXPECT_TRUE(data["summary"].is_null());
-  EXPECT_EQ(data["notices"].size(), 3u) << data["notices"];  // summary.json, run.h5, log.jsonl
+  EXPECT_EQ(data["notices"].size(), 3u) << data["notices"];  // summary.json, fields/mesh.h5, log.jsonl
 }
 
 TEST(Report, LinksOfASweepStartAtThePage) {
