@@ -65,6 +65,8 @@ Equilibrium::Equilibrium(const Body& body, const ModelParameters& model)
     : num_blocks_(body.assembly.num_blocks()), intact_(0, {}) {
   Findings findings;
   set_ = make_interface_points(body, model, findings);
+  num_unknown_multipliers_ = 2 * static_cast<std::size_t>(std::ranges::count(set_.points, Multiplier::unknown,
+                                                                             &InterfacePoint::multiplier));
   supports_ = make_supports(body, model, findings);
   const LoadProgramme programme = make_loads(body, model, findings);
   driven_ = programme.driven;
@@ -155,11 +157,6 @@ BlockMatrix Equilibrium::unperturbed() const {
   return out;
 }
 
-std::size_t Equilibrium::num_unknown_multipliers() const {
-  return 2 * static_cast<std::size_t>(
-                 std::ranges::count(set_.points, Multiplier::unknown, &InterfacePoint::multiplier));
-}
-
 void Equilibrium::add_spring(const Spring& spring) {
   for (const auto& [a, row_a] : spring.displacement.rows)
     for (const auto& [b, row_b] : spring.displacement.rows)
@@ -175,23 +172,22 @@ Vec2 Equilibrium::opening(std::size_t p, std::span<const double> d) const {
   return out;
 }
 
-std::vector<BlockId> Equilibrium::watched() const {
+std::vector<BlockId> Equilibrium::watched(const Loading& stage) const {
   std::vector<bool> is_watched(num_nodes(), false);
   const auto watch = [&](const Functional& gauge) {
     for (const auto& [node, row] : gauge.rows) is_watched[node.value()] = true;
   };
   for (std::size_t p = 0; p < num_active(); ++p)
     point(p).for_each_part([&](BlockId node, const Mat26&) { is_watched[node.value()] = true; });
-  for (const Loading& stage : stages_) {
-    watch(stage.load);
-    for (const NamedGauge& gauge : stage.gauges) watch(gauge.functional);
-    for (const WorkPair& pair : stage.driven) {
-      watch(pair.force);
-      watch(pair.displacement);
-    }
-    for (std::size_t i = 0; i < stage.reference_work.size(); ++i)
-      if (stage.reference_work[i] != 0) is_watched[i / block_unknowns] = true;
+  watch(stage.load);
+  for (const NamedGauge& gauge : stage.gauges) watch(gauge.functional);
+  for (const auto& [name, reaction] : stage.reactions) watch(reaction);
+  for (const WorkPair& pair : stage.driven) {
+    watch(pair.force);
+    watch(pair.displacement);
   }
+  for (std::size_t i = 0; i < stage.reference_work.size(); ++i)
+    if (stage.reference_work[i] != 0) is_watched[i / block_unknowns] = true;
   std::vector<BlockId> out;
   for (std::size_t node = 0; node < is_watched.size(); ++node)
     if (is_watched[node]) out.emplace_back(node);
@@ -233,6 +229,13 @@ double Equilibrium::passive_energy(std::span<const double> d) const {
                         [&](std::size_t p) { return twice_passive_energy(p, d); });
   for (const std::size_t i : held_) twice += held_stiffness_ * d[i] * d[i];
   return twice / 2;
+}
+
+double Equilibrium::weak_energy(std::span<const double> d) const {
+  return weak_stiffness_ / 2 * parallel_sum(num_blocks_, parts_at_once, [&](std::size_t b) {
+           const Eigen::Map<const Vec3> motion(d.data() + 6 * b);
+           return motion.dot(Vec3(1, 1, block_size_[b] * block_size_[b]).cwiseProduct(motion));
+         });
 }
 
 double Equilibrium::twice_passive_energy(std::size_t p, std::span<const double> d) const {

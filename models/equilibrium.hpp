@@ -86,7 +86,7 @@ class Equilibrium {
   }
   /// K0 without the perturbation δ of unknown multipliers: singular once for each redundant one.
   BlockMatrix unperturbed() const;
-  std::size_t num_unknown_multipliers() const;
+  std::size_t num_unknown_multipliers() const { return num_unknown_multipliers_; }
   const std::vector<Loading>& stages() const { return stages_; }
   /// Length scale of each block, √area [L]: makes rotations and strains comparable with translations.
   const std::vector<double>& block_size() const { return block_size_; }
@@ -117,8 +117,11 @@ class Equilibrium {
   /// joints of active points and the springs that loads drive [FL]. A sum over the parts: ½ d·K0 d would lose
   /// the digits of a small part of a structure that moves far.
   double passive_energy(std::span<const double> d) const;
-  /// Nodes that a path asks for along a direction: those of active points, gauges, loads and driven springs.
-  std::vector<BlockId> watched() const;
+  /// Energy stored in the weak springs [FL].
+  double weak_energy(std::span<const double> d) const;
+  /// Nodes that a step of a stage asks for: those of active points, its gauges, reactions, live loads and driven
+  /// springs.
+  std::vector<BlockId> watched(const Loading& stage) const;
   /// The springs that loads drive.
   const std::vector<Spring>& driven_springs() const { return driven_; }
   /// The springs that hold the structure.
@@ -137,6 +140,7 @@ class Equilibrium {
 
   std::size_t num_blocks_;
   InterfaceSet set_;
+  std::size_t num_unknown_multipliers_ = 0;
   std::vector<Spring> supports_, driven_;
   double weak_stiffness_ = 0;  ///< of the weak springs [F/L]
   double held_stiffness_ = 0;

@@ -14,7 +14,7 @@ template <class Meant>
 double nearest_initiation(const Walker& walker, Meant is_meant) {
   const System& system = walker.system();
   const State& at = walker.state();
-  const LawValues laws = system.laws(at.d, at.load_factor);
+  const LawValues laws = system.laws(at);
   const std::vector<Vec2>& rates = walker.leaving().opening;
   double fastest = 0;
   for (const Vec2& rate : rates) fastest = std::max(fastest, rate.norm());
@@ -43,7 +43,7 @@ double next_new_crack(const Walker& walker) {
 double next_corner(const Walker& walker) {
   const System& system = walker.system();
   const State& at = walker.state();
-  const LawValues laws = system.laws(at.d, at.load_factor);
+  const LawValues laws = system.laws(at);
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t p = 0; p < laws.opening.size(); ++p) {
     const History& h = system.history()[p];
@@ -68,7 +68,7 @@ Move dissipation_move(const Walker& walker) {
 
 double next_contact_change(const Walker& walker) {
   const System& system = walker.system();
-  const LawValues laws = system.laws(walker.state().d, walker.state().load_factor);
+  const LawValues laws = system.laws(walker.state());
   const std::vector<Vec2>& rates = walker.leaving().opening;
   double fastest = 0, widest = 0;
   for (std::size_t p = 0; p < rates.size(); ++p) {

@@ -27,7 +27,7 @@ class Release {
         system_(stepper.system()),
         start_(start),
         before_(system_.history()),
-        openings_(system_.laws_at(start.d, start.load_factor)->opening) {
+        openings_(system_.laws_at(start)->opening) {
     for (std::size_t p = 0; p < before_.size(); ++p)
       if (is_pending(system_, p)) pending_.push_back(p);
   }
@@ -36,7 +36,7 @@ class Release {
     const HistoryGuard back(system_, start_.multipliers);
     const Functional own = held ? Functional{} : held_opening();
     const Functional& gauge = held ? *held : own;
-    HeldEquilibrium equilibrium(stepper_, gauge, gauge.value(start_.d, start_.load_factor));
+    HeldEquilibrium equilibrium(stepper_, gauge, start_.value(gauge));
     auto out = at_share(equilibrium, most, start_);
     // Straight as long as no contact changes on the way; where one does, the crossing is sought again.
     constexpr int most_searches = 20;
@@ -87,13 +87,13 @@ class Release {
     system_.set_multipliers(guess.multipliers);
     const auto found = equilibrium.solve(guess);
     if (!found) return {};
-    return Settled{*found, system_.next_history(found->d, found->load_factor)};
+    return Settled{*found, system_.next_history(*found)};
   }
 
   /// Share of the way to `end` at which another point reaches its strength first, or one that is losing its
   /// cohesion that in tension; 1 when none does.
   double first_crossing(const State& end) const {
-    const auto laws = system_.laws_at(end.d, end.load_factor);
+    const auto laws = system_.laws_at(end);
     constexpr double round_off = 1e-12;
     double first = 1;
     for (std::size_t p = 0; p < before_.size(); ++p) {
@@ -129,7 +129,7 @@ namespace {
 /// Releases in full what stands at its strength or is partly released.
 void release_pending(System& system, const State& at) {
   std::vector<History> history = system.history();
-  const auto laws = system.laws_at(at.d, at.load_factor);
+  const auto laws = system.laws_at(at);
   for (std::size_t p = 0; p < history.size(); ++p) {
     const InterfacePoint& point = system.equilibrium().point(p);
     if (is_pending(system, p))

@@ -28,15 +28,14 @@ class SecantWalk {
     const auto beyond = farthest_beyond();
     is_admissible_ = !beyond;
     if (beyond) critical_ = *beyond;
-    if (is_admissible_)
-      system_.set_history(system_.next_history(state_.d, state_.load_factor));  // what has slid stays so
+    if (is_admissible_) system_.set_history(system_.next_history(state_));  // what has slid stays so
     return true;
   }
   bool is_admissible() const { return is_admissible_; }
 
   /// The unbroken point nearest its surface at the start.
   bool find_critical() {
-    const auto laws = system_.laws_at(state_.d, state_.load_factor);
+    const auto laws = system_.laws_at(state_);
     double nearest = -1;
     for (std::size_t p = 0; p < laws->opening.size(); ++p) {
       if (system_.is_broken(p)) continue;
@@ -60,7 +59,7 @@ class SecantWalk {
   /// The unbroken point that stands farthest beyond its surface, if any does.
   std::optional<int> farthest_beyond() const {
     constexpr double round_off = 1e-8;
-    const auto laws = system_.laws_at(state_.d, state_.load_factor);
+    const auto laws = system_.laws_at(state_);
     double most = 1 + round_off;
     std::optional<int> out;
     for (std::size_t p = 0; p < laws->opening.size(); ++p) {
@@ -77,11 +76,11 @@ class SecantWalk {
   bool settle() {
     constexpr int passes = 12;
     for (int pass = 0; pass < passes; ++pass) {
-      const auto secant = system_.laws_at(state_.d, state_.load_factor);
+      const auto secant = system_.laws_at(state_);
       if (!system_.use_path_tangent(*secant)) return false;
       if (!move_to_limit(*secant)) return false;
       system_.set_multipliers(state_.multipliers);
-      if (system_.laws_at(state_.d, state_.load_factor)->tangent == secant->tangent) return true;
+      if (system_.laws_at(state_)->tangent == secant->tangent) return true;
     }
     return false;
   }
@@ -90,12 +89,12 @@ class SecantWalk {
   /// equilibrium; one step, the laws being linear.
   bool polish() {
     if (!system_.iterates_multipliers()) return true;
-    const auto laws = system_.laws_at(state_.d, state_.load_factor);
+    const auto laws = system_.laws_at(state_);
     if (!system_.use_tangent(system_.new_stamp(), laws->tangent)) return false;
     std::vector<double> residual(state_.d.size()), correction(state_.d.size());
     system_.residual(state_.d, state_.load_factor, *laws, residual);
     system_.linear().solve(residual, correction);
-    for (std::size_t i = 0; i < correction.size(); ++i) state_.d[i] -= correction[i];
+    state_.d = state_.d.moved(-1, correction);
     return true;
   }
 
@@ -113,7 +112,7 @@ class SecantWalk {
       critical_ = static_cast<int>(p);
     }
     if (!std::isfinite(limit)) return false;
-    for (std::size_t i = 0; i < state_.d.size(); ++i) state_.d[i] = dead.d[i] + limit * live.d[i];
+    state_.d = Displacements(dead.d).moved(limit, live.d);
     state_.load_factor = limit;
     for (std::size_t p = 0; p < state_.multipliers.size(); ++p)
       state_.multipliers[p] = multiplier(p, dead) + limit * multiplier(p, live);

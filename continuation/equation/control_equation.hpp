@@ -54,6 +54,9 @@ class ControlEquation {
   virtual bool only_sizes_step() const { return false; }
 };
 
+/// A state where a control looks at it: at its gauge, or at the active points.
+ControlPoint seen_by(const ControlEquation& control, const State& at, const LawValues& laws);
+
 /// A gauge prescribed, g(d, λ) − g_start = s. Load, displacement and opening control; s in the gauge's unit.
 std::unique_ptr<ControlEquation> make_gauge_equation(Functional gauge);
 

@@ -30,6 +30,11 @@ class GaugeEquation final : public ControlEquation {
 
 }  // namespace
 
+ControlPoint seen_by(const ControlEquation& control, const State& at, const LawValues& laws) {
+  const auto sum = control.as_sum(0);
+  return {sum && sum->gauge ? at.d.asked_by(*sum->gauge) : at.d.watched(), at.load_factor, laws};
+}
+
 std::unique_ptr<ControlEquation> make_gauge_equation(Functional gauge) {
   return std::make_unique<GaugeEquation>(std::move(gauge));
 }

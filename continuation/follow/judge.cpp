@@ -22,7 +22,7 @@ double tolerated_work(System& system, const Candidate& at, const std::vector<dou
   const HistoryGuard back(system);
   system.set_history(at.history);
   system.set_multipliers(at.state.multipliers);
-  const auto laws = system.laws_at(at.state.d, at.state.load_factor);
+  const auto laws = system.laws_at(at.state);
   std::vector<double> r(along.size());
   system.residual(at.state.d, at.state.load_factor, *laws, r);
   double work = std::abs(std::inner_product(r.begin(), r.end(), along.begin(), 0.0));
@@ -74,23 +74,35 @@ bool is_coarse(const PathState& path, const Candidate& candidate) {
 
 std::string unsoundness(const PathState& path, const Candidate& candidate) {
   const System& system = path.walker.system();
-  const Holding holding = holding_of(system, candidate.state);
-  std::string why = objection_to(holding, {path.size, path.memory.largest_force}, system.equilibrium());
+  const auto of = [&](const Holding& holding) {
+    return objection_to(holding, {path.size, path.memory.largest_force}, system.equilibrium());
+  };
+  std::string why;
+  if (candidate.state.d.are_all_known() || !of(bound_of_holding(system, candidate.state)).empty())
+    why = of(holding_of(system, candidate.state));
   if (why.empty()) why = objection_to(candidate.excess, system);
   return why;
+}
+
+std::string jump_of(const PathState& path, const Candidate& candidate) {
+  const Candidate& here = path.walker.here();
+  const double dissipated = candidate.dissipated - here.dissipated, work = candidate.work - here.work;
+  constexpr double of_dissipation = 0.1, of_total = 0.02, of_work = 0.01;
+  if (!loses_work(
+          path, candidate,
+          of_dissipation * std::max(dissipated, of_total * candidate.dissipated) + of_work * std::abs(work)))
+    return {};
+  return fmt::format("the step jumps: {:.1e} of its work is unaccounted for",
+                     std::abs(missing_work(path, candidate) / work));
 }
 
 Objection objection_to(const PathState& path, const Candidate& candidate) {
   if (std::string why = unsoundness(path, candidate); !why.empty()) return {std::move(why), true};
   if (std::string why = energy_objection(path, candidate); !why.empty()) return {std::move(why), true};
+  if (!only_touches(path, candidate))  // there it may only be long
+    if (std::string why = jump_of(path, candidate); !why.empty()) return {std::move(why)};
   const Candidate& here = path.walker.here();
-  const double dissipated = candidate.dissipated - here.dissipated, work = candidate.work - here.work;
-  constexpr double of_dissipation = 0.1, of_total = 0.02, of_work = 0.01;
-  if (loses_work(
-          path, candidate,
-          of_dissipation * std::max(dissipated, of_total * candidate.dissipated) + of_work * std::abs(work)))
-    return {fmt::format("the step jumps: {:.1e} of its work is unaccounted for",
-                        std::abs(missing_work(path, candidate) / work))};
+  const double dissipated = candidate.dissipated - here.dissipated;
   const double before = std::abs(path.load_of(path.walker.state())),
                after = std::abs(path.load_of(candidate.state));
   if (here.dissipated > 0 && dissipated <= 0 && after < before && path.walker.leaving().dissipates)
@@ -105,8 +117,9 @@ bool creates_energy(const PathState& path, const Candidate& beyond) {
   const double created = (beyond.stored - here.stored) + spent - work;
   const double explained = of_spent * spent + round_off * std::abs(beyond.work);
   if (created <= explained) return false;
+  const std::vector<double>& from = here.state.d;
   std::vector<double> along = beyond.state.d;
-  for (std::size_t i = 0; i < along.size(); ++i) along[i] -= here.state.d[i];
+  for (std::size_t i = 0; i < along.size(); ++i) along[i] -= from[i];
   System& system = path.walker.system();
   return created > explained + tolerated_work(system, beyond, along) + tolerated_work(system, here, along);
 }

@@ -24,11 +24,16 @@ bool is_coarse(const PathState& path, const Candidate& candidate);
 /// when it is one.
 std::string unsoundness(const PathState& path, const Candidate& candidate);
 
+/// What a step leaves unaccounted for, where it is more than the chord of a path may; "" where it is not.
+std::string jump_of(const PathState& path, const Candidate& candidate);
+
 /// Why a converged state is not the next point of a path.
 struct Objection {
   std::string why;          ///< "" when it is
   bool is_unsound = false;  ///< it is no result at all
 };
+/// Steps that only open, close and slide joints have none for what they leave unaccounted for, as long as they may
+/// be shortened: see `jump_of`.
 Objection objection_to(const PathState& path, const Candidate& candidate);
 
 /// Whether less was put in than is stored and spent, by more than the chord of a curved path and what

@@ -15,7 +15,11 @@ namespace {
 
 State between(const State& a, const State& b, double share) {
   State out = a;
-  for (std::size_t i = 0; i < out.d.size(); ++i) out.d[i] += share * (b.d[i] - a.d[i]);
+  std::vector<double> way(a.d.size(), 0.0);
+  for (std::size_t i = 0; i < way.size(); ++i)
+    if (const std::size_t node = i / block_unknowns; a.d.know(node) && b.d.know(node))
+      way[i] = b.d.watched()[i] - a.d.watched()[i];
+  out.d = a.d.moved(share, way);
   out.load_factor += share * (b.load_factor - a.load_factor);
   for (std::size_t p = 0; p < out.multipliers.size(); ++p)
     out.multipliers[p] += share * (b.multipliers[p] - a.multipliers[p]);
@@ -40,7 +44,7 @@ std::optional<Crossing> first_crossing(const PathState& path, const Candidate& c
   std::optional<Crossing> first;
   for (const Landing& landing : present_landings(path)) {
     const double from = path.walker.value(landing.gauge);
-    const double to = landing.gauge.value(candidate.state.d, candidate.state.load_factor);
+    const double to = candidate.state.value(landing.gauge);
     if (std::abs(from - landing.value) <= same_value * std::max(std::abs(landing.value), std::abs(to - from)))
       continue;
     if ((from - landing.value) * (to - landing.value) > 0) continue;
@@ -92,7 +96,7 @@ double amount_to_landing(const PathState& path) {
 double share_to_strength(const PathState& path, const Candidate& candidate) {
   const System& system = path.walker.system();
   const State &from = path.walker.state(), &to = candidate.state;
-  const auto before = system.laws(from.d, from.load_factor), after = system.laws(to.d, to.load_factor);
+  const auto before = system.laws(from), after = system.laws(to);
   constexpr double round_off = 1e-10;
   double share = 1;
   for (std::size_t p = 0; p < before.opening.size(); ++p) {
@@ -116,8 +120,7 @@ std::optional<Point> land_on_strength(PathState& path, const Candidate& beyond, 
 
 void report_passed(const PathState& path, const State& from, const State& to) {
   for (const Landing& landing : present_landings(path)) {
-    const double before = landing.gauge.value(from.d, from.load_factor),
-                 after = landing.gauge.value(to.d, to.load_factor);
+    const double before = from.value(landing.gauge), after = to.value(landing.gauge);
     if ((before - landing.value) * (after - landing.value) < 0)
       path.report("passed", fmt::format("{} = {:g} is passed by a jump from {:g} to {:g}", landing.name,
                                         landing.value, before, after));

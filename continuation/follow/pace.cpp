@@ -32,7 +32,7 @@ double first_amount(const PathState& path) {
                   : load == 0               ? of_way * next_new_crack(path.walker)
                                             : std::numeric_limits<double>::infinity();
   const System& system = path.walker.system();
-  const auto laws = system.laws(path.walker.state().d, path.walker.state().load_factor);
+  const auto laws = system.laws(path.walker.state());
   for (std::size_t p = 0; p < laws.opening.size(); ++p) {
     const History& h = system.history()[p];
     if (!h.loading) continue;

@@ -20,6 +20,15 @@ Functional find_load(const PathParameters& parameters, const GaugeBook& book, co
   throw InputError(parameters.where, "`load_gauge` names '" + name + "', which is not among the gauges");
 }
 
+/// Sizes of the blocks that a path asks for, 0 of the others: these go along as they are bound to.
+std::vector<double> sizes_of_watched(const System& system) {
+  const Equilibrium& equilibrium = system.equilibrium();
+  std::vector<double> out(equilibrium.num_blocks(), 0.0);
+  for (const BlockId node : equilibrium.watched(system.loading()))
+    if (node.value() < out.size()) out[node.value()] = equilibrium.block_size()[node.value()];
+  return out;
+}
+
 }  // namespace
 
 PathState::PathState(Walker& stands, const PathParameters& wanted, const GaugeBook& gauges, Route way)
@@ -31,7 +40,7 @@ PathState::PathState(Walker& stands, const PathParameters& wanted, const GaugeBo
       route(std::move(way)),
       travelling(gauges.gauges),
       size(size_of(walker.system().equilibrium())),
-      standstill(walker.system().equilibrium().block_size(), size) {
+      standstill(sizes_of_watched(walker.system()), size) {
   if (std::ranges::find(travelling, "load", &NamedGauge::name) == travelling.end())
     travelling.push_back({"load", walker.system().loading().load, dimension::force});
   for (const Landing& landing : route.landings)
@@ -39,11 +48,11 @@ PathState::PathState(Walker& stands, const PathParameters& wanted, const GaugeBo
       travelling.push_back({landing.name, landing.gauge, {}});
   for (const auto& law : walker.system().equilibrium().interfaces().laws)
     releases_at_once = releases_at_once || law->releases_at_once();
-  memory.largest_force = holding_of(walker.system(), walker.state()).load;
+  memory.largest_force = load_on(walker.system(), walker.state());
 }
 
 double PathState::load_of(const State& state) const {
-  return (memory.direction < 0 ? -1 : 1) * load.value(state.d, state.load_factor);
+  return (memory.direction < 0 ? -1 : 1) * state.value(load);
 }
 
 double PathState::smallest_load() const {
@@ -54,9 +63,7 @@ double PathState::smallest_load() const {
   return margin * (kept.newton.tolerance + gap) * memory.largest_force;
 }
 
-double PathState::displacement_of(const State& state) const {
-  return displacement.value(state.d, state.load_factor);
-}
+double PathState::displacement_of(const State& state) const { return state.value(displacement); }
 
 double PathState::displacement_rate(const Tangent& tangent) const { return tangent.rate(displacement); }
 

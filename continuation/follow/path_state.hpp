@@ -46,7 +46,6 @@ struct PathState {
   Standstill standstill;
   std::string refusal;  ///< why the last try has not been taken
   std::string unsound;  ///< what the last candidate of this step was refused for, beside equilibrium
-  std::optional<Candidate> jumped;  ///< an equilibrium that the last try found, refused as a jump
   PathMemory memory;
   Ending ending;
   std::function<void(const std::string& event, const std::string& text)> listener;  ///< the log

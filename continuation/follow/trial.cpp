@@ -41,17 +41,21 @@ std::optional<Candidate> try_step(PathState& path, const Move& move, double amou
 
 std::optional<Candidate> judged(PathState& path, const Attempt& tried, const std::string& control) {
   std::string why = tried.reason;
-  path.jumped.reset();
   if (tried.converged) {
     Candidate candidate = path.walker.evaluate(tried);
     const Objection objection = objection_to(path, candidate);
     why = objection.why;
     if (why.empty()) return candidate;
     if (objection.is_unsound) path.unsound = why;
-    if (path.unsound.empty()) path.jumped = std::move(candidate);
   }
   path.reject(control, why);
   return {};
+}
+
+bool refuse_jump(PathState& path, const Candidate& candidate, const std::string& control) {
+  const std::string why = jump_of(path, candidate);
+  if (!why.empty()) path.reject(control, why);
+  return !why.empty();
 }
 
 namespace {
@@ -64,9 +68,9 @@ Point noted(PathState& path, const Candidate& candidate, StepKind kind) {
   out.residual = candidate.residual;
   out.multiplier_iterations = candidate.multiplier_iterations;
   out.gap = candidate.gap;
-  const double load = path.load.value(candidate.state.d, candidate.state.load_factor);
+  const double load = candidate.state.value(path.load);
   path.memory.largest_force =
-      std::max(path.memory.largest_force, holding_of(path.walker.system(), candidate.state).load);
+      std::max(path.memory.largest_force, load_on(path.walker.system(), candidate.state));
   const bool is_loaded = std::abs(load) > path.smallest_load();
   if (path.memory.direction == 0 && is_loaded) path.memory.direction = load > 0 ? 1 : -1;
   constexpr double same = 1e-9;  // the first point of a plateau is the highest, whatever rounding adds

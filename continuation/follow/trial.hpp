@@ -13,6 +13,9 @@ std::optional<Candidate> try_step(PathState& path, const Move& move, double amou
 /// What an attempt has found, if that is the next point of this path; else it is rejected.
 std::optional<Candidate> judged(PathState& path, const Attempt& tried, const std::string& control);
 
+/// Whether a candidate that cannot be shortened any more is rejected as a jump.
+bool refuse_jump(PathState& path, const Candidate& candidate, const std::string& control);
+
 /// Moves on to a candidate and remembers what it changes.
 Point keep(PathState& path, Candidate candidate, StepKind kind);
 

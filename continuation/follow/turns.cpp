@@ -33,8 +33,8 @@ struct Course {
 
 Course course_of(const Functional& gauge, const Walker& walker, const Candidate& candidate) {
   const double dissipated = candidate.dissipated - walker.here().dissipated;
-  return {walker.value(gauge), gauge.value(candidate.state.d, candidate.state.load_factor),
-          walker.leaving().rate(gauge) * dissipated, candidate.arriving.rate(gauge) * dissipated};
+  return {walker.value(gauge), candidate.state.value(gauge), walker.leaving().rate(gauge) * dissipated,
+          candidate.arriving.rate(gauge) * dissipated};
 }
 
 /// Looks in a row that may find nothing.
@@ -50,7 +50,7 @@ bool is_smooth(const Walker& walker, const Candidate& candidate) {
 double size_of_gauge(const PathState& path, const NamedGauge& gauge, const Candidate& candidate) {
   constexpr double hardly = 0.01;
   const Travel& travel = path.memory.travels.at(gauge.name);
-  const double now = gauge.functional.value(candidate.state.d, candidate.state.load_factor);
+  const double now = candidate.state.value(gauge.functional);
   return std::max({std::abs(travel.from), std::abs(travel.farthest), std::abs(now),
                    hardly * path.memory.largest_displacement});
 }

@@ -267,16 +267,16 @@ std::optional<EliminationOrder> CholmodMatrix::narrow_way(std::span<const BlockI
   return way;
 }
 
-void CholmodMatrix::complete_on(const EliminationOrder& way, std::span<double> sum) const {
-  std::vector<double> out(sum.size(), 0.0);
-  Eigen::Map<Eigen::MatrixXd> from(sum.data(), static_cast<Eigen::Index>(sum.size()), 1);
-  Eigen::Map<Eigen::MatrixXd> x(out.data(), from.rows(), 1);
-  way.from_the_root([&](int s) {
-    x.middleRows(super_[s], size_of(s)) = from.middleRows(super_[s], size_of(s));
-    complete_supernode(s, x);
-  });
-  std::ranges::copy(out, sum.begin());
-  to_blocks(sum);
+std::vector<double> CholmodMatrix::complete_at(std::span<const BlockId> blocks, const EliminationOrder& way,
+                                               std::span<double> sum) const {
+  Eigen::Map<Eigen::MatrixXd> x(sum.data(), static_cast<Eigen::Index>(sum.size()), 1);
+  way.from_the_root([&](int s) { complete_supernode(s, x); });
+  std::vector<double> out;
+  out.reserve(block_unknowns * blocks.size());
+  for (const BlockId block : blocks)
+    for (std::size_t i = 0; i < block_unknowns; ++i)
+      out.push_back(sum[count(position_[block_unknowns * block.value() + i])]);
+  return out;
 }
 
 void CholmodMatrix::complete_supernode(int s, Eigen::Map<Eigen::MatrixXd>& x) const {

@@ -42,7 +42,8 @@ class CholmodMatrix final : public HalfSolver {
            std::span<double> sum) const override;
   void complete(std::span<double> sums, int columns) const override;
   std::optional<EliminationOrder> narrow_way(std::span<const BlockId> blocks) const override;
-  void complete_on(const EliminationOrder& way, std::span<double> sum) const override;
+  std::vector<double> complete_at(std::span<const BlockId> blocks, const EliminationOrder& way,
+                                  std::span<double> sum) const override;
 
  private:
   /// One supernode of L: `size` columns from `first` on, `rows` of them below one another in `values`.

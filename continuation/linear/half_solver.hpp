@@ -44,8 +44,9 @@ class HalfSolver {
 
   /// The ways of these blocks to the root; nothing when they are more than half of L.
   virtual std::optional<EliminationOrder> narrow_way(std::span<const BlockId> blocks) const = 0;
-  /// Overwrites a sum Σ y s by A⁻¹ Σ u s at the blocks of a way and by zero elsewhere.
-  virtual void complete_on(const EliminationOrder& way, std::span<double> sum) const = 0;
+  /// A⁻¹ Σ u s of a sum Σ y s, which is overwritten, at some blocks one after another; their way is given.
+  virtual std::vector<double> complete_at(std::span<const BlockId> blocks, const EliminationOrder& way,
+                                          std::span<double> sum) const = 0;
 };
 
 }  // namespace dda

@@ -33,6 +33,8 @@ LinearSystem::LinearSystem(const Equilibrium& equilibrium, const DirectSolverCho
   if (!factor_base()) throw InputError({}, "the stiffness matrix is singular; check supports and materials");
 }
 
+LinearSystem::~LinearSystem() { complete_pending(); }
+
 BlockMatrix LinearSystem::matrix_with(std::span<const Mat2> tangents) const {
   BlockMatrix a = equilibrium_.intact();
   for (std::size_t p = 0; p < tangents.size(); ++p) {
@@ -89,7 +91,13 @@ bool LinearSystem::takes_friction(std::size_t columns) const {
   return update_ == Update::refactorise || columns > (general_ ? most_whole_columns : most_columns());
 }
 
+void LinearSystem::make_update_columns() {
+  columns_ = update_columns(equilibrium_, *solver_, batch_);
+  columns_->watch(watched_);
+}
+
 bool LinearSystem::factor_base() {
+  complete_pending();
   const auto scope = timings_->measure("factorisation");
   tangent_ = base_;
   updated_.clear();
@@ -110,7 +118,7 @@ bool LinearSystem::factor_base() {
   if (!solver_->factor(matrix_with(base_))) return false;
   constexpr std::size_t of_many = 4, of_few = 16;
   batch_ = 2 * equilibrium_.num_active() <= most_columns() ? of_few : of_many;
-  columns_ = update_columns(equilibrium_, *solver_, batch_);
+  make_update_columns();
   return true;
 }
 
@@ -131,12 +139,13 @@ bool LinearSystem::restore(std::span<const Mat2> base, std::span<const std::size
 
 bool LinearSystem::start_from(std::span<const Mat2> base) {
   if (!std::ranges::equal(base, base_)) return restore(base, {});
+  complete_pending();
   gauges_.clear();
   updated_.clear();
   active_.clear();
   std::ranges::fill(slot_, -1);
   num_solves_ += columns_->num_solves();
-  columns_ = update_columns(equilibrium_, *solver_, batch_);
+  make_update_columns();
   return true;
 }
 
@@ -202,23 +211,6 @@ std::vector<std::size_t> LinearSystem::places_of(std::span<const std::size_t> po
   return out;
 }
 
-/// The base is symmetric: Zᵀ g = U K_base⁻¹ g.
-Eigen::VectorXd LinearSystem::along_columns(const Functional& gauge) {
-  std::vector<double> right(n(), 0.0);
-  gauge.add_gradient(1, right);
-  auto kept = std::ranges::find(gauges_, right, &Kept::right);
-  if (kept == gauges_.end()) {
-    constexpr std::size_t most_kept = 8;  // of controls that come back; those of one step are not worth more
-    if (gauges_.size() == most_kept) gauges_.erase(gauges_.begin());
-    kept = gauges_.insert(gauges_.end(), Kept{std::move(right), {}});
-  }
-  const std::vector<double>& solution = solution_of(*kept);
-  Eigen::VectorXd out(2 * static_cast<Eigen::Index>(updated_.size()));
-  for (std::size_t i = 0; i < updated_.size(); ++i)
-    out.segment<2>(2 * static_cast<Eigen::Index>(i)) = rows_times(updated_[i], solution);
-  return out;
-}
-
 /// Computes Z for the batches of the points that have none, and their couplings in G with every point before.
 void LinearSystem::add_columns(std::span<const std::size_t> points) {
   const std::size_t first = updated_.size();
@@ -259,25 +251,6 @@ Eigen::MatrixXd LinearSystem::one_plus_couplings(const std::vector<Mat2>& e) con
           e[a] * coupling(active_[a], active_[b]);
   });
   return m;
-}
-
-void LinearSystem::keep_solutions_of(std::vector<double> reference, std::vector<double> dead) {
-  reference_ = {std::move(reference), {}};
-  dead_ = {std::move(dead), {}};
-}
-
-const std::vector<double>& LinearSystem::solution_of(Kept& kept) {
-  if (!kept.solution.empty()) return kept.solution;
-  const auto scope = timings_->measure("solutions");
-  kept.solution = kept.right;
-  if (std::ranges::all_of(kept.right, [](double value) { return value == 0; })) return kept.solution;
-  solve_with_base(kept.solution);
-  std::vector<double> rest(n());  // refined once: iterates that are put together from it cannot be
-  multiply(base_, kept.solution, rest);
-  for (std::size_t i = 0; i < rest.size(); ++i) rest[i] = kept.right[i] - rest[i];
-  solve_with_base(rest);
-  for (std::size_t i = 0; i < rest.size(); ++i) kept.solution[i] += rest[i];
-  return kept.solution;
 }
 
 void LinearSystem::solve_base(std::span<const double> b, std::span<double> y) {

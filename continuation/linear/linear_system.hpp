@@ -8,6 +8,7 @@
 
 #include "continuation/linear/dense_lu.hpp"
 #include "continuation/linear/direct_solver.hpp"
+#include "continuation/linear/displacements.hpp"
 #include "continuation/linear/mumps_matrix.hpp"
 #include "continuation/linear/unsymmetric_inertia.hpp"
 #include "continuation/linear/update_columns.hpp"
@@ -44,7 +45,19 @@ class LinearSystem {
     std::span<const Vec2> traction;
   };
 
+  /// d = origin + λ K_base⁻¹ f_ref − Z z.
+  struct Combination {
+    std::shared_ptr<const std::vector<double>> origin;  ///< none: K_base⁻¹ f_dead
+    double load_factor = 0;
+    std::vector<std::size_t> points;       ///< with columns, those of z
+    Eigen::VectorXd z;                     ///< 2 per point
+    std::optional<double> dead_work = {};  ///< f_dead · d [FL]
+  };
+
   LinearSystem(const Equilibrium& equilibrium, const DirectSolverChoice& solver, Update update);
+  LinearSystem(const LinearSystem&) = delete;
+  LinearSystem& operator=(const LinearSystem&) = delete;
+  ~LinearSystem();
   /// Times its phases there from now on.
   void measure_with(Timings& timings) { timings_ = &timings; }
 
@@ -52,7 +65,7 @@ class LinearSystem {
   bool set_tangent(std::span<const Mat2> tangents);
   /// x = K⁻¹ b, both of size n.
   void solve(std::span<const double> b, std::span<double> x);
-  /// x = K⁻¹ b at Equilibrium::watched(); elsewhere it may be zero.
+  /// x = K⁻¹ b at the nodes that the stage watches; elsewhere it may be zero.
   void solve_watched(std::span<const double> b, std::span<double> x);
   /// y = K_base⁻¹ b.
   void solve_base(std::span<const double> b, std::span<double> y);
@@ -78,8 +91,9 @@ class LinearSystem {
   /// symmetric part. Of an unsymmetric saddle point the symmetric part alone is known.
   NegativeEigenvalues negative_eigenvalues();
 
-  /// K_base⁻¹ of these (and of their negatives) is computed once per base.
-  void keep_solutions_of(std::vector<double> reference, std::vector<double> dead);
+  /// K_base⁻¹ of the loads of a stage (and of their negatives) is computed once per base, and its steps ask for
+  /// what it watches.
+  void begin_stage(const Loading& stage);
 
   /// Whether cracked points are updates of the base.
   bool updates() const { return update_ == Update::low_rank && !general_; }
@@ -96,6 +110,9 @@ class LinearSystem {
   /// x −= Z s for each x, s in the columns of `shares`, 2 rows per point.
   void subtract_columns(std::span<const std::size_t> points, const Eigen::MatrixXd& shares,
                         std::span<const std::span<double>> solutions);
+  /// Known at the watched nodes where their way is narrow, with its dead work, else everywhere. The rest is
+  /// computed when it is asked for, at the latest when K_base changes.
+  Displacements combined(Combination of);
   /// Zᵀ ∂g/∂d of a gauge, 2 per updated point.
   Eigen::VectorXd along_columns(const Functional& gauge);
   /// G, in the order of updated_points(); rows and columns beyond them are spare.
@@ -114,10 +131,14 @@ class LinearSystem {
   std::size_t num_solves() const { return num_solves_ + (columns_ ? columns_->num_solves() : 0); }
 
  private:
+  class Combined;
   struct Kept {
     std::vector<double> right, solution;  ///< solution empty until asked for
   };
 
+  std::vector<double> combined_everywhere(const Combination& of);
+  /// What Z is needed for while it is there.
+  void complete_pending();
   /// Makes K_base the stiffness with these D. False when singular; then the base stays what it was.
   bool rebase(std::span<const Mat2> tangents);
   double reference_size();
@@ -128,6 +149,7 @@ class LinearSystem {
   std::size_t num_columns(std::span<const Mat2> tangents,
                           const std::function<bool(const Mat2&, std::size_t)>& needs) const;
   void solve_with_base(std::span<double> x);
+  void make_update_columns();
   /// Factorises K_base and forgets all columns.
   bool factor_base();
   /// Columns beyond which a new base is cheaper.
@@ -166,15 +188,22 @@ class LinearSystem {
   std::optional<MumpsMatrix> general_;  ///< the base where it is not symmetric
   Update update_;
   std::vector<Mat2> base_, tangent_;
-  std::size_t batch_ = 1;                   ///< points that get their columns together
-  std::vector<std::size_t> updated_;        ///< points with columns, in order
-  std::vector<int> slot_;                   ///< point → index in updated_, −1 when none
+  std::size_t batch_ = 1;             ///< points that get their columns together
+  std::vector<std::size_t> updated_;  ///< points with columns, in order
+  std::vector<int> slot_;             ///< point → index in updated_, −1 when none
+  std::vector<BlockId> watched_;
   std::unique_ptr<UpdateColumns> columns_;  ///< Z; none beside an unsymmetric base
   Eigen::MatrixXd g_;                       ///< U K_base⁻¹ Uᵀ, at least 2 · updated square
   std::vector<std::size_t> active_;         ///< updated points with E ≠ 0 now
   DenseLu small_;                           ///< of 1 + E G
   Kept reference_, dead_;
-  std::vector<Kept> gauges_;  ///< of along_columns
+  /// What along_columns has solved for.
+  struct KeptGauge {
+    std::vector<std::pair<BlockId, Vec6>> rows;
+    std::vector<double> solution;
+  };
+  std::vector<KeptGauge> gauges_;
+  std::vector<Displacements::Pending> pending_;
   std::size_t num_factorisations_ = 0, num_solves_ = 0;
   Timings own_timings_;
   Timings* timings_ = &own_timings_;

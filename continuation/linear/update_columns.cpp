@@ -133,10 +133,17 @@ class WholeColumns final : public UpdateColumns {
 class HalfColumns final : public UpdateColumns {
  public:
   HalfColumns(const Equilibrium& equilibrium, const HalfSolver& solver)
-      : equilibrium_(equilibrium),
-        solver_(solver),
-        watched_(equilibrium.watched()),
-        way_(solver.narrow_way(watched_)) {}
+      : equilibrium_(equilibrium), solver_(solver) {}
+
+  void watch(std::span<const BlockId> nodes) override {
+    watched_.assign(nodes.begin(), nodes.end());
+    way_ = solver_.narrow_way(watched_);
+    narrow_nodes_.reset();
+    if (!way_) return;
+    auto narrow = std::make_shared<std::vector<bool>>(equilibrium_.num_nodes(), false);
+    for (const BlockId node : watched_) (*narrow)[node.value()] = true;
+    narrow_nodes_ = std::move(narrow);
+  }
 
   void add(std::span<const std::size_t> points, Matrix& g) override {
     const std::size_t first = groups_.size();
@@ -168,15 +175,18 @@ class HalfColumns final : public UpdateColumns {
   void subtract_watched(std::span<const std::size_t> places, const Matrix& shares,
                         std::span<double> solution) override {
     if (!way_) return UpdateColumns::subtract_watched(places, shares, solution);
-    std::vector<double> sum(solution.size(), 0.0), out(solution.size(), 0.0);
+    std::vector<double> sum(solution.size(), 0.0);
     add_up(places, shares.col(0), sum);
-    solver_.complete_on(*way_, sum);
-    for (const BlockId node : watched_)
-      for (std::size_t i = block_unknowns * node.value(); i < block_unknowns * (node.value() + 1); ++i)
-        out[i] = solution[i] - sum[i];
+    std::vector<double> out(solution.size(), 0.0);
+    const std::vector<double> watched = solver_.complete_at(watched_, *way_, sum);
+    for (std::size_t i = 0; i < watched.size(); ++i) {
+      const std::size_t at = block_unknowns * watched_[i / block_unknowns].value() + i % block_unknowns;
+      out[at] = solution[at] - watched[i];
+    }
     std::ranges::copy(out, solution.begin());
   }
 
+  Displacements::Nodes narrow_nodes() const override { return narrow_nodes_; }
   bool product_is_cheap() const override { return true; }
   std::size_t most_at_once() const override { return std::numeric_limits<std::size_t>::max(); }
 
@@ -226,8 +236,9 @@ class HalfColumns final : public UpdateColumns {
 
   const Equilibrium& equilibrium_;
   const HalfSolver& solver_;
-  const std::vector<BlockId> watched_;
-  const std::optional<EliminationOrder> way_;  ///< of the watched ones, where it is narrow
+  std::vector<BlockId> watched_;
+  std::optional<EliminationOrder> way_;  ///< of the watched ones, where it is narrow
+  Displacements::Nodes narrow_nodes_;
   std::vector<Group> groups_;
   std::vector<Place> places_;
 };

@@ -21,7 +21,7 @@ constexpr double softened = 0.1;
 void ContactSolver::prepare(const State& guess) {
   constexpr std::size_t few = 100;
   const bool is_cracked = num_changed(system_, guess) > few;
-  const auto laws = system_.laws_at(guess.d, guess.load_factor);
+  const auto laws = system_.laws_at(guess);
   std::vector<Mat2> base;
   for (std::size_t p = 0; p < laws->opening.size(); ++p) {
     const InterfacePoint& point = system_.equilibrium().point(p);
@@ -78,7 +78,7 @@ std::optional<Reduced> ContactSolver::solve_tangents(const StepGoal& goal) {
   Reduced out{.state = goal.guess, .x = {}};
   constexpr int most = 20;
   for (int i = 0; i < most; ++i) {
-    const auto laws = system_.laws_at(out.state.d, out.state.load_factor);
+    const auto laws = system_.laws_at(out.state);
     const ControlPoint at{out.state.d, out.state.load_factor, *laws};
     constexpr double good = 1e-10;
     if (i > 0 && std::abs(goal.control.residual(at, goal.step)) <= good) return out;

@@ -44,14 +44,16 @@ Iterate CrackedEquations::begin_walks(const State& guess, const Rule& rule) {
 }
 
 Iterate CrackedEquations::start_at(const State& guess, const Rule& rule, bool walks) {
-  origin_ = linear_.dead_solution();
+  origin_.reset();
+  dead_of_origin_.reset();
+  const std::vector<double>& dead = linear_.dead_solution();
   z_origin_ = Vector::Zero(length());
   q_.resize(length());
   for (std::size_t i = 0; i < points_.size(); ++i) {
-    pair(dead_, i) = system_.equilibrium().opening(points_[i], origin_) + multiplier(i);
-    pair(q_, i) = system_.equilibrium().opening(points_[i], guess.d) + multiplier(i);
+    pair(dead_, i) = system_.equilibrium().opening(points_[i], dead) + multiplier(i);
+    pair(q_, i) = system_.equilibrium().opening(points_[i], guess.d.watched()) + multiplier(i);
   }
-  if (control_.gauge) gauge_dead_ = control_.gauge->value(origin_, 0);
+  if (control_.gauge) gauge_dead_ = control_.gauge->value(dead, 0);
   load_factor_ = guess.load_factor;
   scale_ = std::max({dead_.lpNorm<Eigen::Infinity>(), q_.lpNorm<Eigen::Infinity>(),
                      std::abs(load_factor_) * live_.lpNorm<Eigen::Infinity>()});
@@ -178,23 +180,25 @@ void CrackedEquations::refine() {
   constexpr int times = 2;
   for (int i = 0; i < times; ++i) {
     const State at = state_here();
-    std::vector<double> change = unbalanced(at);
+    std::vector<double> change = unbalanced(at), origin = at.d;
     linear_.solve_base(change, change);
-    for (std::size_t k = 0; k < change.size(); ++k) origin_[k] = at.d[k] - change[k] - load_factor_ * live[k];
+    for (std::size_t k = 0; k < change.size(); ++k) origin[k] -= change[k] + load_factor_ * live[k];
+    origin_ = std::make_shared<const std::vector<double>>(std::move(origin));
+    dead_of_origin_.reset();
     z_origin_ = z_;
     difference_.setZero();
   }
   const State at = state_here();
   for (std::size_t i = 0; i < points_.size(); ++i)
-    pair(dead_, i) =
-        system_.equilibrium().opening(points_[i], at.d) + multiplier(i) - load_factor_ * pair(live_, i);
-  if (control_.gauge) gauge_dead_ = control_.gauge->value(at.d, load_factor_) - load_factor_ * gauge_live_;
+    pair(dead_, i) = system_.equilibrium().opening(points_[i], at.d.watched()) + multiplier(i) -
+                     load_factor_ * pair(live_, i);
+  if (control_.gauge) gauge_dead_ = at.value(*control_.gauge) - load_factor_ * gauge_live_;
 }
 
 /// The equations of the whole structure at d, with the z of the iteration. Weak springs are none of it: where
 /// several courses slide under the same load they alone would tell which, by forces that are next to nothing.
 std::vector<double> CrackedEquations::unbalanced(const State& at) const {
-  const LawValues laws = system_.laws(at.d, at.load_factor);
+  const LawValues laws = system_.laws(at);
   std::vector<double> out(at.d.size()), differences(2 * laws.opening.size(), 0.0);
   system_.residual(at.d, at.load_factor, laws, out);
   for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -214,10 +218,21 @@ State CrackedEquations::state(const Iterate& at) {
   return state_here();
 }
 
-State CrackedEquations::state_here() const {
-  State out{origin_, load_factor_};
-  const std::vector<double>& live = linear_.reference_solution();
-  for (std::size_t i = 0; i < out.d.size(); ++i) out.d[i] += load_factor_ * live[i];
+double CrackedEquations::residual_norm(const State& at) const {
+  const Equilibrium& equilibrium = system_.equilibrium();
+  std::vector<double> out(at.d.size(), 0.0), missed(2 * equilibrium.num_active(), 0.0);
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const std::size_t p = points_[i];
+    const Vec2 jump = equilibrium.opening(p, at.d.watched());
+    Eigen::Map<Vec2> here(&missed[2 * p]);
+    here = system_.respond(p, jump + multiplier(i)).traction - linear_.base()[p] * jump -
+           pair(z_, i) / equilibrium.point(p).weight;
+  }
+  equilibrium.scatter_add(missed, out);
+  return system_.residual_norm(out);
+}
+
+State CrackedEquations::state_here() {
   std::vector<std::size_t> points;
   std::vector<double> z;
   for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -225,9 +240,19 @@ State CrackedEquations::state_here() const {
     points.push_back(points_[i]);
     for (const double component : pair(difference_, i)) z.push_back(component);
   }
-  const Matrix forces = Eigen::Map<const Vector>(z.data(), std::ssize(z));
-  const std::span<double> d(out.d);
-  linear_.subtract_columns(points, forces, std::span<const std::span<double>>(&d, 1));
+  const Vector forces = Eigen::Map<const Vector>(z.data(), std::ssize(z));
+  const double work = dead_work(points, forces);
+  return {linear_.combined({origin_, load_factor_, std::move(points), forces, work}), load_factor_};
+}
+
+/// f_dead · d, Zᵀ f_dead being the openings of K_base⁻¹ f_dead.
+double CrackedEquations::dead_work(std::span<const std::size_t> points, const Vector& z) {
+  const std::vector<double>& dead = linear_.dead_solution();
+  if (!dead_of_origin_) dead_of_origin_ = system_.dead_product(origin_ ? *origin_ : dead);
+  if (!dead_of_live_) dead_of_live_ = system_.dead_product(linear_.reference_solution());
+  double out = *dead_of_origin_ + load_factor_ * *dead_of_live_;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    out -= pair(z, i).dot(system_.equilibrium().opening(points[i], dead));
   return out;
 }
 

@@ -49,6 +49,8 @@ class CrackedEquations final : public WalkedEquations {
   void refine();
   /// The whole structure at an iterate.
   State state(const Iterate& at);
+  /// ‖R‖ of that state as far as the equations tell, R = Bᵀ (W (t − D_base B d) − z) [F].
+  double residual_norm(const State& at) const;
 
   Unknowns unknowns() const override { return Unknowns::cracked; }
   std::size_t size() const override { return 2 * points_.size(); }
@@ -86,7 +88,8 @@ class CrackedEquations final : public WalkedEquations {
   }
   Vector gap() const;
   std::vector<double> unbalanced(const State& at) const;
-  State state_here() const;
+  State state_here();
+  double dead_work(std::span<const std::size_t> points, const Vector& z);
   void solve_in_place(Matrix& x) const;
   double value() const;
   double rounding_of_value() const;
@@ -104,8 +107,9 @@ class CrackedEquations final : public WalkedEquations {
   Vector along_;        ///< Zᵀ ∂g/∂d
   double gauge_dead_ = 0, gauge_live_ = 0;
   bool only_touch_ = false;
-  std::vector<double> origin_;  ///< d_dead
-  Vector z_origin_;             ///< z₀
+  std::shared_ptr<const std::vector<double>> origin_;    ///< d_dead once it is refined
+  std::optional<double> dead_of_origin_, dead_of_live_;  ///< f_dead · d_dead, f_dead · d_ref
+  Vector z_origin_;                                      ///< z₀
 
   // at the last iterate
   Vector q_, z_, difference_, spending_;

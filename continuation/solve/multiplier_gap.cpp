@@ -6,7 +6,7 @@ namespace dda {
 
 bool MultiplierGap::is_carried_over(Attempt& solution) {
   if (!system_.iterates_multipliers()) return false;
-  const auto laws = system_.laws_at(solution.state.d, solution.state.load_factor);
+  const auto laws = system_.laws_at(solution.state);
   solution.gap = system_.relative_gap(*laws);
   if (solution.gap <= parameters_.tolerance) return false;
   if (solution.multiplier_iterations >= parameters_.max_iterations ||

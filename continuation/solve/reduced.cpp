@@ -10,7 +10,7 @@ namespace {
 /// Points of some kind that are not held at a state as in the intact structure.
 template <class Kind>
 std::size_t count_changed(System& system, const State& at, Kind is_of_kind) {
-  const auto laws = system.laws_at(at.d, at.load_factor);
+  const auto laws = system.laws_at(at);
   std::size_t out = 0;
   for (std::size_t p = 0; p < laws->opening.size(); ++p) {
     const InterfacePoint& point = system.equilibrium().point(p);
@@ -28,7 +28,7 @@ bool has_offsets(const System& system) {
 }
 
 std::vector<std::size_t> newly_cracked(System& system, const LinearSystem& linear, const State& at) {
-  const auto laws = system.laws_at(at.d, at.load_factor);
+  const auto laws = system.laws_at(at);
   std::vector<std::size_t> out;
   for (std::size_t p = 0; p < laws->opening.size(); ++p) {
     if (linear.has_columns(p)) continue;
@@ -60,7 +60,10 @@ std::optional<Reduced> solve_sum(Stepper& stepper, const ControlSum& sum, const 
     out.state = equations.state({found.x, found.load_factor});
     out.x = std::move(found.x);
     const std::vector<std::size_t> added = newly_cracked(system, system.linear(), out.state);
-    if (added.empty()) return out;
+    if (added.empty()) {
+      out.residual = equations.residual_norm(out.state);
+      return out;
+    }
     if (!system.linear().make_columns(added)) return {};
   }
   return {};
@@ -72,8 +75,8 @@ std::optional<Reduced> solve_tangents(Stepper& stepper, const StepGoal& goal, in
   constexpr double good = 1e-10;
   Reduced out{.state = goal.guess, .x = {}};
   for (int i = 0; i < most; ++i) {
-    const auto laws = stepper.system().laws_at(out.state.d, out.state.load_factor);
-    const ControlPoint at{out.state.d, out.state.load_factor, *laws};
+    const auto laws = stepper.system().laws_at(out.state);
+    const ControlPoint at = seen_by(goal.control, out.state, *laws);
     if (i > 0 && std::abs(goal.control.residual(at, goal.step)) <= good) return out;
     const auto tangent = goal.control.tangent_gauge(at, goal.step);
     if (!tangent) return {};

@@ -11,6 +11,7 @@ struct Reduced {
   State state;
   std::vector<double> x;  ///< of the cracked points
   int iterations = 0;
+  double residual = 0;  ///< ‖R‖, from the cracked points alone [F]
 };
 
 /// Newton's method on the cracked points alone (CrackedEquations). The state that is found is

@@ -10,6 +10,8 @@ struct StepGoal {
   ControlEquation& control;
   double step = 0;
   const State& guess;  ///< where the search begins
+  /// Whether equilibrium is judged by the full residual, whatever unknowns it is found in.
+  bool is_audited = true;
 };
 
 }  // namespace dda

@@ -16,18 +16,26 @@ namespace {
 /// unknowns.
 constexpr std::size_t few_points = 200;
 
+/// ‖R‖ over the force level: of all blocks where the step is audited, where their displacements are known
+/// anyway, and where the points alone do not settle it.
+double relative_residual(System& system, const StepGoal& goal, const Reduced& found, double tolerance) {
+  const State& at = found.state;
+  const double of_points = found.residual / system.least_force_level();
+  if (!goal.is_audited && !at.d.are_all_known() && of_points <= tolerance) return of_points;
+  std::vector<double> r(at.d.size());
+  system.residual(at.d, at.load_factor, *system.laws_at(at), r);
+  return system.relative(system.residual_norm(r), at.d);
+}
+
 /// A state found on the cracked points as the end of the step, if the full equations and the control have
 /// nothing to add.
 std::optional<Attempt> finished(System& system, const StepGoal& goal, const Reduced& found,
                                 double tolerance) {
   if (system.iterates_multipliers()) return {};
   const State& at = found.state;
-  const auto laws = system.laws_at(at.d, at.load_factor);
-  const double miss = goal.control.residual({at.d, at.load_factor, *laws}, goal.step);
+  const double miss = goal.control.residual(seen_by(goal.control, at, *system.laws_at(at)), goal.step);
   if (!(std::abs(miss) <= control_tolerance)) return {};
-  std::vector<double> r(at.d.size());
-  system.residual(at.d, at.load_factor, *laws, r);
-  const double residual = system.relative(system.residual_norm(r), at.d);
+  const double residual = relative_residual(system, goal, found, tolerance);
   if (!(residual <= tolerance)) return {};
   return Attempt{.converged = true,
                  .state = at,

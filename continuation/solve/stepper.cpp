@@ -41,7 +41,7 @@ LocaStepper& Stepper::loca(Unknowns unknowns) {
 Solved Stepper::solve(const Solve& wanted) { return loca(wanted.equations.unknowns()).solve(wanted); }
 
 void Stepper::accept(const Solution& solution, const State& state) {
-  const std::vector<double>& x = solution.unknowns == Unknowns::whole ? state.d : solution.x;
+  const std::vector<double>& x = solution.unknowns == Unknowns::whole ? state.d.all() : solution.x;
   loca(solution.unknowns).accept({x, state.load_factor});
 }
 
@@ -54,8 +54,7 @@ Attempt Stepper::find(const StepGoal& goal, Thoroughness thoroughness) {
   const State& start = goal.start;
   const FrozenDamage frozen(system_, goal.control.freezes_damage());
   system_.set_multipliers(start.multipliers);
-  goal.control.start_at({start.d, start.load_factor, *system_.laws_at(start.d, start.load_factor)},
-                        std::abs(goal.step));
+  goal.control.start_at(seen_by(goal.control, start, *system_.laws_at(start)), std::abs(goal.step));
   return StepTries(*this, goal, thoroughness).find();
 }
 

@@ -14,7 +14,7 @@ namespace {
 class Surface {
  public:
   Surface(System& system, const Candidate& here) : system_(system), here_(here) {
-    const auto laws = system.laws_at(here.state.d, here.state.load_factor);
+    const auto laws = system.laws_at(here.state);
     for (std::size_t p = 0; p < here.history.size(); ++p) {
       const History& h = here.history[p];
       const InterfacePoint& point = system.equilibrium().point(p);

@@ -31,7 +31,7 @@ class WholeMatrix {
 
 std::optional<StiffnessModes> stiffness_modes(System& system, const State& state,
                                               const DirectSolverChoice& solver, const ModeRequest& wanted) {
-  const auto laws = system.laws_at(state.d, state.load_factor);
+  const auto laws = system.laws_at(state);
   const bool is_whole = wanted.is_physical && !system.is_path_physical(*laws);
   const auto matrix = [&] {
     const bool has_own_stiffness = wanted.is_physical || system.iterates_multipliers();

@@ -21,7 +21,7 @@ double sum_of_forces(const Loading& loading, const State& at, std::size_t blocks
   double sum = 0;
   for (std::size_t b = 0; b < blocks; ++b)
     sum += (part(loading.dead_work, b) + at.load_factor * part(loading.reference_work, b)).norm();
-  for (const WorkPair& pair : loading.driven) sum += std::abs(pair.force.value(at.d, at.load_factor));
+  for (const WorkPair& pair : loading.driven) sum += std::abs(at.value(pair.force));
   return sum;
 }
 
@@ -64,15 +64,30 @@ Excess strength_excess(const System& system, const std::vector<History>& history
 
 Holding holding_of(const System& system, const State& at) {
   const Equilibrium& equilibrium = system.equilibrium();
-  Holding out;
-  out.load = sum_of_forces(system.loading(), at, equilibrium.num_blocks());
-  if (out.load == 0) out.load = system.force_level(at.d);  // initial stress is no force
-  const auto moved = [&](std::size_t b) { return Translation(at.d.data() + block_unknowns * b).norm(); };
-  out.weak = system.weak_forces(at.d);
+  const std::vector<double>& d = at.d;
+  Holding out{.load = load_on(system, at), .weak = system.weak_forces(d), .blocks = {}};
+  const auto moved = [&](std::size_t b) { return Translation(d.data() + block_unknowns * b).norm(); };
   for (std::size_t b = 0; b < equilibrium.num_blocks(); ++b) out.movement = std::max(out.movement, moved(b));
   for (std::size_t b = 0; b < equilibrium.num_blocks(); ++b)
     if (moved(b) > 0 && moved(b) >= 0.5 * out.movement) out.blocks.push_back(b);
   return out;
+}
+
+Holding bound_of_holding(const System& system, const State& at) {
+  constexpr double beyond = 10;
+  const Equilibrium& equilibrium = system.equilibrium();
+  Holding out{.load = load_on(system, at), .blocks = {}};
+  for (std::size_t b = 0; b < equilibrium.num_blocks(); ++b)
+    if (at.d.know(b))
+      out.movement =
+          std::max(out.movement, beyond * Translation(at.d.watched().data() + block_unknowns * b).norm());
+  out.weak = equilibrium.weak_stiffness() * static_cast<double>(equilibrium.num_blocks()) * out.movement;
+  return out;
+}
+
+double load_on(const System& system, const State& at) {
+  const double forces = sum_of_forces(system.loading(), at, system.equilibrium().num_blocks());
+  return forces == 0 ? system.force_level(at.d) : forces;  // initial stress is no force
 }
 
 double size_of(const Equilibrium& equilibrium) {

@@ -25,6 +25,10 @@ struct Holding {
 };
 
 Holding holding_of(const System& system, const State& at);
+/// No less than that, without blocks: all are taken to move ten times as far as the watched ones at most.
+Holding bound_of_holding(const System& system, const State& at);
+/// Σ |force| of loads and driven springs; the force level where there is none [F].
+double load_on(const System& system, const State& at);
 
 /// Diagonal of the box around all interface points and two of the largest blocks; infinite without any [L].
 double size_of(const Equilibrium& equilibrium);

@@ -12,11 +12,16 @@ Standstill::Standstill(std::vector<double> block_size, double size)
     : block_size_(std::move(block_size)), smallest_(1e-13 * size) {}
 
 /// Largest difference of two displacements, rotations and strains times the size of their block [L].
-double Standstill::distance(const std::vector<double>& a, const std::vector<double>& b) const {
+double Standstill::distance(const Displacements& a, const Displacements& b) const {
+  const std::vector<double>&to = a.watched(), &from = b.watched();
   double out = 0;
-  for (std::size_t i = 0; i < block_unknowns * block_size_.size(); ++i) {
-    const double unit = i % block_unknowns < 2 ? 1 : block_size_[i / block_unknowns];
-    out = std::max(out, unit * std::abs(a[i] - (b.empty() ? 0 : b[i])));
+  for (std::size_t block = 0; block < block_size_.size(); ++block) {
+    const double size = block_size_[block];
+    if (size == 0) continue;
+    for (std::size_t i = 0; i < block_unknowns; ++i) {
+      const std::size_t at = block_unknowns * block + i;
+      out = std::max(out, (i < 2 ? 1 : size) * std::abs(to[at] - (from.empty() ? 0 : from[at])));
+    }
   }
   return out;
 }
@@ -63,7 +68,7 @@ std::string places_of(const System& system, const std::vector<std::size_t>& poin
 
 std::vector<std::size_t> active_points(const System& system, const State& at) {
   std::vector<std::size_t> out;
-  const LawValues laws = system.laws(at.d, at.load_factor);
+  const LawValues laws = system.laws(at);
   std::size_t nearest = 0;
   double largest = -std::numeric_limits<double>::infinity();
   for (std::size_t p = 0; p < laws.opening.size(); ++p) {

@@ -10,7 +10,7 @@ namespace dda {
 
 /// What of an accepted equilibrium tells whether a path gets anywhere.
 struct Station {
-  std::vector<double> d;  ///< of the blocks first, six each
+  Displacements d;
   double load_factor = 0;
   double dissipated = 0;   ///< [FL]
   bool is_rescue = false;  ///< no control led to it
@@ -21,7 +21,8 @@ struct Station {
 /// share. A structure that has not moved by 1e-13 of its size has not moved, whatever its load factor.
 class Standstill {
  public:
-  /// `block_size` makes rotations and strains comparable with translations; `size` is the structure's [L].
+  /// `block_size` makes rotations and strains comparable with translations, and is 0 of blocks that are not
+  /// looked at; `size` is the structure's [L].
   Standstill(std::vector<double> block_size, double size);
 
   /// Takes in the next accepted equilibrium; how long the path has stood still, "" while it moves.
@@ -36,7 +37,7 @@ class Standstill {
     Station from = {};
   };
 
-  double distance(const std::vector<double>& a, const std::vector<double>& b) const;
+  double distance(const Displacements& a, const Displacements& b) const;
   bool has_moved(const Watch& watch, const Station& now) const;
 
   std::vector<double> block_size_;

@@ -47,16 +47,23 @@ void System::measure_with(Timings& timings) {
 void System::set_stage(std::size_t stage) {
   loading_ = &equilibrium_.stages()[stage];
   remembered_.laws.reset();
-  linear_.keep_solutions_of(loading_->reference, loading_->dead);
+  std::vector<double> springs = loading_->dead;
+  has_dead_ = std::ranges::any_of(springs, [](double force) { return force != 0; });
+  for (std::size_t i = 0; i < loading_->dead_work.size(); ++i) springs[i] -= loading_->dead_work[i];
+  reference_ = reference_work_ = dead_springs_ = {};
+  reference_.add_rows(1, loading_->reference);
+  reference_work_.add_rows(1, loading_->reference_work);
+  dead_springs_.add_rows(1, springs);
+  linear_.begin_stage(*loading_);
   for (LinearSystem* other : {physical_.get(), contact_.get()})
-    if (other) other->keep_solutions_of(loading_->reference, loading_->dead);
+    if (other) other->begin_stage(*loading_);
 }
 
 LinearSystem& System::contact_linear() {
   if (contact_) return *contact_;
   contact_ = std::make_unique<LinearSystem>(equilibrium_, solver_, LinearSystem::Update::low_rank);
   contact_->measure_with(*timings_);
-  contact_->keep_solutions_of(loading_->reference, loading_->dead);
+  contact_->begin_stage(*loading_);
   return *contact_;
 }
 
@@ -135,10 +142,17 @@ bool System::use_tangent(std::size_t stamp, std::span<const Mat2> tangents) {
 
 std::shared_ptr<const LawValues> System::laws_at(std::span<const double> d, double load_factor) {
   if (!remembered_.laws || remembered_.at.load_factor != load_factor ||
-      !std::ranges::equal(remembered_.at.d, d)) {
+      !std::ranges::equal(remembered_.at.d.watched(), d)) {
     remembered_.laws = std::make_shared<const LawValues>(laws(d, load_factor));
-    remembered_.at = {{d.begin(), d.end()}, load_factor};
+    remembered_.at = {std::vector<double>(d.begin(), d.end()), load_factor};
   }
+  return remembered_.laws;
+}
+
+std::shared_ptr<const LawValues> System::laws_at(const State& at) {
+  if (!remembered_.laws || remembered_.at.load_factor != at.load_factor ||
+      (!remembered_.at.d.is_same_as(at.d) && remembered_.at.d.watched() != at.d.watched()))
+    remembered_ = {at, std::make_shared<const LawValues>(laws(at))};
   return remembered_.laws;
 }
 
@@ -205,7 +219,7 @@ void System::load_derivative(const LawValues& laws, std::span<double> out) const
 }
 
 BlockMatrix System::stiffness(const State& state) const {
-  std::vector<Mat2> tangents = laws(state.d, state.load_factor).tangent;
+  std::vector<Mat2> tangents = laws(state).tangent;
   for (Mat2& d : tangents) d = 0.5 * (d + d.transpose()).eval();
   return linear_.matrix_with(tangents);
 }
@@ -277,7 +291,7 @@ double System::weak_forces(std::span<const double> d) const {
 
 double System::excess_residual(const State& at) {
   std::vector<double> r(at.d.size());
-  residual(at.d, at.load_factor, *laws_at(at.d, at.load_factor), r);
+  residual(at.d, at.load_factor, *laws_at(at), r);
   return excess_residual(r, at.d, at.load_factor);
 }
 
@@ -287,8 +301,7 @@ double System::relative(double residual_norm, std::span<const double> d) const {
 }
 
 double System::force_level(std::span<const double> d) const {
-  constexpr double floor = 0.1;
-  return std::max(block_forces(d), floor * highest_level_);
+  return std::max(block_forces(d), least_force_level());
 }
 
 double System::block_forces(std::span<const double> d) const {
@@ -309,8 +322,8 @@ bool System::is_broken(std::size_t p) const {
   return point.law->is_broken(history_[p], point.stiffness);
 }
 
-std::vector<History> System::next_history(std::span<const double> d, double load_factor) const {
-  const std::vector<Vec2> q = openings(d, load_factor);
+std::vector<History> System::next_history(const State& at) const {
+  const std::vector<Vec2> q = openings(at.d.watched(), at.load_factor);
   std::vector<History> out = history_;
   parallel_for(q.size(), points_at_once, [&](std::size_t p) {
     const InterfacePoint& point = equilibrium_.point(p);

@@ -13,9 +13,11 @@ namespace dda {
 
 /// A state of the structure: displacements and load factor of one stage.
 struct State {
-  std::vector<double> d;
+  Displacements d;
   double load_factor = 0;
   std::vector<Vec2> multipliers = {};  ///< m of every active point when some are iterated, else empty [L]
+
+  double value(const Functional& gauge) const { return gauge.value(d.asked_by(gauge), load_factor); }
 };
 
 /// An equilibrium with the history that belongs to it.
@@ -115,8 +117,10 @@ class System {
 
   /// Laws at (d, λ) with the committed history, or the given one.
   LawValues laws(std::span<const double> d, double load_factor) const;
+  LawValues laws(const State& at) const { return laws(at.d.watched(), at.load_factor); }
   /// The same, remembered: the groups and the control of one Newton iteration ask at the same place.
   std::shared_ptr<const LawValues> laws_at(std::span<const double> d, double load_factor);
+  std::shared_ptr<const LawValues> laws_at(const State& at);
   /// R, size n; also counts as an evaluation.
   void residual(std::span<const double> d, double load_factor, const LawValues& laws,
                 std::span<double> out) const;
@@ -162,14 +166,16 @@ class System {
   /// The force level that a residual is compared with: ‖V C ε / size‖ over the blocks, at least a tenth of
   /// the largest that was accepted so far, so that an unloaded end of the path can still be reached [F].
   double force_level(std::span<const double> d) const;
+  /// What it is at least, whatever the state [F].
+  double least_force_level() const { return force_level_floor * highest_level_; }
   void remember_force_level(std::span<const double> d) {
     highest_level_ = std::max(highest_level_, block_forces(d));
   }
   double highest_force_level() const { return highest_level_; }
   void restore_force_level(double level) { highest_level_ = level; }
 
-  /// History after accepting (d): κ grows to q_eq, points on their surface are marked as loading.
-  std::vector<History> next_history(std::span<const double> d, double load_factor) const;
+  /// History after accepting a state: κ grows to q_eq, points on their surface are marked as loading.
+  std::vector<History> next_history(const State& at) const;
   /// κ of a point in the committed history, at least that of its initiation [L].
   double kappa(std::size_t p) const { return kappa(p, history_[p]); }
   double kappa(std::size_t p, const History& h) const;
@@ -180,10 +186,21 @@ class System {
 
   /// Σ W h.dissipated [FL].
   double dissipated(const std::vector<History>& history) const;
-  /// Energy stored in blocks, joints, supports and weak springs, without the driven springs' own [FL].
+  /// Energy stored in blocks, joints, supports and, but where bodies only touch, whose equilibrium is without them,
+  /// weak springs; without the driven springs' own [FL].
   double stored(const State& state, const LawValues& laws) const;
+  /// f_ref · d of the forces that do work.
+  const Functional& reference_work() const { return reference_work_; }
+  /// f_dead · d of the forces that do work, without the far ends of driven springs [FL].
+  double dead_work(const State& state) const;
+  /// f_dead of the stage times some displacements [FL].
+  double dead_product(std::span<const double> d) const;
 
  private:
+  /// Share of the largest force level so far.
+  static constexpr double force_level_floor = 0.1;
+
+  double passive_energy(const State& state, const LawValues& laws) const;
   std::vector<double> rounding_of_forces(std::span<const double> d, double load_factor) const;
   void screen_intact_points();
   std::vector<Mat2> path_tangents(const LawValues& laws) const;
@@ -192,6 +209,9 @@ class System {
 
   const Equilibrium& equilibrium_;
   const Loading* loading_;
+  bool has_dead_ = false;
+  Functional reference_, reference_work_;  ///< f_ref · d, and of the forces that do work
+  Functional dead_springs_;                ///< what the far ends of driven springs add to f_dead · d
   LinearSystem linear_;
   std::unique_ptr<LinearSystem> physical_;  ///< only when multipliers are iterated
   DirectSolverChoice solver_;

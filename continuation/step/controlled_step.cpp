@@ -13,7 +13,6 @@
 #include "continuation/step/refine.hpp"
 #include "continuation/step/rescue_step.hpp"
 #include "continuation/step/rupture.hpp"
-#include "continuation/step/snap.hpp"
 #include "continuation/step/turn.hpp"
 
 namespace dda {
@@ -30,12 +29,10 @@ Outcome climb(PathState& path, const Candidate& candidate, Stride& stride) {
   return {};
 }
 
-/// A try that found no next point: where the load ends, joints snap or the path turns before its end, there.
+/// A try that found no next point: where the load ends or the path turns before its end, there.
 Outcome after_failure(PathState& path, Stride& stride, bool is_cut) {
   if (path.load_of(path.walker.ahead(stride.amount / path.parameters.step.cut)) <= 0)
     if (auto point = rupture(path)) return {std::move(point)};
-  if (path.jumped)
-    if (auto point = snap(path, *path.jumped, stride)) return {std::move(point)};
   if (auto point = land_on_turn(path, stride, is_cut)) return {std::move(point)};
   stride.amount *= path.parameters.step.cut;
   return {};

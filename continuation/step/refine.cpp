@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "continuation/follow/judge.hpp"
+#include "continuation/follow/trial.hpp"
 #include "continuation/step/snap.hpp"
 
 namespace dda {
@@ -66,9 +67,15 @@ std::optional<Outcome> look_between(PathState& path, const Candidate& candidate,
 }
 
 std::optional<Outcome> refine_coarse(PathState& path, const Candidate& candidate, Stride& stride) {
-  if (!is_coarse(path, candidate) || stride.refinements++ >= most_refinements) return {};
-  if (auto point = snap(path, candidate, stride)) return Outcome{std::move(point)};
-  return shorten(path, stride, "the step leaves too much energy unaccounted for", 0.5);
+  if (!is_coarse(path, candidate)) return {};
+  if (stride.refinements++ < most_refinements) {
+    if (auto point = snap(path, candidate, stride)) return Outcome{std::move(point)};
+    return shorten(path, stride, "the step leaves too much energy unaccounted for", 0.5);
+  }
+  if (!refuse_jump(path, candidate, to_string(stride.move.kind))) return {};
+  stride.why = path.refusal;
+  stride.amount *= path.parameters.step.cut;
+  return Outcome{};
 }
 
 }  // namespace dda

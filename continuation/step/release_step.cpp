@@ -32,7 +32,7 @@ std::optional<Point> release_up_to(PathState& path, const Crossing& crossing, co
   const auto found = release_piece(path.walker.stepper(), path.walker.state(), {held, share});
   if (!found) return {};
   const State& at = found->end.state;
-  const double off = std::abs(landing.gauge.value(at.d, at.load_factor) - landing.value);
+  const double off = std::abs(at.value(landing.gauge) - landing.value);
   if (off > same_value * std::abs(landing.value - path.walker.value(landing.gauge))) return {};
   auto point = jump_to(path, path.walker.settled(found->end), StepKind::release);
   if (point) point->landed.push_back(fmt::format("{}={:g}", landing.name, landing.value));

@@ -10,7 +10,7 @@ namespace {
 /// that at the candidate neither load nor have broken.
 bool unloads(const Walker& walker, const Candidate& candidate) {
   const System& system = walker.system();
-  const LawValues laws = system.laws(walker.state().d, walker.state().load_factor);
+  const LawValues laws = system.laws(walker.state());
   double all = 0, unloaded = 0;
   for (std::size_t p = 0; p < laws.opening.size(); ++p) {
     const History &before = system.history()[p], &after = candidate.history[p];
@@ -27,7 +27,7 @@ bool unloads(const Walker& walker, const Candidate& candidate) {
 }  // namespace
 
 std::optional<Point> rupture(PathState& path) {
-  const double load = path.load.value(path.walker.state().d, path.walker.state().load_factor);
+  const double load = path.walker.state().value(path.load);
   const double rate = path.walker.leaving().rate(path.load);
   if (load * rate >= 0 || path.memory.peak_load <= path.smallest_load()) return {};
   const std::string attempted = "load, landing on rupture";

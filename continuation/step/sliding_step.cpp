@@ -23,7 +23,7 @@ struct ContactCount {
 
 ContactCount count_contacts(const Walker& walker) {
   const System& system = walker.system();
-  const LawValues laws = system.laws(walker.state().d, walker.state().load_factor);
+  const LawValues laws = system.laws(walker.state());
   ContactCount out;
   for (std::size_t p = 0; p < laws.opening.size(); ++p) {
     const InterfacePoint& point = system.equilibrium().point(p);

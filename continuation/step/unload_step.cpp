@@ -26,7 +26,7 @@ std::optional<Point> unload_step(PathState& path) {
     const bool arrives = length > (1 - 1e-9) * std::abs(rest);
     const double amount = arrives ? rest / rate : length / std::abs(rate);
     const auto candidate = try_step(path, move, amount);
-    if (!candidate) continue;
+    if (!candidate || refuse_jump(path, *candidate, to_string(move.kind))) continue;
     Point point = keep(path, *candidate, move.kind);
     if (arrives) point.landed.push_back(fmt::format("{}={:g}", goal.name, goal.value));
     return point;

@@ -32,23 +32,11 @@ double integral(const Ends& force, const Ends& displacement) {
   return sum;
 }
 
-double dot(const std::vector<double>& a, const std::vector<double>& b) {
-  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
-}
-
 /// A gauge over a step; without tangents its rates are those of the chord, which gives the trapezoid.
 Ends ends_of(const Functional& gauge, const Stretch& step) {
-  const double from = gauge.value(step.from.d, step.from.load_factor),
-               to = gauge.value(step.to.d, step.to.load_factor);
+  const double from = step.from.value(gauge), to = step.to.value(gauge);
   if (step.length == 0) return {from, to, to - from, to - from};
   return {from, to, step.length * step.leaving.rate(gauge), step.length * step.arriving.rate(gauge)};
-}
-
-/// The same of the displacements' product with some forces.
-Ends ends_of(const std::vector<double>& force, const Stretch& step) {
-  const double from = dot(force, step.from.d), to = dot(force, step.to.d);
-  if (step.length == 0) return {from, to, to - from, to - from};
-  return {from, to, step.length * dot(force, step.leaving.d), step.length * dot(force, step.arriving.d)};
 }
 
 }  // namespace
@@ -66,13 +54,13 @@ double external_work(const System& system, const Stretch& step) {
   const Loading& loading = system.loading();
   const State &from = step.from, &to = step.to;
   const Ends load = ends_of(Functional{.rows = {}, .per_load_factor = 1}, step);
-  const Ends displacement = ends_of(loading.reference_work, step);
-  double work = integral(load, displacement) + dot(loading.dead_work, to.d) - dot(loading.dead_work, from.d);
+  const Ends displacement = ends_of(system.reference_work(), step);
+  double work = integral(load, displacement) + system.dead_work(to) - system.dead_work(from);
   for (const WorkPair& pair : loading.driven)
     work += integral(ends_of(pair.force, step), ends_of(pair.displacement, step));
   if (!loading.reference_offset.empty()) {
     const auto power = [&](const State& state) {
-      const LawValues laws = system.laws(state.d, state.load_factor);
+      const LawValues laws = system.laws(state);
       double sum = 0;
       for (std::size_t p = 0; p < laws.traction.size(); ++p)
         sum += system.equilibrium().point(p).weight * laws.traction[p].dot(loading.reference_opening(p));

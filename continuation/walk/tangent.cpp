@@ -11,7 +11,7 @@ namespace {
 /// K⁻¹ ∂f/∂λ with the history's flags, per unit of load factor; empty when K is singular.
 Tangent direction(System& system, const State& state) {
   Tangent out;
-  const auto laws = system.laws_at(state.d, state.load_factor);
+  const auto laws = system.laws_at(state);
   std::vector<double> force(state.d.size());
   system.load_derivative(*laws, force);
   if (!system.use_path_tangent(*laws)) return out;
@@ -30,7 +30,7 @@ Tangent direction(System& system, const State& state) {
 double dissipation_rate(System& system, const State& state, const Tangent& along) {
   double sum = 0;
   bool grows = false;
-  const auto laws = system.laws_at(state.d, state.load_factor);
+  const auto laws = system.laws_at(state);
   for (std::size_t p = 0; p < along.opening.size(); ++p) {
     const History& h = system.history()[p];
     if (!h.loading && !h.sliding) continue;
@@ -53,11 +53,10 @@ struct LivePower {
 LivePower live_power(const System& system, const State& state, const Tangent& along) {
   const Loading& loading = system.loading();
   LivePower out;
-  for (std::size_t i = 0; i < loading.reference_work.size(); ++i)
-    out.of_forces += loading.reference_work[i] * along.d[i];
+  out.of_forces = along.rate(system.reference_work());
   out.size = std::abs(state.load_factor * out.of_forces);
   for (const WorkPair& pair : loading.driven)
-    out.size += std::abs(pair.force.value(state.d, state.load_factor) * along.rate(pair.displacement));
+    out.size += std::abs(state.value(pair.force) * along.rate(pair.displacement));
   return out;
 }
 
@@ -113,7 +112,7 @@ class RateProblem {
   enum class Sense { dissipates, loads };  ///< what orients the direction: energy spent, or the load factor
   RateProblem(System& system, const State& state, Sense sense)
       : system_(system), state_(state), sense_(sense) {
-    const auto laws = system.laws_at(state.d, state.load_factor);
+    const auto laws = system.laws_at(state);
     for (std::size_t p = 0; p < system.history().size(); ++p) {
       const History& h = system.history()[p];
       const InterfacePoint& point = system.equilibrium().point(p);
@@ -242,7 +241,7 @@ class RateProblem {
   /// a of t = D q + a ⟨g · q⟩ for each flag, D that of no flag: ∂t/∂q of the flag beyond D is a gᵀ.
   std::vector<Vec2> traction_rates() const {
     std::vector<Vec2> out;
-    const auto laws = system_.laws_at(state_.d, state_.load_factor);
+    const auto laws = system_.laws_at(state_);
     for (std::size_t i = 0; i < flags_.size(); ++i) {
       const std::size_t p = flags_[i].point;
       const InterfacePoint& point = system_.equilibrium().point(p);

@@ -13,7 +13,7 @@ namespace dda {
 /// Per unit of dissipated energy, that of friction included, when points load, so that its orientation is the
 /// one that dissipates; per unit of load factor when nothing does, in the direction of the live forces.
 struct Tangent {
-  std::vector<double> d;  ///< at Equilibrium::watched(); of the other nodes it may be zero
+  std::vector<double> d;  ///< at the watched nodes; of the others it may be zero
   double load_factor = 0;
   bool dissipates = false;  ///< a crack grows
   /// False where no rates were found that keep the equilibrium, whichever points grow, unload, slide and

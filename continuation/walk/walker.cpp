@@ -9,7 +9,7 @@
 namespace dda {
 
 Walker::Walker(Stepper& stepper) : stepper_(stepper), system_(stepper.system()) {
-  here_.state.d.assign(system_.equilibrium().num_unknowns(), 0.0);
+  here_.state.d = std::vector<double>(system_.equilibrium().num_unknowns(), 0.0);
   here_.state.multipliers = system_.multipliers();
   here_.history = system_.history();
   begin_stage(0);
@@ -17,6 +17,7 @@ Walker::Walker(Stepper& stepper) : stepper_(stepper), system_(stepper.system()) 
 
 void Walker::begin_stage(std::size_t stage) {
   system_.set_stage(stage);
+  here_.state.d = here_.state.d.all();
   here_.state.load_factor = 0;
   here_.load = value(system_.loading().load);
   fill_arriving(here_);
@@ -25,7 +26,9 @@ void Walker::begin_stage(std::size_t stage) {
 
 Attempt Walker::attempt(ControlEquation& control, double step, const State& guess,
                         Thoroughness thoroughness) {
-  Attempt out = stepper_.find({here_.state, control, step, guess}, thoroughness);
+  constexpr int often = 10;  // with the steps whose fields are stored by default
+  const bool is_audited = (effort_.accepted + 1) % often == 0;
+  Attempt out = stepper_.find({here_.state, control, step, guess, is_audited}, thoroughness);
   effort_.newton_iterations += out.newton_iterations - out.reduced_iterations;
   effort_.reduced_iterations += out.reduced_iterations;
   effort_.multiplier_iterations += out.multiplier_iterations;
@@ -34,7 +37,7 @@ Attempt Walker::attempt(ControlEquation& control, double step, const State& gues
 
 State Walker::ahead(double amount) const {
   State out = here_.state;
-  for (std::size_t i = 0; i < out.d.size(); ++i) out.d[i] += amount * leaving_.d[i];
+  out.d = out.d.moved(amount, leaving_.d);
   out.load_factor += amount * leaving_.load_factor;
   for (std::size_t p = 0; p < out.multipliers.size(); ++p)
     out.multipliers[p] += amount * leaving_.multipliers[p];
@@ -45,10 +48,10 @@ void Walker::fill_energies(Candidate& candidate) {
   const auto scope = system_.timings().measure("energies");
   const State& at = candidate.state;
   candidate.dissipated = system_.dissipated(candidate.history);
-  const auto laws = system_.laws_at(at.d, at.load_factor);
+  const auto laws = system_.laws_at(at);
   candidate.stored = system_.stored(at, *laws);
   candidate.excess = strength_excess(system_, candidate.history, *laws);
-  candidate.load = system_.loading().load.value(at.d, at.load_factor);
+  candidate.load = at.value(system_.loading().load);
 }
 
 void Walker::fill_arriving(Candidate& candidate) {
@@ -62,7 +65,7 @@ void Walker::fill_arriving(Candidate& candidate) {
 
 Candidate Walker::evaluate(const Attempt& attempt) {
   Candidate out{.state = attempt.state,
-                .history = system_.next_history(attempt.state.d, attempt.state.load_factor),
+                .history = system_.next_history(attempt.state),
                 .arriving = {},
                 .solution = attempt.solution,
                 .newton_iterations = attempt.newton_iterations,
@@ -84,7 +87,7 @@ void Walker::accept(Candidate candidate) {
   here_ = std::move(candidate);
   system_.set_history(here_.history);
   system_.set_multipliers(here_.state.multipliers);
-  system_.remember_force_level(here_.state.d);
+  if (here_.state.d.are_all_known()) system_.remember_force_level(here_.state.d);
   take(here_.solution ? *std::exchange(here_.solution, {}) : confirmed());
   if (here_.arriving.d.empty()) fill_arriving(here_);
   leaving_ = leaving_tangent(system_, here_.state, here_.arriving);
@@ -103,7 +106,7 @@ void Walker::take(const Solution& solution) {
 Solution Walker::confirmed() {
   const auto load = make_gauge_equation({.rows = {}, .per_load_factor = 1});
   const State& at = here_.state;
-  load->start_at({at.d, at.load_factor, *system_.laws_at(at.d, at.load_factor)}, 1);
+  load->start_at({at.d, at.load_factor, *system_.laws_at(at)}, 1);
   WholeEquations equations(system_, *load, 0, parameters().newton);
   stepper_.solve({equations, {at.d, at.load_factor}});
   return {};
@@ -116,8 +119,7 @@ Candidate Walker::settled(const Settled& found) {
   system_.set_multipliers(next.state.multipliers);
   fill_energies(next);
   next.residual = system_.excess_residual(next.state);
-  if (system_.iterates_multipliers())
-    next.gap = system_.relative_gap(*system_.laws_at(next.state.d, next.state.load_factor));
+  if (system_.iterates_multipliers()) next.gap = system_.relative_gap(*system_.laws_at(next.state));
   next.work = here_.work + external_work(system_, {here_.state, next.state, leaving_, {}});
   return next;
 }

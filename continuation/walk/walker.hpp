@@ -83,7 +83,7 @@ class Walker {
   const Effort& effort() const { return effort_; }
   Effort& effort() { return effort_; }
   const StepperParameters& parameters() const { return stepper_.parameters(); }
-  double value(const Functional& gauge) const { return gauge.value(here_.state.d, here_.state.load_factor); }
+  double value(const Functional& gauge) const { return here_.state.value(gauge); }
 
   /// Tries a step under a control; Newton starts from the guess.
   Attempt attempt(ControlEquation& control, double step, const State& guess,

@@ -20,10 +20,6 @@ void RecordWriter::operator()(const char* member, double value) {
   if (names_) names_->emplace_back(member);
 }
 
-void RecordWriter::operator()(const char* member, const std::optional<int>& value) {
-  (*this)(member, value ? double(*value) : std::numeric_limits<double>::quiet_NaN());
-}
-
 void RecordWriter::operator()(const char* member, const Vec2& value) {
   (*this)(member, value.x());
   (*this)(member, value.y());
@@ -61,11 +57,6 @@ const Values& RecordReader::array(const std::map<std::string, Values>& arrays,
   const auto found = arrays.find(name_ + suffix);
   if (found == arrays.end()) throw std::runtime_error(fmt::format("there is no '{}{}'", name_, suffix));
   return found->second;
-}
-
-void RecordReader::operator()(const char* member, std::optional<int>& value) {
-  const double number = next(member);
-  value = std::isnan(number) ? std::nullopt : std::optional(static_cast<int>(number));
 }
 
 void RecordReader::operator()(const char* member, Vec2& value) {

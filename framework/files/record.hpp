@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,7 +31,11 @@ class RecordWriter {
   void operator()(const char* member, int value) { (*this)(member, static_cast<double>(value)); }
   void operator()(const char* member, long long value) { (*this)(member, static_cast<double>(value)); }
   void operator()(const char* member, bool value) { (*this)(member, value ? 1.0 : 0.0); }
-  void operator()(const char* member, const std::optional<int>& value);
+  /// NaN where there is none.
+  template <class Number>
+  void operator()(const char* member, const std::optional<Number>& value) {
+    (*this)(member, value ? double(*value) : std::numeric_limits<double>::quiet_NaN());
+  }
   void operator()(const char* member, const Vec2& value);
   void operator()(const char* member, const std::string& value);
   void operator()(const char* member, const std::vector<double>& value);
@@ -55,7 +61,11 @@ class RecordReader {
   void operator()(const char* member, int& value) { value = static_cast<int>(next(member)); }
   void operator()(const char* member, long long& value) { value = static_cast<long long>(next(member)); }
   void operator()(const char* member, bool& value) { value = next(member) != 0; }
-  void operator()(const char* member, std::optional<int>& value);
+  template <class Number>
+  void operator()(const char* member, std::optional<Number>& value) {
+    const double number = next(member);
+    value = std::isnan(number) ? std::nullopt : std::optional(static_cast<Number>(number));
+  }
   void operator()(const char* member, Vec2& value);
   void operator()(const char* member, std::string& value);
   void operator()(const char* member, std::vector<double>& value);

@@ -16,12 +16,12 @@ void expect_gradients(ControlEquation& control, CrackedSystem& cracked) {
   System& system = cracked.system();
   system.set_frozen(control.freezes_damage());
   const State& at = cracked.state();
-  const LawValues laws = system.laws(at.d, at.load_factor);
+  const LawValues laws = system.laws(at);
   const double scale = 0.01;
   control.start_at(point_at(at, laws), scale);
   EXPECT_NEAR(control.residual(point_at(at, laws), 0), 0, 1e-12 / scale) << "a step starts where it stands";
   const auto residual = [&](const State& state, double s) {
-    return control.residual(point_at(state, system.laws(state.d, state.load_factor)), s);
+    return control.residual(point_at(state, system.laws(state)), s);
   };
   std::vector<double> per_d(at.d.size(), 0.0);
   const double per_load = control.gradient(point_at(at, laws), per_d);
@@ -56,12 +56,12 @@ TEST_P(ControlContract, DissipationGradientsAreDifferences) {
   CrackedSystem cracked = next();
   const auto control = make_dissipation_equation(cracked.system());
   const State& at = cracked.state();
-  const LawValues laws = cracked.system().laws(at.d, at.load_factor);
+  const LawValues laws = cracked.system().laws(at);
   control->start_at(point_at(at, laws), 0.01);
   const auto residual = [&](const State& state) {
-    return control->residual(point_at(state, cracked.system().laws(state.d, state.load_factor)), 0);
+    return control->residual(point_at(state, cracked.system().laws(state)), 0);
   };
-  const double grown = cracked.system().dissipated(cracked.system().next_history(at.d, at.load_factor)) -
+  const double grown = cracked.system().dissipated(cracked.system().next_history(at)) -
                        cracked.system().dissipated(cracked.system().history());
   EXPECT_GT(grown, 0);
   EXPECT_NEAR(0.01 * residual(at), grown, 1e-12 * grown);

@@ -16,7 +16,7 @@ class LoadSolverContract : public testing::TestWithParam<std::tuple<std::string,
       h.kappa *= 2;
     }
     system().set_history(history);
-    start_.d.assign(system().equilibrium().num_unknowns(), 0.0);
+    start_.d = std::vector<double>(system().equilibrium().num_unknowns(), 0.0);
     start_.multipliers = system().multipliers();
   }
 

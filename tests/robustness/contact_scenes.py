@@ -18,12 +18,14 @@ class Case:
     """A deck and what is known about its run.
 
     `expected` holds {quantity: (value, tolerance)}; a quantity is `end` (load factor of the last row) or `peak`
-    (the largest of all rows). `rejected` is the largest number of steps that may be rejected.
+    (the largest of all rows). `rejected` is the largest number of steps that may be rejected. A path that rounding leads
+    one way or another may stop (exit 3) for a reason that holds `may_stop`; its end is not asked for then.
     """
     name: str
     deck: dict
     expected: dict = field(default_factory=dict)
     rejected: int | None = None
+    may_stop: str = ""
 
 
 def rectangle(x0, y0, x1, y1):

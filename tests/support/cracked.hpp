@@ -20,8 +20,7 @@ class CrackedSystem {
         random_(seed) {
     system_.set_stage(equilibrium_.stages().size() - 1);
     // Openings of some ten times that of initiation, ft/k = 0.01/k with k about 10.
-    const std::vector<double> before = random_state();
-    system_.set_history(system_.next_history(before, 0.5));
+    system_.set_history(system_.next_history({random_state(), 0.5}));
     do state_ = {random_state(), 0.7};
     while (near_kink());
   }
@@ -35,18 +34,18 @@ class CrackedSystem {
   /// The state moved along a direction of the unknowns.
   State moved(const std::vector<double>& along, double amount) const {
     State out = state_;
-    for (std::size_t i = 0; i < along.size(); ++i) out.d[i] += amount * along[i];
+    out.d = out.d.moved(amount, along);
     return out;
   }
   std::vector<double> residual(const State& at) const {
     std::vector<double> out(at.d.size());
-    system_.residual(at.d, at.load_factor, system_.laws(at.d, at.load_factor), out);
+    system_.residual(at.d, at.load_factor, system_.laws(at), out);
     return out;
   }
   /// Numbers of points that load, unload and are closed.
   Eigen::Vector3i modes() const {
     Eigen::Vector3i count = Eigen::Vector3i::Zero();
-    const LawValues laws = system_.laws(state_.d, state_.load_factor);
+    const LawValues laws = system_.laws(state_);
     for (std::size_t p = 0; p < laws.opening.size(); ++p) {
       const bool loads = equivalent_opening(p, laws) > system_.kappa(p);
       count += Eigen::Vector3i(loads, !loads, laws.opening[p].x() < 0);
@@ -61,7 +60,7 @@ class CrackedSystem {
   }
   std::vector<double> random_state() { return random_.vector(equilibrium_.num_unknowns(), 0.004); }
   bool near_kink() const {
-    const LawValues laws = system_.laws(state_.d, state_.load_factor);
+    const LawValues laws = system_.laws(state_);
     for (std::size_t p = 0; p < laws.opening.size(); ++p) {
       const InterfacePoint& point = equilibrium_.point(p);
       const double kappa = system_.kappa(p), opening = equivalent_opening(p, laws);

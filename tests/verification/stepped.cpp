@@ -21,7 +21,7 @@ Attempt Stepped::to(double load_factor) {
   last_change_ = load_factor - state_.load_factor;
   state_ = out.state;
   system_.set_multipliers(state_.multipliers);
-  system_.set_history(system_.next_history(state_.d, state_.load_factor));
+  system_.set_history(system_.next_history(state_));
   system_.remember_force_level(state_.d);
   return out;
 }
@@ -39,12 +39,12 @@ void Stepped::next_stage() {
 
 double Stepped::gauge(const std::string& name) const {
   for (const NamedGauge& gauge : system_.loading().gauges)
-    if (gauge.name == name) return gauge.functional.value(state_.d, state_.load_factor);
+    if (gauge.name == name) return state_.value(gauge.functional);
   throw std::out_of_range(name);
 }
 
 double Stepped::reaction(const std::string& name) const {
-  return system_.loading().reactions.at(name).value(state_.d, state_.load_factor);
+  return state_.value(system_.loading().reactions.at(name));
 }
 
 Vec2 Stepped::traction(std::size_t point) const { return laws().traction[point]; }

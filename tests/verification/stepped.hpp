@@ -28,7 +28,7 @@ class Stepped {
  private:
   /// When the load turns round, what loaded unloads and what slid sticks.
   void turn_back();
-  LawValues laws() const { return system_.laws(state_.d, state_.load_factor); }
+  LawValues laws() const { return system_.laws(state_); }
 
   Structure structure_;
   System system_;

@@ -252,8 +252,9 @@ stages: [{loads: [{type: point_load, at: [0, 0], force: [0, -1]}]}]
     history[p].kappa = point.law->rupture_kappa(point.stiffness);
   }
   system.set_history(history);
-  State state{.d = std::vector<double>(two.equilibrium.num_unknowns(), 0.0)};
-  state.d[6] = 1e-3;  // apart
+  std::vector<double> apart(two.equilibrium.num_unknowns(), 0.0);
+  apart[6] = 1e-3;
+  const State state{.d = std::move(apart)};
   const auto whole_modes = [&](bool is_physical) {
     return stiffness_modes(system, state, direct_solvers().choose("cholmod"),
                            {.count = 9, .mass = unit_mass(two.body), .is_physical = is_physical})

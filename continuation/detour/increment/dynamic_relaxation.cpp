@@ -86,7 +86,7 @@ class DynamicRelaxation final : public LoadSolver {
   static bool close(System& system, State& at, double tolerance) {
     if (!system.iterates_multipliers()) return true;
     at.multipliers = system.multipliers();
-    const auto laws = system.laws_at(at.d, at.load_factor);
+    const auto laws = system.laws_at(at);
     if (system.relative_gap(*laws) <= tolerance) return true;
     system.set_multipliers(system.next_multipliers(*laws));
     return false;

@@ -9,7 +9,7 @@ namespace {
 /// The history with every point released that is beyond its strength; nothing when none is.
 std::optional<std::vector<History>> overloaded_released(System& system, const State& at) {
   std::vector<History> history = system.history();
-  const auto laws = system.laws_at(at.d, at.load_factor);
+  const auto laws = system.laws_at(at);
   bool any = false;
   for (std::size_t p = 0; p < history.size(); ++p) {
     const InterfacePoint& point = system.equilibrium().point(p);
@@ -37,7 +37,7 @@ Increment load_increment(Stepper& stepper, const State& start, const LoadStep& s
     out.settled.reset();
     if (!found.state) break;
     at = *std::move(found.state);
-    out.settled = Settled{at, system.next_history(at.d, at.load_factor)};
+    out.settled = Settled{at, system.next_history(at)};
     auto released = overloaded_released(system, at);
     more = released.has_value();
     if (more) system.set_history(*std::move(released));

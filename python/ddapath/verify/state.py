@@ -112,6 +112,10 @@ class Step:
         scale = np.column_stack([np.ones((len(self.d), 2)), self.model.mesh.areas])
         return -self.model.weak_stiffness * scale * self.d[:, :3]
 
+    @property
+    def weak_energy(self):
+        return -0.5 * (self.weak_forces * self.d[:, :3]).sum()
+
     def parts(self):
         """(blocks, forces on their d) of tractions, springs, loads, weak springs and stresses; they sum up to zero."""
         model, points = self.model, self.model.points

@@ -81,7 +81,7 @@ void drop_released(StiffnessParts& parts, const Equilibrium& equilibrium, const 
 StiffnessRecord stiffness_record(const Simulation& simulation) {
   const System& system = simulation.system();
   const State& here = simulation.walker().state();
-  const LawValues laws = system.laws(here.d, here.load_factor);
+  const LawValues laws = system.laws(here);
   StiffnessRecord out{.numbers = Json::object(), .text = {}};
   add(out, "algorithmic", stiffness_parts(simulation.equilibrium(), system.all_tangents(laws, false)));
   StiffnessParts physical = stiffness_parts(simulation.equilibrium(), system.all_tangents(laws, true));

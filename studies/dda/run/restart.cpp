@@ -38,22 +38,33 @@ std::vector<Numbers> shapes(const Numbers& flat, std::size_t count) {
 /// What is stored of a state beside its history and modes.
 struct StateRecord {
   int step = 0, num_modes = 0;
-  State state;
+  Numbers d;
+  std::optional<double> dead_work;
+  double load_factor = 0;
+  std::vector<Vec2> multipliers;
   Numbers modes;
 
   template <class Self, class Visit>
   static void visit(Self& self, Visit& visit) {
     visit("step", self.step);
     visit("num_modes", self.num_modes);
-    visit("d", self.state.d);
-    visit("load_factor", self.state.load_factor);
-    visit("multipliers", self.state.multipliers);
+    visit("d", self.d);
+    visit("dead_work", self.dead_work);
+    visit("load_factor", self.load_factor);
+    visit("multipliers", self.multipliers);
     visit("modes", self.modes);
   }
 };
 
 void put_state(RestartData& data, const std::string& name, const StoredState& at) {
-  StateRecord record{at.step, static_cast<int>(at.modes.size()), at.state, {}};
+  const State& state = at.state;
+  StateRecord record{.step = at.step,
+                     .num_modes = static_cast<int>(at.modes.size()),
+                     .d = state.d,
+                     .dead_work = state.d.dead_work(),
+                     .load_factor = state.load_factor,
+                     .multipliers = state.multipliers,
+                     .modes = {}};
   for (const Numbers& shape : at.modes) record.modes.insert(record.modes.end(), shape.begin(), shape.end());
   put(data, name, record);
   put_all(data, name + ".history", at.history);
@@ -62,7 +73,9 @@ void put_state(RestartData& data, const std::string& name, const StoredState& at
 StoredState take_state(const RestartData& data, const std::string& name) {
   auto record = take<StateRecord>(data, name);
   return {.step = record.step,
-          .state = std::move(record.state),
+          .state = {{std::move(record.d), nullptr, nullptr, record.dead_work},
+                    record.load_factor,
+                    std::move(record.multipliers)},
           .history = take_all<History>(data, name + ".history"),
           .modes = shapes(record.modes, static_cast<std::size_t>(record.num_modes))};
 }

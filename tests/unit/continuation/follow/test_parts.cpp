@@ -57,7 +57,7 @@ TEST_F(OnTheWayDown, WhatUnloadsRetracesTheBranch) {
   PathState path = bar_.state();
   Candidate next = bar_.walker().here();
   next.state.load_factor *= 0.9;
-  for (double& d : next.state.d) d *= 0.9;
+  next.state.d = next.state.d.moved(-0.1, next.state.d);
   next.work += next.stored * (0.81 - 1);
   next.stored *= 0.81;
   EXPECT_THAT(objection_to(path, next).why, HasSubstr("retraces"));

@@ -139,7 +139,7 @@ TEST(SystemStiffness, IsThatOfTheStateAskedFor) {
   const State& at = cracked.state();
   const std::vector<double> x = cracked.direction();
   std::vector<double> expected(x.size());
-  ASSERT_TRUE(system.use_tangent(system.new_stamp(), system.laws(at.d, at.load_factor).tangent));
+  ASSERT_TRUE(system.use_tangent(system.new_stamp(), system.laws(at).tangent));
   system.linear().multiply(x, expected);
   const std::vector<double> zero(x.size(), 0.0);
   ASSERT_TRUE(system.use_tangent(system.new_stamp(), system.laws(zero, 0).tangent));

@@ -125,7 +125,7 @@ TEST(Rescue, EndsInAnEquilibriumThatHasDissipatedTheQuantum) {
   EXPECT_GE(system.dissipated(found->history), start + quantum);
   EXPECT_EQ(system.dissipated(system.history()), start) << "the system itself has not moved";
   system.set_history(found->history);
-  const LawValues laws = system.laws(found->state.d, found->state.load_factor);
+  const LawValues laws = system.laws(found->state);
   std::vector<double> residual(found->state.d.size());
   system.residual(found->state.d, found->state.load_factor, laws, residual);
   EXPECT_LT(system.residual_norm(residual), 1e-8 * system.force_level(found->state.d));
@@ -169,11 +169,11 @@ TEST(Rescue, KeepsWhatHasSlid) {
   ASSERT_TRUE(found);
   EXPECT_GE(system.dissipated(found->history), 1.001 * dissipated);
   system.set_history(found->history);
-  const LawValues laws = system.laws(found->state.d, found->state.load_factor);
+  const LawValues laws = system.laws(found->state);
   std::vector<double> residual(found->state.d.size());
   system.residual(found->state.d, found->state.load_factor, laws, residual);
   EXPECT_LT(system.residual_norm(residual), 1e-9 * system.force_level(found->state.d));
-  const auto again = system.next_history(found->state.d, found->state.load_factor);
+  const auto again = system.next_history(found->state);
   EXPECT_NEAR(system.dissipated(again), system.dissipated(found->history), 1e-9 * dissipated)
       << "nothing is left to be spent";
 }
@@ -223,7 +223,7 @@ TEST(Rescue, EndsOnTheSurfaceWhereBlocksHangLoosely) {
   ASSERT_TRUE(found);
   system.set_history(found->history);
   EXPECT_LT(system.excess_residual(found->state), 1e-9);
-  const LawValues laws = system.laws(found->state.d, found->state.load_factor);
+  const LawValues laws = system.laws(found->state);
   double nearest = 0;
   for (std::size_t p = 0; p < laws.opening.size(); ++p) {
     const InterfacePoint& point = system.equilibrium().point(p);
@@ -272,7 +272,7 @@ TEST(Rescue, ClosesTheGapsOfIteratedMultipliers) {
   system.set_history(found->history);
   system.set_multipliers(found->state.multipliers);
   EXPECT_LT(system.excess_residual(found->state), 1e-9);
-  const LawValues laws = system.laws(found->state.d, found->state.load_factor);
+  const LawValues laws = system.laws(found->state);
   EXPECT_LT(system.relative_gap(laws), 1e-8);
 }
 

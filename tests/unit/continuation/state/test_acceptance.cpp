@@ -32,9 +32,9 @@ class Acceptance : public testing::Test {
 
   /// The second block moved to the right.
   State moved(double by, double load_factor) const {
-    State out{std::vector<double>(equilibrium_.num_unknowns(), 0.0), load_factor};
-    out.d[6] = by;
-    return out;
+    std::vector<double> d(equilibrium_.num_unknowns(), 0.0);
+    d[6] = by;
+    return {std::move(d), load_factor};
   }
   Structure structure_;
   Equilibrium equilibrium_;
@@ -66,7 +66,7 @@ TEST_F(Acceptance, WeakSpringsBearNothingOfTheLoad) {
 TEST_F(Acceptance, NoPointStandsBeyondItsStrength) {
   const auto objection = [&](double share) {
     const State at = moved(share * 3 / 1000.0, 1);
-    const LawValues laws = system_.laws(at.d, at.load_factor);
+    const LawValues laws = system_.laws(at);
     return objection_to(strength_excess(system_, system_.history(), laws), system_);
   };
   EXPECT_EQ(objection(0.5), "");

@@ -8,7 +8,10 @@ namespace dda {
 namespace {
 
 Station station(double moved, double load_factor, bool is_rescue = false) {
-  return {.d = {moved, 0, 0, 0, 0, 0}, .load_factor = load_factor, .dissipated = 0, .is_rescue = is_rescue};
+  return {.d = std::vector<double>{moved, 0, 0, 0, 0, 0},
+          .load_factor = load_factor,
+          .dissipated = 0,
+          .is_rescue = is_rescue};
 }
 
 /// Steps until a path is said to stand still; −1 if it never is.

@@ -29,7 +29,7 @@ class SystemTest : public testing::TestWithParam<SystemCase> {
   /// Cracks grown beyond where they stand: nothing loads.
   void grow_all() {
     const State& at = cracked_.state();
-    std::vector<History> grown = system_.next_history(at.d, at.load_factor);
+    std::vector<History> grown = system_.next_history(at);
     for (std::size_t p = 0; p < grown.size(); ++p) {
       const InterfacePoint& point = cracked_.equilibrium().point(p);
       grown[p] = point.law->grown(grown[p], point.stiffness, 1.5);
@@ -48,7 +48,7 @@ TEST_P(SystemTest, ResidualIsGradientOfTheEnergy) {
   grow_all();
   const auto energy = [&](const State& at) {
     const Loading& loading = system_.loading();
-    double sum = system_.stored(at, system_.laws(at.d, at.load_factor));
+    double sum = system_.stored(at, system_.laws(at));
     for (const Spring& spring : cracked_.equilibrium().driven_springs())
       sum += 0.5 * spring.stiffness * std::pow(spring.displacement.value(at.d, 0), 2);
     return sum - vec(at.d).dot(vec(loading.dead) + at.load_factor * vec(loading.reference));
@@ -67,7 +67,7 @@ TEST_P(SystemTest, TangentIsDifferenceOfTheResidual) {
   const State& at = cracked_.state();
   const int fewest = cracked_.modes().minCoeff();
   ASSERT_GE(fewest, system_.multipliers().empty() ? 1 : 0) << "points that load, unload and are closed";
-  ASSERT_TRUE(system_.use_tangent(system_.new_stamp(), system_.laws(at.d, at.load_factor).tangent));
+  ASSERT_TRUE(system_.use_tangent(system_.new_stamp(), system_.laws(at).tangent));
   // The stiff supports are 1e5 times the blocks: a difference loses that many digits, so they are taken off.
   constexpr double step = 1e-7;
   for (int i = 0; i < 20; ++i) {
@@ -87,7 +87,7 @@ TEST_P(SystemTest, TangentIsDifferenceOfTheResidual) {
 TEST_P(SystemTest, LoadDerivativeIsDifferenceOfTheResidual) {
   const State& at = cracked_.state();
   std::vector<double> derivative(at.d.size());
-  system_.load_derivative(system_.laws(at.d, at.load_factor), derivative);
+  system_.load_derivative(system_.laws(at), derivative);
   constexpr double step = 1e-5;
   const State above{at.d, at.load_factor + step}, below{at.d, at.load_factor - step};
   const Eigen::VectorXd difference =
@@ -99,25 +99,25 @@ TEST_P(SystemTest, CommittingLeavesTheResidual) {
   const State& at = cracked_.state();
   const std::vector<double> before = cracked_.residual(at);
   const double dissipated = system_.dissipated(system_.history());
-  system_.set_history(system_.next_history(at.d, at.load_factor));
+  system_.set_history(system_.next_history(at));
   EXPECT_GT(system_.dissipated(system_.history()), dissipated);
   EXPECT_LT((vec(cracked_.residual(at)) - vec(before)).norm(), 1e-10 * vec(before).norm());
 }
 
 TEST_P(SystemTest, ArrivingTangentKeepsTheResidualAndDissipatesOnePerUnit) {
   const State at = cracked_.state();
-  system_.set_history(system_.next_history(at.d, at.load_factor));
+  system_.set_history(system_.next_history(at));
   const Tangent tangent = arriving_tangent(system_, at);
   ASSERT_FALSE(tangent.d.empty());
   EXPECT_TRUE(tangent.dissipates);
   std::vector<double> change(at.d.size()), per_load(at.d.size());
   system_.path_linear().multiply(tangent.d, change);
-  system_.load_derivative(system_.laws(at.d, at.load_factor), per_load);
+  system_.load_derivative(system_.laws(at), per_load);
   EXPECT_LT((vec(change) + tangent.load_factor * vec(per_load)).norm(), 1e-6 * vec(change).norm());
   double rate = 0;
   for (std::size_t p = 0; p < tangent.opening.size(); ++p) {
     const InterfacePoint& point = cracked_.equilibrium().point(p);
-    const Vec2 q = system_.laws(at.d, at.load_factor).opening[p];
+    const Vec2 q = system_.laws(at).opening[p];
     const Vec2 gradient = point.law->spending(q, system_.history()[p], point.stiffness).gradient;
     rate += point.weight * gradient.dot(tangent.opening[p]);
   }
@@ -126,7 +126,7 @@ TEST_P(SystemTest, ArrivingTangentKeepsTheResidualAndDissipatesOnePerUnit) {
 
 TEST_P(SystemTest, FlexibilityOfPointsIsWhatSolutionsGive) {
   const State at = cracked_.state();
-  system_.set_history(system_.next_history(at.d, at.load_factor));
+  system_.set_history(system_.next_history(at));
   arriving_tangent(system_, at);
   std::vector<std::size_t> points;
   for (std::size_t p = 0; p < system_.history().size(); ++p)
@@ -149,10 +149,10 @@ TEST_P(SystemTest, FlexibilityOfPointsIsWhatSolutionsGive) {
 
 TEST_P(SystemTest, NothingThatLeavesUnloads) {
   const State at = cracked_.state();
-  system_.set_history(system_.next_history(at.d, at.load_factor));
+  system_.set_history(system_.next_history(at));
   const Tangent leaving = leaving_tangent(system_, at, arriving_tangent(system_, at));
   ASSERT_FALSE(leaving.d.empty());
-  const std::vector<Vec2> openings = system_.laws(at.d, at.load_factor).opening;
+  const std::vector<Vec2> openings = system_.laws(at).opening;
   for (std::size_t p = 0; p < leaving.opening.size(); ++p) {
     const History& h = system_.history()[p];
     if (!h.loading) continue;
@@ -178,7 +178,7 @@ TEST(SystemWithIteratedMultipliers, PathTangentHasThePhysicalStiffnessOfTheJoint
                         4);
   System& system = cracked.system();
   const State& at = cracked.state();
-  const LawValues laws = system.laws(at.d, at.load_factor);
+  const LawValues laws = system.laws(at);
   ASSERT_TRUE(system.use_path_tangent(laws));
   std::vector<Mat2> expected = laws.tangent;
   for (std::size_t p = 0; p < expected.size(); ++p) {
@@ -212,7 +212,7 @@ TEST(SystemWithIteratedMultipliers, GapIsWhatTheMultipliersStillMove) {
   CrackedSystem cracked(cracked_square("augmented_lagrangian"), 5);
   System& system = cracked.system();
   const State& at = cracked.state();
-  const LawValues laws = system.laws(at.d, at.load_factor);
+  const LawValues laws = system.laws(at);
   const std::vector<Vec2> next = system.next_multipliers(laws);
   double gap = 0, unit = 0;
   for (std::size_t p = 0; p < next.size(); ++p) {
@@ -223,7 +223,7 @@ TEST(SystemWithIteratedMultipliers, GapIsWhatTheMultipliersStillMove) {
   }
   EXPECT_DOUBLE_EQ(system.relative_gap(laws), gap / unit);
   system.set_multipliers(next);
-  const LawValues moved = system.laws(at.d, at.load_factor);
+  const LawValues moved = system.laws(at);
   for (std::size_t p = 0; p < next.size(); ++p)
     EXPECT_LT((moved.opening[p] - laws.opening[p] - next[p]).norm(), 1e-14);
 }

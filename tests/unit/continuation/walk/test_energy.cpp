@@ -16,9 +16,7 @@ struct Cubic {
 class ExternalWork : public testing::Test {
  protected:
   State state(double s) const {
-    State out{start_, load_.value(s), {}};
-    for (std::size_t i = 0; i < out.d.size(); ++i) out.d[i] += motion_.value(s) * along_[i];
-    return out;
+    return {Displacements(start_).moved(motion_.value(s), along_), load_.value(s), {}};
   }
   Tangent tangent(double s) const {
     Tangent out{along_, load_.slope(s), true, {}, {}, {}};

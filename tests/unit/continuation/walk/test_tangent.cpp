@@ -88,7 +88,7 @@ TEST(StartingTangent, GoesOnWithTheCrackThatItsLoadOpens) {
 
 /// Rate of the equivalent opening of a point along a tangent.
 double rate_of(const CrackedSystem& at, System& system, std::size_t p, const Tangent& along) {
-  const auto laws = system.laws_at(at.state().d, at.state().load_factor);
+  const auto laws = system.laws_at(at.state());
   const InterfacePoint& point = system.equilibrium().point(p);
   return point.law->opening_gradient(laws->opening[p], system.history()[p], point.stiffness)
       .dot(along.opening[p]);
@@ -100,7 +100,7 @@ TEST(StartingTangent, FlagsAreThoseOfItsRates) {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     CrackedSystem at(square_deck(), seed);
     System& system = at.system();
-    system.set_history(system.next_history(at.state().d, at.state().load_factor));
+    system.set_history(system.next_history(at.state()));
     const std::vector<History> before = system.history();
     const Tangent found = starting_tangent(system, at.state());
     ASSERT_FALSE(found.d.empty());
