@@ -8,6 +8,7 @@
 
 #include "framework/deck/node.hpp"
 #include "framework/deck/units.hpp"
+#include "framework/figure/style.hpp"
 #include "framework/files/run_folder.hpp"
 #include "studies/dda/figures/stability_pictures.hpp"
 
@@ -49,18 +50,18 @@ void mark_references(const std::vector<RunCurve>& runs, const std::string& gauge
 
 /// What dashes and dots mean, of those that the curves have.
 std::vector<svg::Series> legend_of_lines(const std::vector<svg::Series>& curves) {
-  constexpr int black = 6;
   std::vector<svg::Series> out;
   if (std::ranges::any_of(curves, &svg::Series::dashed))
-    out.push_back({.name = "not stable under dead load", .x = {}, .y = {}, .dashed = true, .colour = black});
+    out.push_back(
+        {.name = "not stable under dead load", .x = {}, .y = {}, .dashed = true, .colour = svg::black});
   if (std::ranges::any_of(curves, &svg::Series::dotted))
-    out.push_back({.name = "stability not known", .x = {}, .y = {}, .colour = black, .dotted = true});
+    out.push_back({.name = "stability not known", .x = {}, .y = {}, .colour = svg::black, .dotted = true});
   return out;
 }
 
 /// By stability as long as there is a colour for each: beyond that dashes tell the runs apart.
 std::vector<svg::Series> curves_of(const std::vector<RunCurve>& runs, const std::string& gauge) {
-  constexpr std::size_t most_colours = 6;  // and black for the legend of the lines
+  constexpr std::size_t most_colours = svg::black;  // black is for the legend of the lines
   std::vector<svg::Series> out;
   std::vector<std::string> names;  // in the order of their colours
   for (const RunCurve& run : runs)

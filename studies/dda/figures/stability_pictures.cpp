@@ -8,6 +8,7 @@
 
 #include "framework/figure/drawing.hpp"
 #include "framework/files/results_reader.hpp"
+#include "studies/dda/figures/stability_lines.hpp"
 #include "studies/dda/record/stability_record.hpp"
 
 namespace dda {
@@ -19,7 +20,7 @@ constexpr std::size_t most_stages = 6, most_modes = 6, most_blocks = 5000;
 /// The pieces of a curve, one for each kind of stability, with gaps where it is of another.
 std::array<svg::Series, 4> pieces_of(const CsvTable& curve, const std::string& x, const std::string& y) {
   const auto xs = curve.numbers(x), ys = curve.numbers(y);
-  const std::vector<Stability> kinds = stability_between(curve);
+  const std::vector<Stability> kinds = between(stability_of(curve));
   std::array<svg::Series, 4> out;
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     svg::Series& piece = out[static_cast<std::size_t>(kinds[i])];
@@ -212,22 +213,19 @@ svg::Figure over_the_path(const CsvTable& curve, const Measures& measures) {
 
 std::vector<svg::Series> by_stability(const CsvTable& curve, const std::string& x, const std::string& y) {
   auto pieces = pieces_of(curve, x, y);
-  constexpr int blue = 0, orange = 1, black = 6;
-  const std::array<const char*, 4> names{"stable under dead load", "stable under the control only",
-                                         "unstable", "stability not known"};
-  const std::array<int, 4> colours{blue, blue, orange, black};
   std::vector<svg::Series> out;
   for (std::size_t kind = 0; kind < pieces.size(); ++kind) {
     if (pieces[kind].x.empty()) continue;
     svg::Series& piece = pieces[kind];
-    piece.name = names[kind];
-    piece.colour = colours[kind];
-    piece.dashed = kind == 1 || kind == 2;
-    piece.dotted = kind == 3;
+    const StabilityLine& line = stability_lines[kind];
+    piece.name = line.name;
+    piece.colour = std::max(line.colour, svg::blue);
+    piece.dashed = line.dashed;
+    piece.dotted = line.dotted;
     out.push_back(std::move(piece));
   }
   if (out.empty()) return {{"", curve.numbers(x), curve.numbers(y)}};
-  if (out.size() == 1 && out.front().name == names.front()) out.front().name.clear();
+  if (out.size() == 1 && out.front().name == stability_lines.front().name) out.front().name.clear();
   return out;
 }
 

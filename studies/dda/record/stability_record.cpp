@@ -24,8 +24,7 @@ std::vector<Stability> stability_of(const CsvTable& curve) {
   return out;
 }
 
-std::vector<Stability> stability_between(const CsvTable& curve) {
-  const std::vector<Stability> rows = stability_of(curve);
+std::vector<Stability> between(const std::vector<Stability>& rows) {
   std::vector<Stability> out;
   for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
     const auto [better, worse] = std::minmax(rows[i], rows[i + 1]);

@@ -7,6 +7,7 @@
 #include "framework/deck/node.hpp"
 #include "framework/files/run_folder.hpp"
 #include "framework/messages/provenance.hpp"
+#include "studies/dda/record/stability_record.hpp"
 #include "studies/dda/report/report.hpp"
 
 namespace dda::report {
@@ -56,7 +57,11 @@ Json data_of_curve(const fs::path& folder, Json& data, std::span<const int> stor
   const Json units = read_json(folder / "curve.units.json", data["notices"]);
   const Json summary = data["summary"].is_object() ? data["summary"] : Json::object();
   const std::size_t most = std::max<std::size_t>(2, limits.cells / curve.names().size());
-  return columns_of(curve, units, kept_rows(curve.num_rows(), most, marked_rows(curve, summary, stored)));
+  const std::vector<std::size_t> rows =
+      kept_rows(curve.num_rows(), most, marked_rows(curve, summary, stored));
+  Json out = columns_of(curve, units, rows);
+  out["stability"] = between(chosen(stability_of(curve), rows));
+  return out;
 }
 
 /// Step of the highest load, for a run that has no summary.

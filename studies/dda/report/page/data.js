@@ -46,10 +46,12 @@ class Column {
 
 /** A table read from a CSV file, by columns. */
 class Table {
-  constructor({columns, rows, all_rows}) {
+  constructor({columns, rows, all_rows, stability}) {
     this.columns = columns.map((column) => new Column(column));
     this.numRows = rows ?? this.columns[0]?.numbers?.length ?? 0;
     this.numAllRows = all_rows ?? this.numRows;
+    /** Which of STYLE.stability the parts between the rows of a run's curve are. */
+    this.stability = stability ?? [];
   }
 
   column(name) {

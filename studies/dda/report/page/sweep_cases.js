@@ -98,7 +98,8 @@ class Sweep {
     // Numbers follow a scale that leaves out its palest end; few words have colours of their own.
     const part = (i) => (values.length > 1 ? (0.92 * i) / (values.length - 1) : 0);
     const colours = values.map(
-        (_, i) => (areNumbers || values.length > PALETTE.length ? colourAt("viridis", part(i)) : PALETTE[i]));
+        (_, i) =>
+            (areNumbers || values.length > PALETTE.length ? STYLE.maps.viridis[colourStep(part(i))] : PALETTE[i]));
     const colour = (one) => colours[values.indexOf(one.setting(key))] ?? GREY;
     return {
       colour,
