@@ -11,6 +11,7 @@
 #include "framework/figure/style.hpp"
 #include "framework/files/run_folder.hpp"
 #include "studies/dda/figures/stability_pictures.hpp"
+#include "studies/dda/record/column_names.hpp"
 
 namespace dda {
 namespace {
@@ -69,12 +70,13 @@ std::vector<svg::Series> curves_of(const std::vector<RunCurve>& runs, const std:
   std::size_t next = 0;
   for (const RunCurve& run : runs) {
     if (names.size() > most_colours) {
-      out.push_back({run.name, run.curve.numbers(gauge), run.curve.numbers("load")});
+      out.push_back({run.name, run.curve.numbers(gauge), run.curve.numbers(column::load)});
       continue;
     }
     const auto known = std::ranges::find(names, run.name) - names.begin();
     const int colour = static_cast<int>(run.name.empty() ? static_cast<std::ptrdiff_t>(next) : known);
-    std::ranges::move(by_stability(run.curve, gauge, "load", {run.name, colour}), std::back_inserter(out));
+    std::ranges::move(by_stability(run.curve, gauge, column::load, {run.name, colour}),
+                      std::back_inserter(out));
     ++next;
   }
   std::ranges::move(legend_of_lines(out), std::back_inserter(out));
@@ -90,7 +92,7 @@ RunCurve read_run_curve(const fs::path& folder) {
   RunCurve out{(folder / "").lexically_normal().parent_path().filename().string(),
                read_csv(folder / "curve.csv"),
                length_unit_of(folder),
-               units.value("load", ""),
+               units.value(column::load, ""),
                {},
                references_of(folder)};
   for (const std::string& column : out.curve.names())

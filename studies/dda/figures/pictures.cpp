@@ -28,13 +28,13 @@ void mark(const std::optional<ReferencePeak>& reference, const std::string& gaug
 
 svg::Panel panel(const CsvTable& curve, const Measures& measures, const RunMemory& memory,
                  std::size_t gauge) {
-  const Column& column = measures.names()[gauge];
-  svg::Panel out{.title = column.name,
-                 .x_label = with_unit(column.name, column.unit),
+  const auto& [name, unit] = measures.names()[gauge];
+  svg::Panel out{.title = name,
+                 .x_label = with_unit(name, unit),
                  .y_label = with_unit("load", measures.load_unit()),
                  .series = {},
                  .markers = {}};
-  out.series = by_stability(curve, column.name, "load");
+  out.series = by_stability(curve, name, column::load);
   if (memory.peak.step > 0)
     out.markers.push_back({memory.peak.values[gauge], memory.peak.load,
                            fmt::format("limit point, {:.4g} {}", memory.peak.load, measures.load_unit())});
@@ -44,9 +44,9 @@ svg::Panel panel(const CsvTable& curve, const Measures& measures, const RunMemor
 /// Load against the dissipated energy: what a deck without displacement gauges still tells.
 svg::Panel energy_panel(const CsvTable& curve, const Measures& measures) {
   return {.title = "",
-          .x_label = with_unit("dissipated energy", measures.columns()[4].unit),
+          .x_label = with_unit("dissipated energy", measures.energy_unit()),
           .y_label = with_unit("load", measures.load_unit()),
-          .series = {{"", curve.numbers("dissipated_energy"), curve.numbers("load")}},
+          .series = {{"", curve.numbers(column::dissipated_energy), curve.numbers(column::load)}},
           .markers = {}};
 }
 
@@ -56,7 +56,7 @@ void add_primary(const fs::path& file, const std::string& gauge, svg::Panel& pan
   const CsvTable primary = read_csv(file);
   panel.series.insert(panel.series.begin(), {.name = "without switching",
                                              .x = primary.numbers(gauge),
-                                             .y = primary.numbers("load"),
+                                             .y = primary.numbers(column::load),
                                              .colour = svg::black});
 }
 

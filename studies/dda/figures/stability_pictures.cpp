@@ -41,12 +41,13 @@ std::array<svg::Series, 4> pieces_of(const CsvTable& curve, const std::string& x
 /// Where what is known of a run's eigenvalues stands in its curve.
 class Eigenvalues {
  public:
-  explicit Eigenvalues(const CsvTable& curve) : steps_(curve.numbers("step")), load_(curve.numbers("load")) {
-    for (int i = 1; curve.has(fmt::format("mu_{}", i)); ++i) {
-      values_.push_back(curve.numbers(fmt::format("mu_{}", i)));
-      ratios_.push_back(curve.numbers(fmt::format("mu_ratio_{}", i)));
+  explicit Eigenvalues(const CsvTable& curve)
+      : steps_(curve.numbers(column::step)), load_(curve.numbers(column::load)) {
+    for (std::size_t i = 1; curve.has(column::mu(i)); ++i) {
+      values_.push_back(curve.numbers(column::mu(i)));
+      ratios_.push_back(curve.numbers(column::mu_ratio(i)));
     }
-    rigid_ = curve.numbers("rigid_modes");
+    rigid_ = curve.numbers(column::rigid_modes);
   }
   std::size_t count() const { return values_.size(); }
   std::size_t row_of(int step) const {
@@ -190,22 +191,22 @@ svg::Series known(const CsvTable& curve, const std::string& x, const std::string
 svg::Figure over_the_path(const CsvTable& curve, const Measures& measures) {
   const bool has_gauge = !measures.displacements().empty();
   const Column x = has_gauge ? measures.names()[measures.displacements().front()]
-                             : Column{"dissipated_energy", measures.columns()[4].unit};
+                             : Column{column::dissipated_energy, measures.energy_unit()};
   const std::string label = x.unit.empty() ? x.name : fmt::format("{} [{}]", x.name, x.unit);
   svg::Panel ratios{.title = "eigenvalues",
                     .x_label = label,
                     .y_label = "μ/μ₀, drawn down to −1",
                     .series = {},
                     .markers = {}};
-  for (int i = 1; curve.has(fmt::format("mu_ratio_{}", i)); ++i) {
-    svg::Series series = known(curve, x.name, fmt::format("mu_ratio_{}", i));
+  for (std::size_t i = 1; curve.has(column::mu_ratio(i)); ++i) {
+    svg::Series series = known(curve, x.name, column::mu_ratio(i));
     for (double& ratio : series.y) ratio = std::max(ratio, -1.0);  // a steep crack would dwarf all the others
     series.name = fmt::format("mode {}", i);
     ratios.series.push_back(std::move(series));
   }
   svg::Panel bergan{
       .title = "current stiffness", .x_label = label, .y_label = "(ṗ/u̇)/(ṗ/u̇)₀", .series = {}, .markers = {}};
-  bergan.series.push_back(known(curve, x.name, "current_stiffness"));
+  bergan.series.push_back(known(curve, x.name, column::current_stiffness));
   return {.title = "", .panels = {std::move(ratios), std::move(bergan)}};
 }
 
@@ -242,7 +243,7 @@ std::vector<svg::Series> by_stability(const CsvTable& curve, const std::string& 
 
 void write_stability_pictures(const RunFolder& folder, const Fields& fields, const Measures& measures) {
   const CsvTable curve = read_csv(folder.file("curve.csv"));
-  if (!curve.has("mu_1")) return;
+  if (!curve.has(column::mu(1))) return;
   write_whole(folder.file("eigenvalues.svg"), svg::to_svg(over_the_path(curve, measures)), Flush::to_system);
   if (fields.equilibrium().num_blocks() > most_blocks) return;
   const ResultsReader results(folder.path());

@@ -7,6 +7,7 @@
 #include "framework/deck/node.hpp"
 #include "framework/files/run_folder.hpp"
 #include "framework/messages/provenance.hpp"
+#include "studies/dda/record/column_names.hpp"
 #include "studies/dda/record/stability_record.hpp"
 #include "studies/dda/report/report.hpp"
 
@@ -46,7 +47,7 @@ std::vector<std::size_t> marked_rows(const CsvTable& curve, const Json& summary,
     if (event.is_object() && event.contains("step") && event["step"].is_number())
       steps.push_back(event["step"]);
   std::vector<std::size_t> out;
-  const std::vector<double> numbers = curve.numbers("step");
+  const std::vector<double> numbers = curve.numbers(column::step);
   for (const double step : steps)
     out.push_back(static_cast<std::size_t>(std::ranges::lower_bound(numbers, step) - numbers.begin()));
   return out;
@@ -66,7 +67,7 @@ Json data_of_curve(const fs::path& folder, Json& data, std::span<const int> stor
 
 /// Step of the highest load, for a run that has no summary.
 int peak_step(const CsvTable& curve) {
-  const std::vector<double> load = curve.numbers("load"), step = curve.numbers("step");
+  const std::vector<double> load = curve.numbers(column::load), step = curve.numbers(column::step);
   const auto highest = std::ranges::max_element(load, {}, [](double value) { return std::abs(value); });
   return highest == load.end() ? -1
                                : static_cast<int>(step[static_cast<std::size_t>(highest - load.begin())]);

@@ -6,7 +6,7 @@ class Curve {
     this.table = table;
     this.summary = summary ?? {};
     this.log = log;
-    this.steps = table.numbers("step") ?? Float64Array.from({length: table.numRows}, (_, i) => i);
+    this.steps = table.numbers(COLUMN.step) ?? Float64Array.from({length: table.numRows}, (_, i) => i);
     this.kindOf = (row) => table.stability[row - 1];
   }
 
@@ -24,7 +24,7 @@ class Curve {
   }
 
   get defaultAxis() {
-    return (this.displacements()[0] ?? this.table.column("dissipated_energy") ?? this.table.columns[0]).name;
+    return (this.displacements()[0] ?? this.table.column(COLUMN.dissipated) ?? this.table.columns[0]).name;
   }
 
   /** What the kinds of line mean, of those that the curve has. */
@@ -41,10 +41,10 @@ class Curve {
 
   /** What a reader wants to know of a step first; the axes of a figure can be chosen to see the rest. */
   describe(row, axes = []) {
+    const {step, control, iterations, load, work, stored, dissipated, stiffness, lowest} = COLUMN;
+    const counts = this.table.columns.map(({name}) => name).filter((name) => COLUMNS.counts.test(name));
     const names = [
-      "step", "control", "newton_iterations", "load", ...this.gauges(), ...axes, "external_work", "stored_energy",
-      "dissipated_energy", "current_stiffness", "negative_eigenvalues", "negative_under_control",
-      "negative_second_order_work", "mu_1"
+      step, control, iterations, load, ...this.gauges(), ...axes, work, stored, dissipated, stiffness, ...counts, lowest
     ];
     const isKnown = (column) => column && !(column.numbers && Number.isNaN(column.numbers[row]));
     const columns = [...new Set(names)].map((name) => this.table.column(name)).filter(isKnown);
@@ -65,7 +65,7 @@ class Curve {
     const hasPeak = peak?.step > 0;
     const isPeak = (event) => hasPeak && event.kind === "limit_point" && Math.abs(event.step - peak.step) <= 1 &&
         Math.abs(event.load - peak.load) <= 1e-3 * Math.abs(peak.load);
-    const loadUnit = this.table.column("load")?.unit ?? "";
+    const loadUnit = this.table.column(COLUMN.load)?.unit ?? "";
     const named = hasPeak ? [{...peak, kind: `peak, ${formatNumber(peak.load, 4)} ${loadUnit}`.trim()}] : [];
     const marks = [...named, ...this.events.filter((event) => !isPeak(event))]
                       .map((event) => this.markOf(event, x, y))
@@ -103,7 +103,7 @@ function eventName(event) {
 function eventTable(curve) {
   if (curve.events.length === 0) return null;
   const unit = (name) => curve.table.column(name)?.unit ?? "";
-  const numbers = ["load", ...curve.gauges()];
+  const numbers = [COLUMN.load, ...curve.gauges()];
   const columns = [
     {
       title: "event",

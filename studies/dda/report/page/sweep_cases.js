@@ -38,6 +38,9 @@ class SweepCase {
 }
 
 class Sweep {
+  /** What curves have beside displacements. */
+  static axes = [COLUMN.load, COLUMN.loadFactor, COLUMN.dissipated];
+
   constructor(data) {
     this.data = data;
     this.table = data.table ? new Table(data.table) : null;
@@ -78,7 +81,7 @@ class Sweep {
     for (const {curve} of this.cases)
       for (const column of curve?.columns ?? [])
         if (column.isNumeric) found.set(column.name, column);
-    const rank = ({name}) => ["load", "load_factor", "dissipated_energy"].indexOf(name);
+    const rank = ({name}) => Sweep.axes.indexOf(name);
     return [...found.values()].sort((one, other) => rank(one) - rank(other));
   }
 
