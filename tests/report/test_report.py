@@ -62,6 +62,7 @@ class Reports(unittest.TestCase):
         page = self.open(self.work / "beam")
         self.assertIn("Goal reached: load below 10 % of its peak.", self.text(page, "#status"))
         self.assertIn(f"step {self.summary['peak']['step']}", self.text(page, "#numbers"))
+        self.assertIn("Dashed: stable under the control only", self.text(page, "#path"))
         self.assertIn("record.eigenvalues.count=2", self.text(page, "#asked"))
         for name in ("path", "stability", "energy", "asked", "events", "time", "provenance"):
             self.assertTrue(page.run(f"document.getElementById('{name}') !== null"), name)

@@ -61,7 +61,7 @@ Json data_of_curve(const fs::path& folder, Json& data, std::span<const int> stor
   const std::vector<std::size_t> rows =
       kept_rows(curve.num_rows(), most, marked_rows(curve, summary, stored));
   Json out = columns_of(curve, units, rows);
-  out["stability"] = between(chosen(stability_of(curve), rows));
+  attempt(data, [&] { out["stability"] = between(chosen(stability_of(curve), rows)); });
   return out;
 }
 

@@ -7,7 +7,7 @@ class Curve {
     this.summary = summary ?? {};
     this.log = log;
     this.steps = table.numbers(COLUMN.step) ?? Float64Array.from({length: table.numRows}, (_, i) => i);
-    this.kindOf = (row) => table.stability[row - 1];
+    this.kindOf = (row) => table.stability[row - 1] ?? STYLE.stability.length - 1;
   }
 
   rowOfStep(step) {

@@ -70,7 +70,7 @@ class Table {
     this.columns = columns.map((column) => new Column(column));
     this.numRows = rows ?? this.columns[0]?.numbers?.length ?? 0;
     this.numAllRows = all_rows ?? this.numRows;
-    /** Which of STYLE.stability the parts between the rows of a run's curve are. */
+    /** Which of STYLE.stability the parts between the rows of a run's curve are; its last, where nobody knows. */
     this.stability = stability ?? [];
   }
 
