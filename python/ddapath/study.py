@@ -109,6 +109,24 @@ def write_region(readme, text, name="results"):
     readme.write_text(whole, encoding="utf-8")
 
 
+def plots(name, backend="svg"):
+    """matplotlib.pyplot for the figures of a study: the same figure is the same file."""
+    import matplotlib  # not every study draws
+
+    matplotlib.use(backend)
+    from matplotlib import pyplot
+
+    pyplot.rcParams["svg.hashsalt"] = name
+    return pyplot
+
+
+def save(figure, file):
+    from matplotlib import pyplot
+
+    figure.savefig(file, metadata={"Date": None})
+    pyplot.close(figure)
+
+
 def parser(description):
     """Of a study's command line, to which a study adds what else it asks."""
     out = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)

@@ -2,14 +2,9 @@
 
 import statistics
 
-import matplotlib
-
 from ddapath import study
 
-matplotlib.use("svg")
-import matplotlib.pyplot as plt  # noqa: E402
-
-plt.rcParams["svg.hashsalt"] = "kitoh-beam"  # the same figure, the same file
+plt = study.plots("kitoh-beam")
 
 # Peak load [kN] of a straight central crack by depth [mm] and Gf [N/mm]: an independent cohesive-crack solver.
 REFERENCE = {(100, 0.05): 13.163, (100, 0.1): 14.997, (100, 0.15): 16.154, (200, 0.1): 26.327, (400, 0.1): 46.544, (800, 0.1): 84.220}
@@ -109,8 +104,7 @@ def draw_bias(rows, file):
 
 def save(figure, file):
     figure.tight_layout()
-    figure.savefig(file, metadata={"Date": None})
-    plt.close(figure)
+    study.save(figure, file)
 
 
 def text(rows):

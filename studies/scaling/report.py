@@ -3,15 +3,11 @@
 import os
 import platform
 
-import matplotlib
 import numpy as np
 
 from ddapath import study
 
-matplotlib.use("svg")
-import matplotlib.pyplot as plt  # noqa: E402
-
-plt.rcParams["svg.hashsalt"] = "scaling"  # the same figure, the same file
+plt = study.plots("scaling")
 
 FITTED_FROM = 9000  # blocks; below, start-up and calls of a few microseconds decide
 LIMITS = {"total": 1.45, "one reduced iteration": 0.7}  # of the exponents
@@ -64,8 +60,7 @@ def draw(by_beam, names, file):
     panels[0][0].set_ylabel("time [s]")
     figure.legend(*panels[0][0].get_legend_handles_labels(), loc="lower center", ncol=4, fontsize=8, frameon=False)
     figure.tight_layout(rect=(0, 0.14, 1, 1))
-    figure.savefig(file, metadata={"Date": None})
-    plt.close(figure)
+    study.save(figure, file)
 
 
 def text(by_beam, names):

@@ -3,13 +3,10 @@
 from dataclasses import dataclass, field
 from typing import Callable
 
-import matplotlib
-
 from ddapath import study
 
-matplotlib.use("Agg")
-matplotlib.rcParams.update({"svg.hashsalt": "stability", "font.size": 8, "axes.grid": True, "grid.alpha": 0.3,
-                            "lines.linewidth": 1.0, "legend.fontsize": 7})
+plt = study.plots("stability", "Agg")
+plt.rcParams.update({"font.size": 8, "axes.grid": True, "grid.alpha": 0.3, "lines.linewidth": 1.0, "legend.fontsize": 7})
 
 
 @dataclass
@@ -28,22 +25,16 @@ class Section:
         study.write_rows(results / f"{self.name}.csv", self.rows)
         text = f"{self.sentence}\n\n{self.table}"
         if self.draw:
-            save(self.draw(), results / f"{self.name}.svg")
+            drawn = self.draw()
+            drawn.tight_layout()
+            study.save(drawn, results / f"{self.name}.svg")
             text += f"\n\n![{self.name}](results/{self.name}.svg)"
         study.write_region(folder / "README.md", text, self.name)
 
 
-def save(figure, file):
-    figure.tight_layout()
-    figure.savefig(file, metadata={"Date": None})
-    matplotlib.pyplot.close(figure)
-
-
 def figure(rows, columns, width=3.2, height=2.5):
     """Axes in rows and columns, always as a two-dimensional array."""
-    from matplotlib import pyplot
-
-    return pyplot.subplots(rows, columns, figsize=(width * columns, height * rows), squeeze=False)
+    return plt.subplots(rows, columns, figsize=(width * columns, height * rows), squeeze=False)
 
 
 def logarithmic(axis, which):
