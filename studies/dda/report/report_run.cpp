@@ -22,6 +22,8 @@ void attempt(Json& data, const Read& read) {
     read();
   } catch (const InputError& error) {
     data["notices"].push_back(error.what());
+  } catch (const Json::exception& error) {  // a text where a number should be
+    data["notices"].push_back(error.what());
   }
 }
 
@@ -81,8 +83,9 @@ void add_decks(const fs::path& folder, Json& data, const Limits& limits) {
 
 void add_title(const fs::path& folder, Json& data) {
   const Json& summary = data["summary"];
-  std::string title = summary.is_object() ? summary.value("title", "") : "";
+  std::string title;
   attempt(data, [&] {
+    if (summary.is_object()) title = summary.value("title", "");
     const fs::path deck = folder / "effective_deck.yaml";
     if (!title.empty() || !fs::exists(deck)) return;
     const Node tree = read_yaml(deck);
