@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <string_view>
+
+#include "framework/figure/style.hpp"
 
 namespace dda::svg {
 namespace {
@@ -13,9 +16,8 @@ namespace {
 double round_step(double length, int wanted) {
   const double rough = length / wanted;
   const double power = std::pow(10.0, std::floor(std::log10(rough)));
-  for (const double factor : {1.0, 2.0, 5.0}) {
-    if (rough <= factor * power * (1 + 1e-9)) return factor * power;
-  }
+  for (const int digit : round_digits)
+    if (rough <= digit * power * (1 + rounding)) return digit * power;
   return 10 * power;
 }
 
@@ -27,12 +29,14 @@ std::string superscript(int number) {
 }
 
 /// Power of ten of a positive number, safe against log10(1000) = 2.9999.
-int exponent_of(double value) { return static_cast<int>(std::floor(std::log10(value) + 1e-9)); }
+int exponent_of(double value) { return static_cast<int>(std::floor(std::log10(value) + rounding)); }
 
 /// Labels of at most about six characters need no power of ten.
 int common_exponent(double largest) {
   const int exponent = exponent_of(largest);
-  return exponent >= 5 || exponent <= -4 ? 3 * static_cast<int>(std::floor(exponent / 3.0)) : 0;
+  return exponent >= large_exponent || exponent <= small_exponent
+             ? 3 * static_cast<int>(std::floor(exponent / 3.0))
+             : 0;
 }
 
 std::string typographic(std::string text) {
@@ -47,9 +51,8 @@ std::string label_of(double value, int decimals) {
 
 /// Where many digits would be the same in all labels, they are taken out.
 double common_offset(const Range& range, double step) {
-  constexpr double digits_shown = 1e6;
   const double largest = std::max(std::abs(range.low), std::abs(range.high));
-  return largest / step > digits_shown ? std::ceil(range.low / step) * step : 0.0;
+  return largest / step > most_steps ? std::ceil(range.low / step) * step : 0.0;
 }
 
 std::string scale_of(double offset, int exponent) {
@@ -73,11 +76,18 @@ Range Range::widened(double part) const {
   const double largest = std::max(std::abs(low), std::abs(high));
   const double length = high - low;
   // Differences of the size of the rounding are no differences.
-  if (!(length > 1e-12 * largest)) {
-    const double around = largest > 0 ? 0.1 * largest : 1.0;
+  if (!(length > least_length * largest)) {
+    const double around = largest > 0 ? half_of_no_length * largest : 1.0;
     return {low - around, high + around, false};
   }
   return {low - part * length, high + part * length, false};
+}
+
+double round_down(double value) {
+  const double power = std::pow(10.0, exponent_of(value));
+  for (const int digit : std::views::reverse(round_digits))
+    if (digit * power <= value) return digit * power;
+  return power;
 }
 
 Axis make_axis(const Range& range, int wanted) {
@@ -88,7 +98,7 @@ Axis make_axis(const Range& range, int wanted) {
   const double unit = std::pow(10.0, exponent);
   const int decimals = std::max(0, -exponent_of(step / unit));
   Axis axis{range, {}, scale_of(offset, exponent)};
-  const double slack = 1e-6 * step;
+  const double slack = tick_slack * step;
   for (double n = std::ceil((range.low - slack) / step); n * step <= range.high + slack; ++n) {
     axis.ticks.push_back({n * step, label_of((n * step - offset) / unit, decimals)});
   }

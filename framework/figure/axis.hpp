@@ -25,12 +25,15 @@ struct Tick {
 ///
 ///     value = offset + label · 10^exponent,    scale = "×10⁻⁶" or "+ 1000000" or ""
 ///
-/// Steps are 1, 2 or 5 times a power of ten.
+/// Steps are 1, 2 or 5 times a power of ten. The page of `dda report` has the same rules in numbers.js.
 struct Axis {
   Range range;
   std::vector<Tick> ticks;
   std::string scale;
 };
+
+/// The largest round number up to a positive value.
+double round_down(double value);
 
 /// About `wanted` ticks on a range that is not empty.
 Axis make_axis(const Range& range, int wanted);

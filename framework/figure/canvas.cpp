@@ -37,12 +37,13 @@ const char* name_of(Anchor anchor) {
 }
 
 std::string stroke_of(const LineStyle& style) {
-  std::string dashes;
+  std::string pattern;
   if (style.dotted)
-    dashes = " stroke-dasharray=\"1 4\"";
+    pattern = fmt::format(" stroke-dasharray=\"{}\"", fmt::join(dots, " "));
   else if (style.dashed)
-    dashes = fmt::format(" stroke-dasharray=\"5 9\" stroke-dashoffset=\"{}\"", coordinate(style.dash_offset));
-  return fmt::format("stroke=\"{}\" stroke-width=\"{}\"{}", style.colour, coordinate(style.width), dashes);
+    pattern = fmt::format(" stroke-dasharray=\"{}\" stroke-dashoffset=\"{}\"", fmt::join(dashes, " "),
+                          coordinate(style.dash_offset));
+  return fmt::format("stroke=\"{}\" stroke-width=\"{}\"{}", style.colour, coordinate(style.width), pattern);
 }
 
 }  // namespace

@@ -3,11 +3,9 @@
 #include <string>
 #include <string_view>
 
-namespace dda::svg {
+#include "framework/figure/style.hpp"
 
-inline constexpr const char* ink = "#222222";
-inline constexpr const char* faint = "#e3e3e3";
-inline constexpr const char* grey = "#808080";
+namespace dda::svg {
 
 enum class Anchor { start, middle, end };
 

@@ -23,10 +23,12 @@ constexpr std::array<Rgb, 9> viridis_stops = {{{68, 1, 84},
                                                {253, 231, 37}}};
 constexpr std::array<Rgb, 5> crack_stops = {
     {{255, 214, 90}, {253, 162, 55}, {236, 98, 38}, {196, 30, 30}, {110, 0, 20}}};
+constexpr std::array<Rgb, 5> violet_to_green_stops = {
+    {{88, 34, 130}, {166, 130, 196}, {246, 246, 246}, {126, 186, 140}, {10, 96, 60}}};
 
 std::span<const Rgb> stops_of(ColourMap map) {
   if (map == ColourMap::viridis) return viridis_stops;
-  return crack_stops;
+  return map == ColourMap::crack ? crack_stops : violet_to_green_stops;
 }
 
 }  // namespace

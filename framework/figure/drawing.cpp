@@ -92,7 +92,7 @@ void paint_polygons(Canvas& canvas, const View& view, const Drawing& drawing, co
     else
       all += data;
   }
-  canvas.path(all, "#eeeeee", {"#a0a0a0", 0.4});
+  canvas.path(all, block_fill, {"#a0a0a0", 0.4});
 }
 
 void paint_marks(Canvas& canvas, const View& view, const Drawing& drawing) {
@@ -100,7 +100,7 @@ void paint_marks(Canvas& canvas, const View& view, const Drawing& drawing) {
     if (!fill.is_marked || !std::all_of(fill.outline.begin(), fill.outline.end(), finite)) continue;
     std::string data;
     for (const Vec2& vertex : fill.outline) data += (data.empty() ? "M" : "L") + view.place(vertex);
-    canvas.path(data + 'Z', "none", {"#e00000", 2});
+    canvas.path(data + 'Z', "none", {mark_outline, 2});
   }
 }
 
@@ -120,13 +120,12 @@ void paint_strokes(Canvas& canvas, const View& view, const Drawing& drawing, con
 
 /// A vertical colour bar at the left edge of `room`; gives the width used.
 double paint_bar(Canvas& canvas, const Scale& scale, const Box& room) {
-  constexpr int slices = 64;
   const Axis axis = make_axis(scale.range.widened(0), 5);
-  const double height = room.height / slices;
-  for (int i = 0; i < slices; ++i) {
+  const double height = room.height / colour_steps;
+  for (int i = 0; i < colour_steps; ++i) {
     // Each slice reaches a little under the one above, against hairlines.
     const Box slice{room.x, room.bottom() - (i + 1) * height, bar_width, height + (i == 0 ? 0 : 0.6)};
-    canvas.rectangle(slice, colour(scale.map, (i + 0.5) / slices), "none");
+    canvas.rectangle(slice, colour(scale.map, (i + 0.5) / colour_steps), "none");
   }
   canvas.rectangle({room.x, room.y, bar_width, room.height}, "none", ink);
   double widest = 0;

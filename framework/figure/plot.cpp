@@ -1,7 +1,6 @@
 #include "framework/figure/plot.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 
@@ -11,9 +10,6 @@
 
 namespace dda::svg {
 namespace {
-
-// Okabe & Ito (2008), without its yellow, which is too light for a line on white.
-constexpr std::array palette = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"};
 
 constexpr double small = 10, normal = 11.5, large = 14;  // font sizes [px]
 constexpr double plot_width = 300, plot_height = 225, margin = 14;
@@ -42,7 +38,8 @@ std::size_t colour_of(const Series& series, std::size_t position, const Colours&
 
 LineStyle style_of(const Series& series, std::size_t colour) {
   // Beyond the palette the dashes tell two series of one colour apart.
-  constexpr double dash_step = 14.0 / 3;  // three coinciding dashed curves share the period of the dashes
+  constexpr double dash_step =
+      (dashes[0] + dashes[1]) / 3.0;  // three coinciding dashed curves share the period of the dashes
   return {palette[colour % palette.size()], 1.8, series.dashed != (colour / palette.size() % 2 == 1),
           dash_step * static_cast<double>(colour), series.dotted};
 }
@@ -89,7 +86,7 @@ class PanelPainter {
       }
     }
     for (const Marker& marker : panel_.markers) result.include(marker.*value);
-    return result.widened(0.05);
+    return result.widened(axis_margin);
   }
 
   double px(double x) const {

@@ -37,7 +37,6 @@ struct Figure {
 };
 
 /// The figure as a self-contained SVG text on white, in the colour-blind-safe palette.
-/// Source of the palette: Okabe & Ito, Color Universal Design (2008).
 std::string to_svg(const Figure& figure);
 
 }  // namespace dda::svg

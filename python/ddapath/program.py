@@ -39,8 +39,7 @@ def run(deck, settings=None, folder=None, *, overwrite=False, check=True):
     Throws InputError, OutputError or Interrupted with the program's message; for a path that ended before its goal
     StoppedEarly, which has the Run as `results`. With check=False such a run is returned like any other: see its status.
     """
-    arguments = [part for key, value in (settings or {}).items() for part in ("--set", setting(key, value))]
-    return started("run", (deck, folder, overwrite, check), arguments, read_run)
+    return started("run", (deck, folder, overwrite, check), setting_options(settings), read_run)
 
 
 def sweep(deck, axes=None, folder=None, *, jobs=None, overwrite=False, check=True):
@@ -67,6 +66,11 @@ def with_axes(deck, axes):
 def setting(key, value):
     """`key=value` for the command line; JSON is YAML."""
     return f"{key}={json.dumps(decks.plain(value), allow_nan=False, ensure_ascii=False)}"
+
+
+def setting_options(settings):
+    """Values by dotted key as options of the command line."""
+    return [part for key, value in (settings or {}).items() for part in ("--set", setting(key, value))]
 
 
 def started(command, what, arguments, read):

@@ -1,32 +1,15 @@
 """Tables and figures from results/runs.csv and results/curves.csv; nothing in the marked region of README.md is typed."""
 
-import csv
 import statistics
 
-import matplotlib
+from ddapath import study
 
-matplotlib.use("svg")
-import matplotlib.pyplot as plt  # noqa: E402
+plt = study.plots("kitoh-beam")
 
-plt.rcParams["svg.hashsalt"] = "kitoh-beam"  # the same figure, the same file
-
-BEGIN, END = "<!-- results: begin -->", "<!-- results: end -->"
 # Peak load [kN] of a straight central crack by depth [mm] and Gf [N/mm]: an independent cohesive-crack solver.
 REFERENCE = {(100, 0.05): 13.163, (100, 0.1): 14.997, (100, 0.15): 16.154, (200, 0.1): 26.327, (400, 0.1): 46.544, (800, 0.1): 84.220}
 FIRST_CRACK = {"beam theory": 9.667, "plane stress": 9.17}  # kN
 STRAIGHT = "h = 100, Gf = 0.1"
-
-
-def number(text):
-    try:
-        return float(text)
-    except ValueError:
-        return text
-
-
-def read(file):
-    with file.open(newline="", encoding="utf-8") as stream:
-        return [{name: number(text) for name, text in row.items()} for row in csv.DictReader(stream)]
 
 
 def of_group(rows, group):
@@ -121,8 +104,7 @@ def draw_bias(rows, file):
 
 def save(figure, file):
     figure.tight_layout()
-    figure.savefig(file, metadata={"Date": None})
-    plt.close(figure)
+    study.save(figure, file)
 
 
 def text(rows):
@@ -135,10 +117,8 @@ def text(rows):
 
 
 def write(output):
-    rows, curves = read(output / "results" / "runs.csv"), read(output / "results" / "curves.csv")
+    rows, curves = (study.read_rows(output / "results" / f"{name}.csv") for name in ("runs", "curves"))
     draw_curves(curves, output / "results" / "curve.svg")
     if of_group(rows, "bias"):
         draw_bias(of_group(rows, "bias"), output / "results" / "bias.svg")
-    readme = output / "README.md"
-    before, rest = readme.read_text(encoding="utf-8").split(BEGIN)
-    readme.write_text(f"{before}{BEGIN}\n{text(rows)}\n{END}{rest.split(END)[1]}", encoding="utf-8")
+    study.write_region(output / "README.md", text(rows))

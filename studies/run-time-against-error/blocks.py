@@ -3,13 +3,12 @@
 A polygon is a list of [x, y]; lengths in mm.
 """
 
-import json
-import subprocess
 import tempfile
 from pathlib import Path
 
-import h5py
 import numpy as np
+
+import ddapath
 
 TOUCHING = 1e-9  # of the largest coordinate
 
@@ -22,14 +21,7 @@ def regions(polygons):
     return [{"name": f"part{i}", "material": "concrete", "vertices": polygon} for i, polygon in enumerate(polygons)]
 
 
-def of_run(folder):
-    """The outlines of the blocks of a run folder, in their order."""
-    with h5py.File(Path(folder) / "fields" / "mesh.h5") as file:
-        vertices, offsets = file["mesh/vertices"][:, :2], file["mesh/offsets"][:]
-    return [vertices[first:last].tolist() for first, last in zip(offsets[:-1], offsets[1:])]
-
-
-def voronoi(program, outline, size, seed=1):
+def voronoi(outline, size, seed=1):
     """Centroidal Voronoi cells of a rectangle, by the program itself; `size` is the root of their mean area."""
     (x0, y0), (x1, y1) = outline[0], outline[2]
     deck = {
@@ -42,22 +34,18 @@ def voronoi(program, outline, size, seed=1):
         "path": {"control": "load", "stop": {"after_steps": 1}},
     }
     with tempfile.TemporaryDirectory() as folder:
-        file = Path(folder) / "cells.json"
-        file.write_text(json.dumps(deck), encoding="utf-8")
-        run = Path(folder) / "run"
-        subprocess.run([program, "run", file, "--folder", run, "--quiet"], check=True, capture_output=True)
-        return snapped(of_run(run), (x0, x1), (y0, y1))
+        cells = ddapath.run(deck, folder=Path(folder) / "run").fields().mesh.polygons
+    return snapped(cells, (x0, x1), (y0, y1))
 
 
 def snapped(polygons, xs, ys):
     """Coordinates that are a line's but for round-off become the line's, so that mirrored cells coincide."""
-    points = [np.array(polygon) for polygon in polygons]
     for axis, lines in enumerate((xs, ys)):
         for line in lines:
-            for cell in points:
+            for cell in polygons:
                 near = np.abs(cell[:, axis] - line) < TOUCHING * max(map(abs, (*xs, *ys)))
                 cell[near, axis] = line
-    return [cell.tolist() for cell in points]
+    return [cell.tolist() for cell in polygons]
 
 
 def mirrored(polygons, axis):

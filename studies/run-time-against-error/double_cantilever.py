@@ -34,14 +34,14 @@ def grid(rows, shape):
     return scene_of(blocks.mirrored(arm, 1), {"type": "grid", "columns": columns, "rows": rows, "shape": shape})
 
 
-def voronoi(program, rows):
-    cells = blocks.voronoi(program, blocks.rectangle(0, 0, LENGTH, ARM), ARM / rows)
+def voronoi(rows):
+    cells = blocks.voronoi(blocks.rectangle(0, 0, LENGTH, ARM), ARM / rows)
     for point in ([CRACK, 0], [0, ARM / 2]):
         cells = blocks.with_vertex(cells, point)
     return scene_of(blocks.mirrored(cells, 1), {"type": "given"})
 
 
-SCENES = {"triangles": lambda _, rows: grid(rows, "triangles"), "quads": lambda _, rows: grid(rows, "quads"),
+SCENES = {"triangles": lambda rows: grid(rows, "triangles"), "quads": lambda rows: grid(rows, "quads"),
           "voronoi": voronoi}
 
 
@@ -62,10 +62,11 @@ def deck(scene, treatment):
     }
 
 
-def error(_, rows, __):
+def error(run):
     """Mean moment relative to the closed form, less 1, signed."""
     whole = ENERGY * WIDTH * (LENGTH - CRACK)
     total = spent = 0
+    rows = run.curve.to_dict("records")
     for start, end in zip(rows[:-1], rows[1:]):
         if start["dissipated_energy"] < 0.21 * whole or end["dissipated_energy"] > 0.64 * whole:
             continue

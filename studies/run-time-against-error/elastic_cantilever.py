@@ -8,7 +8,6 @@ Both ends carry the exact tractions as point loads at two Gauss points per side,
 at the same points of the clamp are driven to the exact displacement. Source: Theory of Elasticity, §21.
 """
 
-import h5py
 import numpy as np
 
 import blocks
@@ -46,13 +45,13 @@ def grid(rows, shape):
     return scene | {"ends": {0.0: heights, LENGTH: heights}}
 
 
-def voronoi(program, rows):
-    cells = blocks.voronoi(program, OUTLINE, HEIGHT / rows)
+def voronoi(rows):
+    cells = blocks.voronoi(OUTLINE, HEIGHT / rows)
     ends = {x: np.unique([q for cell in cells for p, q in cell if p == x]) for x in (0.0, LENGTH)}
     return {"regions": blocks.regions(cells), "subdivision": {"type": "given"}, "ends": ends}
 
 
-SCENES = {"triangles": lambda _, rows: grid(rows, "triangles"), "quads": lambda _, rows: grid(rows, "quads"),
+SCENES = {"triangles": lambda rows: grid(rows, "triangles"), "quads": lambda rows: grid(rows, "quads"),
           "voronoi": voronoi}
 
 
@@ -106,25 +105,21 @@ def affine(vertices, moved):
     return np.linalg.lstsq(rows, moved, rcond=None)[0]
 
 
-def error(_, rows, folder):
+def error(run):
     """‖u_h − u‖/‖u‖ over the blocks, L2, for a load factor of 1."""
-    factor = rows[-1]["load_factor"]
-    if factor == 0:
+    fields = run.fields()
+    if fields.load_factor == 0:
         raise ValueError("no solution")
-    last = max((folder / "fields").glob("[0-9]*.h5"))
-    with h5py.File(folder / "fields" / "mesh.h5") as mesh, h5py.File(last) as fields:
-        moved = fields["displacement"][:, :2] / factor
-        vertices, offsets = mesh["mesh/vertices"][:, :2], mesh["mesh/offsets"][:]
+    moved = fields.vertices[["displacement_x", "displacement_y"]].to_numpy() / fields.load_factor
     points, weights = radon()
     wrong = total = 0
-    for first, last in zip(offsets[:-1], offsets[1:]):
-        a = vertices[first:last]
+    for a, moves in zip(fields.mesh.polygons, fields.mesh.by_block(moved)):
         b, c = np.roll(a, -1, axis=0), a.mean(axis=0)
         areas = 0.5 * ((a[:, 0] - c[0]) * (b[:, 1] - c[1]) - (a[:, 1] - c[1]) * (b[:, 0] - c[0]))
         at = points[:, :1] * c + points[:, 1:2] * a[:, None] + points[:, 2:] * b[:, None]
         share = areas[:, None] * weights
         exact = np.stack(displacement(at[..., 0], at[..., 1]), axis=-1)
-        found = np.concatenate([np.ones((*at.shape[:2], 1)), at], axis=-1) @ affine(a, moved[first:last])
+        found = np.concatenate([np.ones((*at.shape[:2], 1)), at], axis=-1) @ affine(a, moves)
         wrong += np.sum(share * np.sum((found - exact) ** 2, axis=-1))
         total += np.sum(share * np.sum(exact**2, axis=-1))
     return float(np.sqrt(wrong / total))

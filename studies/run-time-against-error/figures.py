@@ -2,16 +2,13 @@
 
 import math
 
-import matplotlib
+from matplotlib.lines import Line2D
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
-matplotlib.use("svg")
-import matplotlib.pyplot as plt  # noqa: E402
-from matplotlib.lines import Line2D  # noqa: E402
-from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter  # noqa: E402
+import fronts
+from ddapath import study
 
-import fronts  # noqa: E402
-
-plt.rcParams["svg.hashsalt"] = "run-time-against-error"  # the same figure, the same file
+plt = study.plots("run-time-against-error")
 
 COLOURS = {"consistent": "#0b5fa5", "penalty": "#c8550a", "augmented_lagrangian": "#2f8f4e", "lagrange": "#8e3a9d"}
 GREY = "#a8a8a8"
@@ -33,8 +30,7 @@ def draw(problem, lines, chosen, target, file):
     has_negative = any(error < 0 for line in lines.values() for _, error in line)
     figure.legend(handles=legend(used, target, has_negative), loc="lower center", ncol=4, fontsize=8, frameon=False)
     figure.tight_layout(rect=(0, 0.11, 1, 1))
-    figure.savefig(file, metadata={"Date": None})
-    plt.close(figure)
+    study.save(figure, file)
 
 
 def draw_panel(panel, lines, chosen):

@@ -38,7 +38,7 @@ SIZES = {
 }
 
 
-def triangles(_, size):
+def triangles(size):
     return {"type": "geo", "file": str(GEOMETRY), "subdivision": {"type": "triangles"},
             "parameters": {"depth": DEPTH, "span": SPAN, "notch": NOTCH, "overhang": (LENGTH - SPAN) / 2,
                            "ligament_size": size, "far_size": 8 * size}}
@@ -48,7 +48,7 @@ def ligament():
     return {"curves": {"ligament": [[0, NOTCH], [0, DEPTH]]}, "slits": {"notch": [[0, 0], [0, NOTCH]]}}
 
 
-def quads(_, cuts):
+def quads(cuts):
     """Coarse squares, graded with T-joints, each cut into cuts × cuts."""
     half = []
     for start, end, scale in BANDS:
@@ -61,11 +61,11 @@ def quads(_, cuts):
                          "subdivision": {"type": "grid", "columns": cuts, "rows": cuts}}
 
 
-def voronoi(program, size):
+def voronoi(size):
     """Centroidal cells of the same bands, mirrored about the ligament."""
     half = []
     for start, end, scale in BANDS:
-        half += blocks.voronoi(program, blocks.rectangle(start, 0, end, DEPTH), scale * size)
+        half += blocks.voronoi(blocks.rectangle(start, 0, end, DEPTH), scale * size)
     half = blocks.with_vertex(half, [0, NOTCH])
     return ligament() | {"regions": blocks.regions(blocks.mirrored(half, 0)), "subdivision": {"type": "given"}}
 
@@ -93,9 +93,9 @@ def deck(scene, treatment):
     }
 
 
-def error(summary, rows, _):
+def error(run):
     """σ_N/(ft · reference) − 1, signed."""
-    if rows[-1]["cmod"] < 0.99 * END:
+    if run.curve["cmod"].iloc[-1] < 0.99 * END:
         raise ValueError("the path ended early")
-    strength = 6 * summary["peak"]["load"] * SPAN / 4 / (THICKNESS * DEPTH**2) / STRENGTH
+    strength = 6 * run.summary["peak"]["load"] * SPAN / 4 / (THICKNESS * DEPTH**2) / STRENGTH
     return strength / REFERENCE - 1

@@ -8,7 +8,6 @@ import fronts
 import notched_beam
 import softening_bar
 
-BEGIN, END = "<!-- results: begin -->", "<!-- results: end -->"
 CLAIMED_SHARE = 0.25  # of penalty's time, in which consistent is to reach the same peak load
 CLAIMED_SHAPES = ("quads", "voronoi")
 FINE_ERROR, MOST_BLOCKS = 0.002, 8000
@@ -163,10 +162,3 @@ def text(found):
     for problem, (runs, chosen, _) in found.items():
         out += section(problem, runs, chosen, [row for row in rows if row["problem"] == problem.NAME])
     return "\n".join(out)
-
-
-def rewrite(readme, region):
-    """Replaces what stands between the two marks."""
-    before, rest = readme.read_text(encoding="utf-8").split(BEGIN)
-    after = rest.split(END)[1]
-    readme.write_text(f"{before}{BEGIN}\n{region}\n{END}{after}", encoding="utf-8")

@@ -29,12 +29,12 @@ def grid(rows, shape):
     return scene_of(blocks.mirrored(half, 0), {"type": "grid", "columns": columns, "rows": rows, "shape": shape})
 
 
-def voronoi(program, rows):
-    cells = blocks.voronoi(program, blocks.rectangle(0, 0, LENGTH / 2, HEIGHT), HEIGHT / rows)
+def voronoi(rows):
+    cells = blocks.voronoi(blocks.rectangle(0, 0, LENGTH / 2, HEIGHT), HEIGHT / rows)
     return scene_of(blocks.mirrored(cells, 0), {"type": "given"})
 
 
-SCENES = {"triangles": lambda _, rows: grid(rows, "triangles"), "quads": lambda _, rows: grid(rows, "quads"),
+SCENES = {"triangles": lambda rows: grid(rows, "triangles"), "quads": lambda rows: grid(rows, "quads"),
           "voronoi": voronoi}
 
 
@@ -60,8 +60,9 @@ def deck(scene, treatment):
     }
 
 
-def error(summary, rows, _):
+def error(run):
     """The largest u − u(σ) along the path, in units of w_c, signed."""
+    summary, rows = run.summary, run.curve.to_dict("records")
     if not rows[-1]["load"] < 0.03 * summary["peak"]["load"]:
         raise ValueError("the path was not followed to its end")
     deviations = []

@@ -7,25 +7,25 @@ Writes results/*.csv and from them results/*.svg and the marked region of README
 and their medians are what is kept.
 """
 
-import argparse
-import shutil
-import subprocess
 import sys
 import tempfile
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-import double_cantilever
-import elastic_cantilever
-import figures
-import fronts
-import measure
-import notched_beam
-import report
-import softening_bar
-import tables
-
 HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parents[1] / "python"))
+
+import double_cantilever  # noqa: E402
+import elastic_cantilever  # noqa: E402
+import figures  # noqa: E402
+import fronts  # noqa: E402
+import measure  # noqa: E402
+import notched_beam  # noqa: E402
+import report  # noqa: E402
+import softening_bar  # noqa: E402
+import tables  # noqa: E402
+from ddapath import study  # noqa: E402
+
 PROBLEMS = (elastic_cantilever, softening_bar, double_cantilever, notched_beam)
 TREATMENTS = ("consistent", "penalty", "augmented_lagrangian", "lagrange")
 FACTORS = (1, 5, 10, 20, 30, 50, 100, 1000, 1e4)  # of the penalty stiffness
@@ -51,9 +51,8 @@ QUICK = Plan((elastic_cantilever, softening_bar, notched_beam), sizes=2, factors
              treatments=("consistent", "penalty"))
 
 
-def known_treatments(program, wanted):
-    said = subprocess.run([program, "explain", "treatment"], check=True, capture_output=True, text=True).stdout
-    known = {line.split()[0] for line in said.splitlines()[1:] if line.strip()}
+def known_treatments(wanted):
+    known = {line.split()[0] for line in study.told("explain", "treatment").splitlines()[1:] if line.strip()}
     for name in wanted:
         if name not in known:
             print(f"skipped: this program does not know the treatment {name}", file=sys.stderr)
@@ -73,11 +72,11 @@ def variants(treatment, problem, plan):
 class Runner:
     """Runs decks in one folder and says how far it is."""
 
-    def __init__(self, program, folder, repeats):
-        self.program, self.folder, self.repeats = program, folder, repeats
+    def __init__(self, folder, repeats):
+        self.folder, self.repeats = folder, repeats
 
     def run(self, problem, scene, treatment):
-        return measure.measure(self.program, problem.deck(scene, treatment), problem.error, self.repeats, self.folder)
+        return measure.measure(problem.deck(scene, treatment), problem.error, self.repeats, self.folder)
 
     def sweep(self, problem, treatments, plan):
         """(block type, treatment, parameter) → its runs from coarse to fine. All that have the same blocks run one
@@ -86,7 +85,7 @@ class Runner:
         for shape, sizes in problem.SIZES.items():
             for size in sizes[:plan.sizes]:
                 print(f"{problem.NAME}: {shape} {size}", file=sys.stderr)
-                scene = problem.SCENES[shape](self.program, size)
+                scene = problem.SCENES[shape](size)
                 for treatment in treatments:
                     for label, value in variants(treatment, problem, plan):
                         key = (shape, treatment, label)
@@ -105,15 +104,12 @@ def best_keys(runs, target):
 
 
 def arguments():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--program", required=True, help="the program dda")
-    parser.add_argument("--quick", action="store_true", help="coarse blocks and few parameters: does it work?")
+    parser = study.parser(__doc__)
     parser.add_argument("--repeats", type=int, default=3, help="runs of which the median is kept (default 3)")
     parser.add_argument("--only", action="append", choices=[p.NAME for p in PROBLEMS],
                         help="run this problem again and keep the runs of the others; repeatable")
     parser.add_argument("--report", action="store_true", help="run nothing; figures and README from results/*.csv")
-    parser.add_argument("--output", type=Path, help="where README.md and results/ go")
-    return parser.parse_args()
+    return study.arguments(parser, HERE)
 
 
 def plan_of(asked):
@@ -123,11 +119,11 @@ def plan_of(asked):
     return plan
 
 
-def run_all(program, plan, results):
-    treatments = known_treatments(program, plan.treatments)
+def run_all(plan, results):
+    treatments = known_treatments(plan.treatments)
     with tempfile.TemporaryDirectory() as folder:
         for problem in plan.problems:
-            runs = Runner(program, folder, plan.repeats).sweep(problem, treatments, plan)
+            runs = Runner(folder, plan.repeats).sweep(problem, treatments, plan)
             tables.write_runs(results / f"{problem.NAME}.csv", problem.SIZES, runs)
 
 
@@ -142,20 +138,15 @@ def write_report(output):
         chosen = best_keys(runs, target)
         figures.draw(problem, report.lines_of(runs), chosen, target, file.with_suffix(".svg"))
         found[problem] = (runs, chosen, target)
-    tables.write_comparison(output / "results" / "comparison.csv", report.comparisons(found))
-    report.rewrite(output / "README.md", report.text(found))
+    study.write_rows(output / "results" / "comparison.csv", report.comparisons(found), digits=4)
+    study.write_region(output / "README.md", report.text(found))
 
 
 def main():
     asked = arguments()
-    output = asked.output or (Path("runs") / HERE.name if asked.quick else HERE)
-    results = output / "results"
-    results.mkdir(parents=True, exist_ok=True)
-    if not (output / "README.md").exists():
-        shutil.copy(HERE / "README.md", output)
     if not asked.report:
-        run_all(str(Path(asked.program).resolve()), plan_of(asked), results)
-    write_report(output)
+        run_all(plan_of(asked), asked.output / "results")
+    write_report(asked.output)
 
 
 if __name__ == "__main__":

@@ -26,12 +26,3 @@ def read_runs(file):
                            float(row["error"]), row["note"])
             runs.setdefault((row["block_type"], row["treatment"], row["parameter"]), []).append(run)
     return runs
-
-
-def write_comparison(file, rows):
-    with file.open("w", newline="", encoding="utf-8") as stream:
-        writer = csv.DictWriter(stream, list(rows[0]) if rows else [], lineterminator="\n")
-        writer.writeheader()
-        for row in rows:
-            writer.writerow({name: f"{value:.4g}" if isinstance(value, float) else value
-                             for name, value in row.items()})

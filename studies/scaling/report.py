@@ -1,25 +1,16 @@
 """Table, exponents and figure from results/scaling.csv; nothing in the marked region of README.md is typed."""
 
-import csv
 import os
 import platform
 
-import matplotlib
 import numpy as np
 
-matplotlib.use("svg")
-import matplotlib.pyplot as plt  # noqa: E402
+from ddapath import study
 
-plt.rcParams["svg.hashsalt"] = "scaling"  # the same figure, the same file
+plt = study.plots("scaling")
 
-BEGIN, END = "<!-- results: begin -->", "<!-- results: end -->"
 FITTED_FROM = 9000  # blocks; below, start-up and calls of a few microseconds decide
 LIMITS = {"total": 1.45, "one reduced iteration": 0.7}  # of the exponents
-
-
-def read(file):
-    with file.open(newline="", encoding="utf-8") as stream:
-        return [{key: text if key == "beam" else float(text) for key, text in row.items()} for row in csv.DictReader(stream)]
 
 
 def exponent(rows, name):
@@ -69,8 +60,7 @@ def draw(by_beam, names, file):
     panels[0][0].set_ylabel("time [s]")
     figure.legend(*panels[0][0].get_legend_handles_labels(), loc="lower center", ncol=4, fontsize=8, frameon=False)
     figure.tight_layout(rect=(0, 0.14, 1, 1))
-    figure.savefig(file, metadata={"Date": None})
-    plt.close(figure)
+    study.save(figure, file)
 
 
 def text(by_beam, names):
@@ -83,6 +73,4 @@ def text(by_beam, names):
 def write(output, rows, names):
     by_beam = {beam: [row for row in rows if row["beam"] == beam] for beam in dict.fromkeys(row["beam"] for row in rows)}
     draw(by_beam, names, output / "results" / "scaling.svg")
-    readme = output / "README.md"
-    before, rest = readme.read_text(encoding="utf-8").split(BEGIN)
-    readme.write_text(f"{before}{BEGIN}\n{text(by_beam, names)}\n{END}{rest.split(END)[1]}", encoding="utf-8")
+    study.write_region(output / "README.md", text(by_beam, names))

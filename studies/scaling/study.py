@@ -6,22 +6,18 @@ Writes results/scaling.csv, results/scaling.svg and the marked region of README.
 --quick runs/scaling. Runs are one after another; each number is the median of the repeats of the run.
 """
 
-import argparse
-import csv
-import json
-import os
-import shutil
 import statistics
-import subprocess
 import sys
 import tempfile
-import time
 from pathlib import Path
 
-import beams
-import report
-
 HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parents[1] / "python"))
+
+import beams  # noqa: E402
+import report  # noqa: E402
+from ddapath import study, write_deck  # noqa: E402
+
 # Rows of the profile that are shown together.
 PHASES = {
     "meshing": ("meshing",),
@@ -35,21 +31,9 @@ PHASES = {
 }
 
 
-def run(program, deck, folder):
-    """Seconds of the whole process, and its summary."""
-    file = Path(folder) / "deck.json"
-    file.write_text(json.dumps(deck), encoding="utf-8")
-    command = [program, "run", file, "--folder", Path(folder) / "run", "--overwrite", "--quiet"]
-    start = time.perf_counter()
-    subprocess.run(command, check=True, capture_output=True)
-    seconds = time.perf_counter() - start
-    return seconds, json.loads((Path(folder) / "run" / "summary.json").read_text(encoding="utf-8"))
-
-
-def predicted_memory(program, folder):
+def predicted_memory(deck, folder):
     """MiB, as `dda check` says."""
-    said = subprocess.run([program, "check", Path(folder) / "deck.json"], check=True, capture_output=True,
-                          text=True).stdout
+    said = study.told("check", write_deck(deck, Path(folder) / "deck.yaml"))
     line = next(line for line in said.splitlines() if line.strip().startswith("memory"))
     return float(line.split("about ")[1].split(" MiB")[0])
 
@@ -64,53 +48,39 @@ def row_of(seconds, summary):
     return row
 
 
-def measure(program, deck, repeats):
+def measure(deck, repeats):
+    rows = []
     with tempfile.TemporaryDirectory() as folder:
-        found = [run(program, deck, folder) for _ in range(repeats)]
-        memory = predicted_memory(program, folder)
-    rows = [row_of(*each) for each in found]
-    summary = found[0][1]
+        for _ in range(repeats):
+            done = study.measured(deck, Path(folder) / "run")
+            summary = done.run.summary
+            rows.append(row_of(done.seconds, summary))
+        memory = predicted_memory(deck, folder)
     names = ("blocks", "crackable_points", "steps", "reduced_iterations", "newton_iterations", "factorisations")
     out = {name: summary[name] for name in names}
     out |= {"peak_load": summary["peak"]["load"], "memory_mib": summary["peak_memory_mib"], "predicted_mib": memory}
     return out | {name: statistics.median(row[name] for row in rows) for name in rows[0]}
 
 
-def arguments():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--program", required=True, help="the program dda")
-    parser.add_argument("--quick", action="store_true", help="the two smallest beams: does it work?")
-    parser.add_argument("--repeats", type=int, default=3, help="runs of which the median is kept (default 3)")
-    parser.add_argument("--report", action="store_true", help="run nothing; figure and README from results/scaling.csv")
-    parser.add_argument("--output", type=Path, help="where README.md and results/ go")
-    return parser.parse_args()
-
-
-def run_all(program, numbers, repeats, file):
+def run_all(numbers, repeats, file):
     rows = []
     for name, beam in beams.BEAMS.items():
         for number in numbers:
             print(f"{name}: {number} blocks", file=sys.stderr)
-            rows.append({"beam": name} | measure(program, beam(number), repeats))
-    with file.open("w", newline="", encoding="utf-8") as stream:
-        writer = csv.DictWriter(stream, list(rows[0]), lineterminator="\n")
-        writer.writeheader()
-        for row in rows:
-            writer.writerow({key: f"{value:.6g}" if isinstance(value, float) else value for key, value in row.items()})
+            rows.append({"beam": name} | measure(beam(number), repeats))
+    study.write_rows(file, rows, digits=6)
 
 
 def main():
-    asked = arguments()
-    output = asked.output or (Path("runs") / HERE.name if asked.quick else HERE)
-    (output / "results").mkdir(parents=True, exist_ok=True)
-    if not (output / "README.md").exists():
-        shutil.copy(HERE / "README.md", output)
-    file = output / "results" / "scaling.csv"
+    parser = study.parser(__doc__)
+    parser.add_argument("--repeats", type=int, default=3, help="runs of which the median is kept (default 3)")
+    parser.add_argument("--report", action="store_true", help="run nothing; figure and README from results/scaling.csv")
+    asked = study.arguments(parser, HERE)
+    file = asked.output / "results" / "scaling.csv"
     if not asked.report:
-        os.environ["OMP_NUM_THREADS"] = "1"
         numbers = beams.NUMBERS[:2] if asked.quick else beams.NUMBERS
-        run_all(str(Path(asked.program).resolve()), numbers, 1 if asked.quick else asked.repeats, file)
-    report.write(output, report.read(file), [*PHASES, "rest", "total", "one reduced iteration"])
+        run_all(numbers, 1 if asked.quick else asked.repeats, file)
+    report.write(asked.output, study.read_rows(file), [*PHASES, "rest", "total", "one reduced iteration"])
 
 
 if __name__ == "__main__":

@@ -1,16 +1,13 @@
 """results/size-effect.svg: nominal strength against size, and the Voronoi blocks against the straight crack."""
 
-import matplotlib
 import numpy as np
+from matplotlib.ticker import FuncFormatter, NullFormatter
 
-matplotlib.use("svg")
-import matplotlib.pyplot as plt  # noqa: E402
-from matplotlib.ticker import FuncFormatter, NullFormatter  # noqa: E402
+import nominal
+import size_effect_law as law
+from ddapath import study
 
-import nominal  # noqa: E402
-import size_effect_law as law  # noqa: E402
-
-plt.rcParams["svg.hashsalt"] = "size-effect"  # the same figure, the same file
+plt = study.plots("size-effect")
 
 COLOURS = {"notched": "#0b5fa5", "three-point": "#c8550a", "four-point": "#2f8f4e"}
 MARKERS = {"notched": "o", "three-point": "s", "four-point": "^"}
@@ -30,8 +27,7 @@ def draw(peaks, biases, fitted, file):
         panel.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
         panel.grid(True, which="major", linewidth=0.3)
     figure.tight_layout()
-    figure.savefig(file, metadata={"Date": None})
-    plt.close(figure)
+    study.save(figure, file)
 
 
 def draw_column(panel, beam, peaks, biases):

@@ -1,31 +1,15 @@
 """Tables and sentences of README.md from results/*.csv; nothing in the marked region is typed."""
 
-import csv
 import math
 
 import figures
 import nominal
 import size_effect_law as law
+from ddapath import study
 
-BEGIN, END = "<!-- results: begin -->", "<!-- results: end -->"
 # |relative error| allowed against the independent solver: up to this D/l_ch, and beyond.
 LIMITS = ((4, 0.01), (math.inf, 0.02))
 LARGE = 1  # D/l_ch from which the law is fitted once more
-
-
-def read(file):
-    """Rows of a table; numbers where there are numbers, None where there is nothing."""
-    with file.open(newline="", encoding="utf-8") as stream:
-        return [{key: text if key == "beam" else float(text) if text else None for key, text in row.items()}
-                for row in csv.DictReader(stream)]
-
-
-def write_rows(file, rows):
-    with file.open("w", newline="", encoding="utf-8") as stream:
-        writer = csv.DictWriter(stream, list(rows[0]), lineterminator="\n")
-        writer.writeheader()
-        for row in rows:
-            writer.writerow({key: f"{value:.8g}" if isinstance(value, float) else value for key, value in row.items()})
 
 
 def of_beam(rows, beam):
@@ -107,11 +91,9 @@ def text(peaks, biases):
 
 def write(output):
     """Figure and README region from the two tables of results."""
-    straight, voronoi = (read(output / "results" / f"{name}.csv") for name in ("straight", "voronoi"))
+    straight, voronoi = (study.read_rows(output / "results" / f"{name}.csv") for name in ("straight", "voronoi"))
     peaks = {beam.name: nominal.peaks(beam, of_beam(straight, beam)) for beam in nominal.BEAMS}
     biases = {beam.name: nominal.biases(beam, of_beam(voronoi, beam), peaks[beam.name]) for beam in nominal.BEAMS}
     fitted = fit(peaks["notched"]) if len(peaks["notched"]) > 2 else None
     figures.draw(peaks, biases, fitted, output / "results" / "size-effect.svg")
-    readme = output / "README.md"
-    before, rest = readme.read_text(encoding="utf-8").split(BEGIN)
-    readme.write_text(f"{before}{BEGIN}\n{text(peaks, biases)}{END}{rest.split(END)[1]}", encoding="utf-8")
+    study.write_region(output / "README.md", text(peaks, biases).rstrip())

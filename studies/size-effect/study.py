@@ -4,23 +4,20 @@
 
 Six sweeps, NAME.yaml and NAME-voronoi.yaml beside this file, into runs/size-effect (--quick: runs/size-effect-quick);
 results/straight.csv, results/voronoi.csv, results/size-effect.svg and the marked region of README.md into FOLDER: this
-folder, or with --quick runs/size-effect-quick.
+folder, or with --quick runs/size-effect.
 """
 
-import argparse
-import os
-import shutil
 import sys
 import time
 from pathlib import Path
-
-import nominal
-import report
 
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parents[1] / "python"))
 
 import ddapath  # noqa: E402
+import nominal  # noqa: E402
+import report  # noqa: E402
+from ddapath import study  # noqa: E402
 
 STRAIGHT_ENERGY, VORONOI_ENERGY = (f"interfaces.{name}.law.fracture_energy" for name in ("ligament", "joints"))
 # A few sizes [N/mm], coarse blocks [mm] and two seeds.
@@ -54,29 +51,21 @@ def run_all(asked):
 
 
 def arguments():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--program", required=True, help="the program dda")
-    parser.add_argument("--quick", action="store_true", help="few sizes, coarse blocks, two seeds: does it work?")
+    parser = study.parser(__doc__)
     parser.add_argument("--jobs", type=int, help="runs at a time; by default one per processor")
     parser.add_argument("--keep", action="store_true", help="do not repeat the runs that are there")
     parser.add_argument("--report", action="store_true", help="run nothing; figure and README from results/*.csv")
-    parser.add_argument("--output", type=Path, help="where README.md and results/ go")
     parser.add_argument("--runs", type=Path, help="where the sweeps go")
-    asked = parser.parse_args()
+    asked = study.arguments(parser, HERE)
     asked.runs = asked.runs or Path("runs") / (HERE.name + "-quick" * asked.quick)
-    asked.output = asked.output or (asked.runs if asked.quick else HERE)
     return asked
 
 
 def main():
     asked = arguments()
-    (asked.output / "results").mkdir(parents=True, exist_ok=True)
-    if not (asked.output / "README.md").exists():
-        shutil.copy(HERE / "README.md", asked.output)
     if not asked.report:
-        os.environ |= {"DDA": str(Path(asked.program).resolve()), "OMP_NUM_THREADS": "1"}
         for kind, rows in run_all(asked).items():
-            report.write_rows(asked.output / "results" / f"{kind}.csv", rows)
+            study.write_rows(asked.output / "results" / f"{kind}.csv", rows, digits=8)
     report.write(asked.output)
 
 

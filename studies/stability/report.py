@@ -1,15 +1,12 @@
 """What a section leaves behind: a CSV file, a figure, a table and a computed sentence in the README."""
 
-import csv
-import re
 from dataclasses import dataclass, field
 from typing import Callable
 
-import matplotlib
+from ddapath import study
 
-matplotlib.use("Agg")
-matplotlib.rcParams.update({"svg.hashsalt": "stability", "font.size": 8, "axes.grid": True, "grid.alpha": 0.3,
-                            "lines.linewidth": 1.0, "legend.fontsize": 7})
+plt = study.plots("stability", "Agg")
+plt.rcParams.update({"font.size": 8, "axes.grid": True, "grid.alpha": 0.3, "lines.linewidth": 1.0, "legend.fontsize": 7})
 
 
 @dataclass
@@ -25,43 +22,19 @@ class Section:
 
     def write(self, folder):
         results = folder / "results"
-        results.mkdir(parents=True, exist_ok=True)
-        write_csv(results / f"{self.name}.csv", self.rows)
+        study.write_rows(results / f"{self.name}.csv", self.rows)
         text = f"{self.sentence}\n\n{self.table}"
         if self.draw:
-            save(self.draw(), results / f"{self.name}.svg")
+            drawn = self.draw()
+            drawn.tight_layout()
+            study.save(drawn, results / f"{self.name}.svg")
             text += f"\n\n![{self.name}](results/{self.name}.svg)"
-        replace_region(folder / "README.md", self.name, text)
-
-
-def write_csv(file, rows):
-    with file.open("w", newline="", encoding="utf-8") as stream:
-        writer = csv.DictWriter(stream, list(rows[0]), lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
-
-
-def save(figure, file):
-    figure.tight_layout()
-    figure.savefig(file, metadata={"Date": None})
-    matplotlib.pyplot.close(figure)
-
-
-def replace_region(readme, name, text):
-    """Puts the text between the two marks of a name."""
-    begin, end = f"<!-- {name}: begin -->", f"<!-- {name}: end -->"
-    old = readme.read_text(encoding="utf-8")
-    pattern = re.compile(re.escape(begin) + ".*?" + re.escape(end), re.DOTALL)
-    if not pattern.search(old):
-        raise SystemExit(f"{readme}: no region '{name}'")
-    readme.write_text(pattern.sub(lambda _: f"{begin}\n{text}\n{end}", old), encoding="utf-8")
+        study.write_region(folder / "README.md", text, self.name)
 
 
 def figure(rows, columns, width=3.2, height=2.5):
     """Axes in rows and columns, always as a two-dimensional array."""
-    from matplotlib import pyplot
-
-    return pyplot.subplots(rows, columns, figsize=(width * columns, height * rows), squeeze=False)
+    return plt.subplots(rows, columns, figsize=(width * columns, height * rows), squeeze=False)
 
 
 def logarithmic(axis, which):

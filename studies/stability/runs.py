@@ -1,15 +1,13 @@
 """Runs decks as whole processes, several at a time, and keeps what a reader wants to know of each."""
 
-import csv
 import hashlib
 import json
-import os
 import shutil
-import subprocess
-import time
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
+
+from ddapath import read_run, study
 
 GOAL = "goal_reached"
 TOO_LARGE = "too large for the softening"
@@ -128,44 +126,21 @@ class Outcome:
         return "; ".join(str(notice) for notice in self.summary.get("notices", []))
 
 
-def number(text):
-    try:
-        return float(text)
-    except ValueError:
-        return text
-
-
-def read_curve(file):
-    """The columns of a curve.csv by name."""
-    with file.open(newline="", encoding="utf-8") as stream:
-        rows = list(csv.DictReader(stream))
-    return {name: [number(row[name]) for row in rows] for name in (rows[0] if rows else {})}
-
-
-def read_steps(file):
-    """The accepted steps of a log."""
-    events = (json.loads(line) for line in file.read_text(encoding="utf-8").splitlines() if line)
-    return [event for event in events if event["event"] == "step"]
-
-
 class Runner:
     """Runs cases with one program; where a run fails, its deck and the end of its log are kept.
 
     A run that is in the work folder already, with the same deck and the same program, is not run again.
     """
 
-    def __init__(self, program, work, jobs, limit, failures=None):
-        self.program, self.work, self.jobs, self.limit, self.failures = program, work, jobs, limit, failures
-        self.stamp = hashlib.sha256(Path(program).read_bytes()).hexdigest()
-        self.knows_condition = "condition:" in self.explain("record")
+    def __init__(self, asked, work):
+        self.program, self.work, self.jobs, self.limit, self.failures = asked.program, work, asked.jobs, asked.limit, asked.failures
+        self.stamp = hashlib.sha256(Path(asked.program).read_bytes()).hexdigest()
+        self.knows_condition = "condition:" in study.told("explain", "record")
 
-    def explain(self, *what):
-        done = subprocess.run([self.program, "explain", *what], capture_output=True, text=True, check=False)
-        return done.stdout
-
-    def knows(self, family, name):
+    @staticmethod
+    def knows(family, name):
         """Whether the program has this member of a family."""
-        return any(line.split()[:1] == [name] for line in self.explain(family).splitlines())
+        return any(line.split()[:1] == [name] for line in study.told("explain", family).splitlines())
 
     def run(self, cases):
         """The outcomes in the order of the cases."""
@@ -200,26 +175,18 @@ class Runner:
         return self.read(Outcome(case, folder=folder / "run", **found))
 
     def execute(self, case, folder):
-        command = [self.program, "run", folder / "deck.yaml", "--folder", folder / "run", "--quiet"]
-        environment = {**os.environ, "OMP_NUM_THREADS": "1"}
-        start = time.perf_counter()
-        try:
-            done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=self.limit,
-                                  env=environment)
-            code, said = done.returncode, done.stdout + done.stderr
-        except subprocess.TimeoutExpired:
-            code, said = -1, f"not finished after {self.limit:g} s"
-        ended = {"exit": code, "seconds": time.perf_counter() - start, "said": said}
+        done = study.measured(folder / "deck.yaml", folder / "run", limit=self.limit)
+        ended = {"exit": done.exit_code, "seconds": done.seconds, "said": done.said}
         (folder / "ended.json").write_text(json.dumps(ended | {"program": self.stamp}), encoding="utf-8")
         return self.read(Outcome(case, folder=folder / "run", **ended))
 
     @staticmethod
     def read(outcome):
-        if (outcome.folder / "summary.json").exists() and outcome.exit in (0, 3):
-            outcome.summary = json.loads((outcome.folder / "summary.json").read_text(encoding="utf-8"))
-            outcome.curve = read_curve(outcome.folder / "curve.csv")
-        if (outcome.folder / "log.jsonl").exists():
-            outcome.steps = read_steps(outcome.folder / "log.jsonl")
+        if (outcome.folder / "effective_deck.yaml").exists():
+            run = read_run(outcome.folder)
+            outcome.steps = [event for event in run.log if event["event"] == "step"]
+            if run.summary and outcome.exit in (0, 3):
+                outcome.summary, outcome.curve = run.summary, run.curve.to_dict("list")
         return outcome
 
     def keep(self, outcome):

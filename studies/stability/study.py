@@ -6,23 +6,24 @@ Writes results/NAME.csv and results/NAME.svg per section and its region of READM
 or two paths that should be one differ; every such case is named at the end.
 """
 
-import argparse
 import os
-import shutil
 import sys
 import tempfile
 from pathlib import Path
 
-import augmented
-import brittle
-import locking
-import matrix
-import placement
-import settings
-import shapes
-from runs import Runner
-
 HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parents[1] / "python"))
+
+import augmented  # noqa: E402
+import brittle  # noqa: E402
+import locking  # noqa: E402
+import matrix  # noqa: E402
+import placement  # noqa: E402
+import settings  # noqa: E402
+import shapes  # noqa: E402
+from ddapath import study  # noqa: E402
+from runs import Runner  # noqa: E402
+
 SECTIONS = {
     "matrix": matrix.section,
     "alpha": settings.alpha,
@@ -40,19 +41,13 @@ QUICK = ("matrix", "alpha", "units", "placement")
 
 
 def arguments():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--program", required=True, type=Path, help="the program dda")
+    parser = study.parser(__doc__)
     parser.add_argument("--only", default="", help="sections, separated by commas; all without it")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="runs at a time")
     parser.add_argument("--limit", type=float, default=300, help="seconds after which a run has failed")
-    parser.add_argument("--output", type=Path,
-                        help="where results/ and README.md are written: here, for --quick into runs/stability")
     parser.add_argument("--work", type=Path, help="keeps the runs here; what is there already is not run again")
     parser.add_argument("--failures", type=Path, help="keeps deck and end of the log of runs that fail")
-    parser.add_argument("--quick", action="store_true", help="few and small runs of some sections")
-    found = parser.parse_args()
-    found.output = found.output or (HERE.parents[1] / "runs" / "stability" if found.quick else HERE)
-    return found
+    return study.arguments(parser, HERE)
 
 
 def selected(only, quick):
@@ -65,12 +60,9 @@ def selected(only, quick):
 
 def main():
     wanted = arguments()
-    wanted.output.mkdir(parents=True, exist_ok=True)
-    if not (wanted.output / "README.md").exists():
-        shutil.copy(HERE / "README.md", wanted.output)
     complaints = []
     with tempfile.TemporaryDirectory() as work:
-        runner = Runner(wanted.program.resolve(), wanted.work or Path(work), wanted.jobs, wanted.limit, wanted.failures)
+        runner = Runner(wanted, wanted.work or Path(work))
         for name in selected(wanted.only, wanted.quick):
             section = SECTIONS[name](runner, wanted.quick)
             if section:

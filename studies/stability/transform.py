@@ -5,8 +5,9 @@ import math
 import random
 from dataclasses import dataclass
 
-import h5py
 import numpy
+
+from ddapath import read_run
 
 ENERGIES = ("dissipated_energy", "stored_energy")
 IDENTITY = ((1.0, 0.0), (0.0, 1.0))
@@ -14,9 +15,7 @@ IDENTITY = ((1.0, 0.0), (0.0, 1.0))
 
 def outlines(folder):
     """The blocks' polygons of a run."""
-    with h5py.File(folder / "fields" / "mesh.h5") as results:
-        offsets, vertices = results["mesh/offsets"][:], results["mesh/vertices"][:, :2]
-    return [vertices[begin:end].tolist() for begin, end in zip(offsets, offsets[1:])]
+    return [polygon.tolist() for polygon in read_run(folder).fields().mesh.polygons]
 
 
 @dataclass(frozen=True)

@@ -6,20 +6,19 @@ Prints a Markdown table; numbers are medians of RUNS runs (default 5), ratios ar
 Runs have one thread, but for those that compare one with two. Exit 1 when a target is missed.
 """
 
-import json
+import os
 import statistics
-import subprocess
 import sys
 import tempfile
-import time
 from pathlib import Path
 
-import mesh_of_run
-
-STUDIES = Path(__file__).resolve().parents[2] / "studies"
-sys.path.insert(0, str(STUDIES / "scaling"))
+ROOT = Path(__file__).resolve().parents[2]
+STUDIES = ROOT / "studies"
+sys.path[:0] = [str(ROOT / "python"), str(STUDIES / "scaling")]
 
 import beams  # noqa: E402
+import mesh_of_run  # noqa: E402
+from ddapath import study  # noqa: E402
 
 # Phases of a profile that belong to following the path.
 FOLLOWING = ("tangents", "laws", "solutions", "path", "LOCA", "residuals", "columns", "products", "energies",
@@ -31,27 +30,21 @@ ITERATED = {2000: (2.70, 21.6), 20_000: (0.81, 6.48)}
 THREADED = (("triangles", 30_000, 1.2), ("triangles", 100_000, 1.2), ("voronoi", 30_000, 1.3), ("voronoi", 100_000, 1.3))
 
 
-class Program:
-    def __init__(self, path, folder):
-        self.path, self.folder = str(Path(path).resolve()), Path(folder)
+class Runs:
+    """Runs in one folder, which each replaces."""
 
-    def run(self, deck, *settings, threads=1):
+    def __init__(self, folder):
+        self.folder = Path(folder)
+
+    def run(self, deck, settings=None, threads=1):
         """Seconds of the whole process, and its summary; `deck` is a file or what goes into one."""
-        if isinstance(deck, dict):
-            file = self.folder / "deck.json"
-            file.write_text(json.dumps(deck), encoding="utf-8")
-            deck = file
-        command = [self.path, "run", deck, "--folder", self.folder / "run", "--overwrite", "--quiet", "--threads",
-                   str(threads)]
-        for setting in settings:
-            command += ["--set", setting]
-        start = time.perf_counter()
-        subprocess.run(command, check=True, capture_output=True)
-        seconds = time.perf_counter() - start
-        return seconds, json.loads((self.folder / "run" / "summary.json").read_text(encoding="utf-8"))
+        done = study.measured(deck, self.folder / "run", settings, threads=threads)
+        if done.exit_code != 0:
+            raise SystemExit(done.said)
+        return done.seconds, done.run.summary
 
-    def seconds(self, deck, runs, *settings):
-        found = [self.run(deck, *settings) for _ in range(runs + 1)][1:]
+    def seconds(self, deck, runs, settings=None):
+        found = [self.run(deck, settings) for _ in range(runs + 1)][1:]
         return statistics.median(seconds for seconds, _ in found), found[-1][1]
 
 
@@ -70,7 +63,7 @@ def iterations(program, runs):
         found = {"low_rank": [], "refactorise": []}
         for _ in range(runs):
             for update, seconds in found.items():
-                _, summary = program.run(deck, f"path.update={update}", "path.stop.after_steps=25")
+                _, summary = program.run(deck, {"path.update": update, "path.stop.after_steps": 25})
                 seconds.append(seconds_per_iteration(summary))
         cheap, dear = (statistics.median(seconds) for seconds in found.values())
         yield (f"an iteration, {summary['blocks']} blocks: {1000 * cheap:.2f} ms against {1000 * dear:.1f} ms with a new "
@@ -78,12 +71,11 @@ def iterations(program, runs):
 
 
 def snap_back(program, runs):
-    study = STUDIES / "snap-back-beam" / "deck.yaml"
-    program.run(study)
+    deck = STUDIES / "snap-back-beam" / "deck.yaml"
+    program.run(deck)
     mesh = program.folder / "beam.msh"
     mesh_of_run.write(program.folder / "run", 100 / 6, mesh)
-    scene = json.dumps({"type": "msh", "file": str(mesh)})
-    seconds, summary = program.seconds(study, runs, f"scene={scene}")
+    seconds, summary = program.seconds(deck, runs, {"scene": {"type": "msh", "file": mesh}})
     yield f"snap-back beam, {summary['blocks']} triangles from a .msh [s]", seconds, 0.25, False
 
 
@@ -127,7 +119,8 @@ def main(arguments):
     missed = 0
     print("| what | measured | target | |\n|---|---|---|---|", flush=True)
     with tempfile.TemporaryDirectory() as folder:
-        program = Program(arguments[0], folder)
+        os.environ["DDA"] = str(Path(arguments[0]).resolve())
+        program = Runs(folder)
         for part in (iterations, snap_back, voronoi, large_beam, threads):
             for what, found, target, is_least in part(program, runs):
                 held = found >= target if is_least else found <= target

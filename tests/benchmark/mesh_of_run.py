@@ -1,7 +1,8 @@
 """The triangles of a run as an ASCII .msh file of version 2.2, so that a run can start from a mesh."""
 
-import h5py
 import numpy as np
+
+import ddapath
 
 LINE, TRIANGLE = 1, 2
 ROUND_OFF = 1e-9  # of the beam
@@ -26,12 +27,11 @@ def edges_at(triangles, places, x):
 
 def write(run, tip, file):
     """The notched beam of a run: slit on x = 0 up to y = tip, ligament above."""
-    with h5py.File(run / "fields" / "mesh.h5") as stream:
-        vertices, regions = stream["mesh/vertices"][:, :2], stream["mesh/region"][:]
-    places, numbers = nodes_of(vertices)
+    mesh = ddapath.read_run(run).fields().mesh
+    places, numbers = nodes_of(mesh.vertices)
     triangles = numbers.reshape(-1, 3)
     lines = [(LINE, 1 if places[[a - 1, b - 1], 1].mean() > tip else 2, (a, b)) for a, b in edges_at(triangles, places, 0)]
-    faces = [(TRIANGLE, 3 + region, tuple(triangle)) for region, triangle in zip(regions, triangles)]
+    faces = [(TRIANGLE, 3 + region, tuple(triangle)) for region, triangle in zip(mesh.region, triangles)]
     out = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$PhysicalNames", "4", '1 1 "interface:ligament"', '1 2 "slit:notch"',
            '2 3 "material:concrete/left"', '2 4 "material:concrete/right"', "$EndPhysicalNames", "$Nodes", str(len(places))]
     out += [f"{i} {x:.17g} {y:.17g} 0" for i, (x, y) in enumerate(places, 1)]

@@ -7,17 +7,17 @@ phase is summary.json's, of the same runs; "outside" is what the process spends 
 Exit 1 when a median exceeds its target.
 """
 
-import json
 import os
 import statistics
-import subprocess
 import sys
 import tempfile
-import time
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
-STUDIES = Path(__file__).resolve().parents[2] / "studies"
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "python"))
+
+from ddapath import study  # noqa: E402
 
 
 @dataclass(frozen=True)
@@ -25,29 +25,26 @@ class Case:
     name: str
     study: str
     target: float  # seconds, of the whole process
-    settings: tuple = ()
+    settings: dict = field(default_factory=dict)
 
 
-BRITTLE = "interfaces.joints.law.fracture_energy=0.02"
+BRITTLE = {"interfaces.joints.law.fracture_energy": 0.02}
 CASES = (Case("snap-back-beam", "snap-back-beam", 1.0), Case("voronoi-beam", "voronoi-beam", 3.0),
-         Case("voronoi-beam, Gf = 0.02", "voronoi-beam", 3.0, (BRITTLE,)))
+         Case("voronoi-beam, Gf = 0.02", "voronoi-beam", 3.0, BRITTLE))
 
 
-def measure(program, deck, settings, folder):
+def measure(deck, settings, folder):
     """Seconds of one whole process, and its summary."""
-    command = [program, "run", deck, "--folder", folder, "--overwrite", "--quiet"]
-    for setting in settings:
-        command += ["--set", setting]
-    start = time.perf_counter()
-    subprocess.run(command, check=True, capture_output=True, env=os.environ | {"OMP_NUM_THREADS": "1"})
-    seconds = time.perf_counter() - start
-    return seconds, json.loads((Path(folder) / "summary.json").read_text(encoding="utf-8"))
+    done = study.measured(deck, folder, settings)
+    if done.exit_code != 0:
+        raise SystemExit(done.said)
+    return done.seconds, done.run.summary
 
 
-def measure_case(program, case, runs):
+def measure_case(case, runs):
     with tempfile.TemporaryDirectory() as folder:
-        deck = STUDIES / case.study / "deck.yaml"
-        found = [measure(program, deck, case.settings, folder) for _ in range(runs + 1)][1:]
+        deck = ROOT / "studies" / case.study / "deck.yaml"
+        found = [measure(deck, case.settings, folder) for _ in range(runs + 1)][1:]
     summary = found[-1][1]
     phases = {name: statistics.median(run["timings"][name] for _, run in found) for name in summary["timings"]}
     phases["outside"] = statistics.median(seconds - run["timings"]["total"] for seconds, run in found)
@@ -74,8 +71,9 @@ def split(measured):
 
 
 def main(arguments):
-    program, runs = arguments[0], int(arguments[1]) if len(arguments) > 1 else 7
-    measured = [(case, measure_case(program, case, runs)) for case in CASES]
+    os.environ["DDA"] = str(Path(arguments[0]).resolve())
+    runs = int(arguments[1]) if len(arguments) > 1 else 7
+    measured = [(case, measure_case(case, runs)) for case in CASES]
     overview(measured)
     split(measured)
     return 1 if any(result[0] > case.target for case, result in measured) else 0

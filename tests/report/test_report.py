@@ -1,4 +1,4 @@
-"""Reports of real runs, looked at in a browser: test_report.py PROGRAM."""
+"""Reports of real runs, looked at in a browser: test_report.py PROGRAM AXES."""
 
 import csv
 import json
@@ -8,6 +8,7 @@ import sys
 import tempfile
 import unittest
 from pathlib import Path
+from random import Random
 
 import sweep_folder
 from browser import Browser
@@ -16,7 +17,7 @@ ROOT = Path(__file__).resolve().parents[2]
 BEAM = ROOT / "tests/program/beam.yaml"
 BAR = ROOT / "studies/softening-bar/deck.yaml"
 ATTACK = "</script><script>window.stolen = 1</script><img src=x onerror=window.stolen=1>"
-PROGRAM = "dda"
+PROGRAM, AXES = "dda", "axes"
 
 
 def dda(*arguments, code=0):
@@ -61,6 +62,7 @@ class Reports(unittest.TestCase):
         page = self.open(self.work / "beam")
         self.assertIn("Goal reached: load below 10 % of its peak.", self.text(page, "#status"))
         self.assertIn(f"step {self.summary['peak']['step']}", self.text(page, "#numbers"))
+        self.assertIn("Dashed: stable under the control only", self.text(page, "#path"))
         self.assertIn("record.eigenvalues.count=2", self.text(page, "#asked"))
         for name in ("path", "stability", "energy", "asked", "events", "time", "provenance"):
             self.assertTrue(page.run(f"document.getElementById('{name}') !== null"), name)
@@ -199,6 +201,23 @@ class Reports(unittest.TestCase):
         shown = page.run("thePage.figures.deformed.options.magnification") * moved / size
         self.assertTrue(0.02 <= shown <= 0.05, shown)
 
+    def test_axes_are_those_of_the_figures_in_files(self):
+        random, ranges = Random(1), []
+        for _ in range(2000):
+            length = random.choice([1, 2, 5, random.uniform(1, 10)]) * 10.0 ** random.randint(-9, 9)
+            low = random.choice([0, -length / 2, random.uniform(-1e3, 1e3), 10.0 ** random.randint(-3, 9)])
+            if low + length > low + 1e-9 * abs(low):
+                ranges.append([low, low + length, random.randint(2, 9)])
+        answer = subprocess.run([AXES], input=json.dumps(ranges), capture_output=True, text=True, check=True)
+        of_page = self.open(self.work / "beam").run(f"""{ranges}.map(([low, high, wanted]) => {{
+            const {{ticks, scale}} = axisTicks([low, high], wanted);
+            const numbers = [...widened([low, high]), roundDown(high - low), ...ticks.map(({{value}}) => value)];
+            return {{labels: ticks.map(({{label}}) => label), scale, numbers}}; }})""")
+        for given, expected, page in zip(ranges, json.loads(answer.stdout), of_page, strict=True):
+            self.assertEqual((page["labels"], page["scale"]), (expected["labels"], expected["scale"]), given)
+            for ours, theirs in zip(expected["numbers"], page["numbers"], strict=True):
+                self.assertAlmostEqual(ours, theirs, delta=1e-12 * max(map(abs, given)), msg=given)
+
     def test_a_narrow_window(self):
         page = self.open(self.work / "beam", width=400)
         page.mouse("mouseMoved", *self.place_of_row(page, 5))
@@ -241,5 +260,5 @@ class Reports(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    PROGRAM = sys.argv.pop(1)
+    PROGRAM, AXES = sys.argv.pop(1), sys.argv.pop(1)
     unittest.main(verbosity=2)

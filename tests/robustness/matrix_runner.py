@@ -1,6 +1,4 @@
 """Runs the cases of the contact matrix and judges them: a row per case."""
-import csv
-import json
 import math
 import signal
 import subprocess
@@ -11,7 +9,8 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "python"))
 
-from ddapath.errors import DdapathError  # noqa: E402
+from ddapath import Run, study  # noqa: E402
+from ddapath.errors import DdapathError, NothingStored  # noqa: E402
 from ddapath.verify import verify  # noqa: E402
 
 COLUMNS = ("case", "status", "exit", "steps", "rejected", "end", "peak", "expected", "verdict", "seconds", "reason")
@@ -35,24 +34,12 @@ def start_deck(deck, folder, program, limit):
     return done.returncode, time.monotonic() - begun, said
 
 
-def read_json(path):
-    return json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
-
-
-def read_curve(folder):
-    path = folder / "curve.csv"
-    if not path.exists():
-        return []
-    with path.open(encoding="utf-8", newline="") as file:
-        return list(csv.DictReader(file))
-
-
-def rejections(folder):
-    path = folder / "log.jsonl"
-    if not path.exists():
-        return 0
-    with path.open(encoding="utf-8") as file:
-        return sum('"rejected"' in line for line in file)
+def told(read, nothing):
+    """What `read` gives of a run, `nothing` where the run has not come to that."""
+    try:
+        return read()
+    except NothingStored:
+        return nothing
 
 
 def refusals(folder):
@@ -91,13 +78,15 @@ def faults(case, row):
 def run_case(case, folder, arguments):
     run = folder / case.name
     code, seconds, said = start_deck(folder / f"{case.name}.yaml", run, arguments.run, arguments.time_limit)
-    summary, curve = read_json(run / "summary.json"), read_curve(run)
-    factors = [float(entry["load_factor"]) for entry in curve]
+    found = Run(run)
+    summary, curve = found.summary, told(lambda: found.curve.to_dict("records"), [])
+    factors = [entry["load_factor"] for entry in curve]
+    rejected = sum(entry["event"] == "rejected" for entry in told(lambda: found.log, []))
     row = {"case": case.name, "status": summary.get("status", "none"), "exit": code, "steps": max(len(factors) - 1, 0),
-           "rejected": rejections(run), "end": factors[-1] if factors else None,
+           "rejected": rejected, "end": factors[-1] if factors else None,
            "peak": max(map(abs, factors)) if factors else None,
            "expected": " ".join(f"{name} {value:.10g}" for name, (value, _) in case.expected.items()),
-           "goal": {name: float(curve[-1][name]) for name in case.deck["path"]["stop"]["gauges"]} if curve else {},
+           "goal": {name: curve[-1][name] for name in case.deck["path"]["stop"]["gauges"]} if curve else {},
            "seconds": round(seconds, 2), "reason": summary.get("reason", said)}
     wrong = faults(case, row) + (refusals(run) if row["exit"] in (0, 3) else [])
     row["verdict"] = "; ".join(wrong) or "good"
@@ -122,10 +111,7 @@ def run_cases(cases, folder, arguments):
 def print_rows(rows, path):
     """Writes the rows to `path` where one is given; returns 1 when a case is not good, or there is none."""
     if path:
-        with path.open("w", encoding="utf-8", newline="") as file:
-            writer = csv.DictWriter(file, COLUMNS, extrasaction="ignore")
-            writer.writeheader()
-            writer.writerows(rows)
+        study.write_rows(path, [{column: row[column] for column in COLUMNS} for row in rows])
     good = sum(row["verdict"] == "good" for row in rows)
     print(f"{good} of {len(rows)} cases are good", file=sys.stderr)
     return 0 if rows and good == len(rows) else 1

@@ -20,7 +20,8 @@ import yaml
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-from matrix_runner import read_json, refusals, start_deck  # noqa: E402
+from matrix_runner import refusals, start_deck  # noqa: E402, it knows where the package is
+from ddapath import Run  # noqa: E402
 from structures import TREATMENTS, structure  # noqa: E402
 
 SHARES = {"consistent": 0.97, "penalty": 0.97, "lagrange": 0.90, "augmented_lagrangian": 0.90}
@@ -46,7 +47,7 @@ def run_one(seed, folder, arguments):
     path = folder / f"{seed}.yaml"
     path.write_text(yaml.safe_dump(deck, sort_keys=False, default_flow_style=None, width=120), encoding="utf-8")
     code, seconds, said = start_deck(path, place, arguments.program, arguments.time_limit)
-    reason = read_json(place / "summary.json").get("reason", said)
+    reason = Run(place).summary.get("reason", said)
     outcome = Outcome(seed, kind, code, seconds, reason, refusals(place) if code in (0, 3) else [])
     print(row(outcome), file=sys.stderr, flush=True)
     return outcome

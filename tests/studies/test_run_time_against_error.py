@@ -12,10 +12,11 @@ import xml.etree.ElementTree
 from pathlib import Path
 
 STUDY = Path(__file__).resolve().parents[2] / "studies" / "run-time-against-error"
-sys.path.insert(0, str(STUDY))
+sys.path[:0] = [str(STUDY), str(STUDY.parents[1] / "python")]
 
 import fronts  # noqa: E402
 import report  # noqa: E402
+from ddapath import study  # noqa: E402
 
 PROGRAM = sys.argv.pop(1)
 PROBLEMS = ("elastic-cantilever", "softening-bar", "notched-beam")
@@ -78,9 +79,10 @@ class Quick(unittest.TestCase):
     def test_the_region_of_the_readme_and_nothing_else_is_written(self):
         whole = (STUDY / "README.md").read_text(encoding="utf-8")
         made = (self.output / "README.md").read_text(encoding="utf-8")
-        self.assertEqual(made.split(report.BEGIN)[0], whole.split(report.BEGIN)[0])
-        self.assertEqual(made.split(report.END)[1], whole.split(report.END)[1])
-        region = made.split(report.BEGIN)[1].split(report.END)[0]
+        begin, end = study.marks()
+        self.assertEqual(made.split(begin)[0], whole.split(begin)[0])
+        self.assertEqual(made.split(end)[1], whole.split(end)[1])
+        region = made.split(begin)[1].split(end)[0]
         row = self.runs["notched-beam", "quads", "consistent", ""][-1]
         self.assertIn(f"{row['blocks']}: {report.percent(float(row['error']))}", region)
         for problem in PROBLEMS:

@@ -7,9 +7,10 @@ import unittest
 from pathlib import Path
 
 STUDY = Path(__file__).resolve().parents[2] / "studies" / "scaling"
-sys.path.insert(0, str(STUDY))
+sys.path[:0] = [str(STUDY), str(STUDY.parents[1] / "python")]
 
 import report  # noqa: E402
+from ddapath import study  # noqa: E402
 
 PROGRAM = sys.argv.pop(1) if len(sys.argv) > 1 and not sys.argv[1].startswith("-") else None
 
@@ -43,7 +44,7 @@ class Quick(unittest.TestCase):
             output = Path(folder)
             subprocess.run(["/usr/bin/python3", "-B", STUDY / "study.py", "--program", PROGRAM, "--quick", "--output",
                             output], check=True, capture_output=True)
-            found = report.read(output / "results" / "scaling.csv")
+            found = study.read_rows(output / "results" / "scaling.csv")
             self.assertEqual([row["beam"] for row in found], ["triangles", "triangles", "voronoi", "voronoi"])
             for row in found:
                 self.assertEqual(row["factorisations"], 1)

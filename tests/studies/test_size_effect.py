@@ -10,11 +10,12 @@ from pathlib import Path
 import numpy as np
 
 STUDY = Path(__file__).resolve().parents[2] / "studies" / "size-effect"
-sys.path.insert(0, str(STUDY))
+sys.path[:0] = [str(STUDY), str(STUDY.parents[1] / "python")]
 
 import nominal  # noqa: E402
 import report  # noqa: E402
 import size_effect_law as law  # noqa: E402
+from ddapath import study  # noqa: E402
 
 PROGRAM = sys.argv.pop(1) if len(sys.argv) > 1 and not sys.argv[1].startswith("-") else None
 NOTCHED = nominal.BEAMS[0]
@@ -108,11 +109,11 @@ class Quick(unittest.TestCase):
                        "--runs", output / "runs"]
             done = subprocess.run(command, capture_output=True, text=True, check=False)
             self.assertEqual(done.returncode, 0, done.stderr[-3000:])
-            rows = report.read(output / "results" / "straight.csv")
+            rows = study.read_rows(output / "results" / "straight.csv")
             for beam in nominal.BEAMS:
                 for peak in nominal.peaks(beam, report.of_beam(rows, beam)):
                     self.assertLess(abs(peak.error), 0.005, peak)
-            self.assertEqual(len(report.read(output / "results" / "voronoi.csv")), 6)
+            self.assertEqual(len(study.read_rows(output / "results" / "voronoi.csv")), 6)
             self.assertIn("| mesh bias |", (output / "README.md").read_text(encoding="utf-8"))
             self.assertTrue((output / "results" / "size-effect.svg").exists())
 

@@ -9,7 +9,7 @@ import unittest
 from pathlib import Path
 
 STUDY = Path(__file__).resolve().parents[2] / "studies" / "stability"
-sys.path.insert(0, str(STUDY))
+sys.path[:0] = [str(STUDY), str(STUDY.parents[1] / "python")]
 
 import decks  # noqa: E402
 import placement  # noqa: E402

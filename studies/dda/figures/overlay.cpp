@@ -8,8 +8,10 @@
 
 #include "framework/deck/node.hpp"
 #include "framework/deck/units.hpp"
+#include "framework/figure/style.hpp"
 #include "framework/files/run_folder.hpp"
 #include "studies/dda/figures/stability_pictures.hpp"
+#include "studies/dda/record/column_names.hpp"
 
 namespace dda {
 namespace {
@@ -49,18 +51,18 @@ void mark_references(const std::vector<RunCurve>& runs, const std::string& gauge
 
 /// What dashes and dots mean, of those that the curves have.
 std::vector<svg::Series> legend_of_lines(const std::vector<svg::Series>& curves) {
-  constexpr int black = 6;
   std::vector<svg::Series> out;
   if (std::ranges::any_of(curves, &svg::Series::dashed))
-    out.push_back({.name = "not stable under dead load", .x = {}, .y = {}, .dashed = true, .colour = black});
+    out.push_back(
+        {.name = "not stable under dead load", .x = {}, .y = {}, .dashed = true, .colour = svg::black});
   if (std::ranges::any_of(curves, &svg::Series::dotted))
-    out.push_back({.name = "stability not known", .x = {}, .y = {}, .colour = black, .dotted = true});
+    out.push_back({.name = "stability not known", .x = {}, .y = {}, .colour = svg::black, .dotted = true});
   return out;
 }
 
 /// By stability as long as there is a colour for each: beyond that dashes tell the runs apart.
 std::vector<svg::Series> curves_of(const std::vector<RunCurve>& runs, const std::string& gauge) {
-  constexpr std::size_t most_colours = 6;  // and black for the legend of the lines
+  constexpr std::size_t most_colours = svg::black;  // black is for the legend of the lines
   std::vector<svg::Series> out;
   std::vector<std::string> names;  // in the order of their colours
   for (const RunCurve& run : runs)
@@ -68,12 +70,13 @@ std::vector<svg::Series> curves_of(const std::vector<RunCurve>& runs, const std:
   std::size_t next = 0;
   for (const RunCurve& run : runs) {
     if (names.size() > most_colours) {
-      out.push_back({run.name, run.curve.numbers(gauge), run.curve.numbers("load")});
+      out.push_back({run.name, run.curve.numbers(gauge), run.curve.numbers(column::load)});
       continue;
     }
     const auto known = std::ranges::find(names, run.name) - names.begin();
     const int colour = static_cast<int>(run.name.empty() ? static_cast<std::ptrdiff_t>(next) : known);
-    std::ranges::move(by_stability(run.curve, gauge, "load", {run.name, colour}), std::back_inserter(out));
+    std::ranges::move(by_stability(run.curve, gauge, column::load, {run.name, colour}),
+                      std::back_inserter(out));
     ++next;
   }
   std::ranges::move(legend_of_lines(out), std::back_inserter(out));
@@ -89,7 +92,7 @@ RunCurve read_run_curve(const fs::path& folder) {
   RunCurve out{(folder / "").lexically_normal().parent_path().filename().string(),
                read_csv(folder / "curve.csv"),
                length_unit_of(folder),
-               units.value("load", ""),
+               units.value(column::load, ""),
                {},
                references_of(folder)};
   for (const std::string& column : out.curve.names())

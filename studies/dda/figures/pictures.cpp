@@ -6,7 +6,9 @@
 #include <array>
 #include <cmath>
 
+#include "framework/figure/axis.hpp"
 #include "framework/figure/drawing.hpp"
+#include "framework/figure/style.hpp"
 #include "studies/dda/figures/stability_pictures.hpp"
 
 namespace dda {
@@ -26,13 +28,13 @@ void mark(const std::optional<ReferencePeak>& reference, const std::string& gaug
 
 svg::Panel panel(const CsvTable& curve, const Measures& measures, const RunMemory& memory,
                  std::size_t gauge) {
-  const Column& column = measures.names()[gauge];
-  svg::Panel out{.title = column.name,
-                 .x_label = with_unit(column.name, column.unit),
+  const auto& [name, unit] = measures.names()[gauge];
+  svg::Panel out{.title = name,
+                 .x_label = with_unit(name, unit),
                  .y_label = with_unit("load", measures.load_unit()),
                  .series = {},
                  .markers = {}};
-  out.series = by_stability(curve, column.name, "load");
+  out.series = by_stability(curve, name, column::load);
   if (memory.peak.step > 0)
     out.markers.push_back({memory.peak.values[gauge], memory.peak.load,
                            fmt::format("limit point, {:.4g} {}", memory.peak.load, measures.load_unit())});
@@ -42,9 +44,9 @@ svg::Panel panel(const CsvTable& curve, const Measures& measures, const RunMemor
 /// Load against the dissipated energy: what a deck without displacement gauges still tells.
 svg::Panel energy_panel(const CsvTable& curve, const Measures& measures) {
   return {.title = "",
-          .x_label = with_unit("dissipated energy", measures.columns()[4].unit),
+          .x_label = with_unit("dissipated energy", measures.energy_unit()),
           .y_label = with_unit("load", measures.load_unit()),
-          .series = {{"", curve.numbers("dissipated_energy"), curve.numbers("load")}},
+          .series = {{"", curve.numbers(column::dissipated_energy), curve.numbers(column::load)}},
           .markers = {}};
 }
 
@@ -52,11 +54,10 @@ svg::Panel energy_panel(const CsvTable& curve, const Measures& measures) {
 void add_primary(const fs::path& file, const std::string& gauge, svg::Panel& panel) {
   if (!fs::exists(file)) return;
   const CsvTable primary = read_csv(file);
-  constexpr int black = 6;
   panel.series.insert(panel.series.begin(), {.name = "without switching",
                                              .x = primary.numbers(gauge),
-                                             .y = primary.numbers("load"),
-                                             .colour = black});
+                                             .y = primary.numbers(column::load),
+                                             .colour = svg::black});
 }
 
 svg::Figure curves(const RunFolder& folder, const Measures& measures, const RunMemory& memory,
@@ -80,19 +81,12 @@ Box bounds(const Fields& fields) {
   return out;
 }
 
-/// 1, 2 or 5 times a power of ten, at most `value`.
-double round_down(double value) {
-  const double power = std::pow(10.0, std::floor(std::log10(value)));
-  const double digit = value / power;
-  return power * (digit >= 5 ? 5 : digit >= 2 ? 2 : 1);
-}
-
 /// Makes the largest displacement about 5 % of the structure.
 double magnification(const Fields& fields, const State& state, double size) {
   double largest = 0;
   for (std::size_t b = 0; b < fields.equilibrium().num_blocks(); ++b)
     largest = std::max(largest, Eigen::Map<const Vec2>(state.d.data() + block_unknowns * b).norm());
-  return largest > 0 ? round_down(std::max(0.05 * size / largest, 1e-12)) : 1;
+  return largest > 0 ? svg::round_down(std::max(0.05 * size / largest, 1e-12)) : 1;
 }
 
 /// What the colour of a crack tells.
@@ -215,7 +209,7 @@ svg::Drawing detail_of(const Fields& fields, const Detail& detail, const StoredS
   Box box;
   for (const Spot& corner : {detail.from, detail.to}) box.include(locate(fields.body().assembly, corner));
   const Motion motion = motion_within(fields, end.state, box);
-  const double scale = motion.spread > 0 ? round_down(0.1 * box.size() / motion.spread) : 1;
+  const double scale = motion.spread > 0 ? svg::round_down(0.1 * box.size() / motion.spread) : 1;
   svg::Drawing out{.title = "Detail at the end",
                    .caption = fmt::format("step {}, displacements × {:g}", end.step, scale),
                    .polygons = {},

@@ -8,6 +8,7 @@
 
 #include "framework/figure/drawing.hpp"
 #include "framework/files/results_reader.hpp"
+#include "studies/dda/figures/stability_lines.hpp"
 #include "studies/dda/record/stability_record.hpp"
 
 namespace dda {
@@ -19,7 +20,7 @@ constexpr std::size_t most_stages = 6, most_modes = 6, most_blocks = 5000;
 /// The pieces of a curve, one for each kind of stability, with gaps where it is of another.
 std::array<svg::Series, 4> pieces_of(const CsvTable& curve, const std::string& x, const std::string& y) {
   const auto xs = curve.numbers(x), ys = curve.numbers(y);
-  const std::vector<Stability> kinds = stability_between(curve);
+  const std::vector<Stability> kinds = between(stability_of(curve));
   std::array<svg::Series, 4> out;
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     svg::Series& piece = out[static_cast<std::size_t>(kinds[i])];
@@ -40,12 +41,13 @@ std::array<svg::Series, 4> pieces_of(const CsvTable& curve, const std::string& x
 /// Where what is known of a run's eigenvalues stands in its curve.
 class Eigenvalues {
  public:
-  explicit Eigenvalues(const CsvTable& curve) : steps_(curve.numbers("step")), load_(curve.numbers("load")) {
-    for (int i = 1; curve.has(fmt::format("mu_{}", i)); ++i) {
-      values_.push_back(curve.numbers(fmt::format("mu_{}", i)));
-      ratios_.push_back(curve.numbers(fmt::format("mu_ratio_{}", i)));
+  explicit Eigenvalues(const CsvTable& curve)
+      : steps_(curve.numbers(column::step)), load_(curve.numbers(column::load)) {
+    for (std::size_t i = 1; curve.has(column::mu(i)); ++i) {
+      values_.push_back(curve.numbers(column::mu(i)));
+      ratios_.push_back(curve.numbers(column::mu_ratio(i)));
     }
-    rigid_ = curve.numbers("rigid_modes");
+    rigid_ = curve.numbers(column::rigid_modes);
   }
   std::size_t count() const { return values_.size(); }
   std::size_t row_of(int step) const {
@@ -189,22 +191,22 @@ svg::Series known(const CsvTable& curve, const std::string& x, const std::string
 svg::Figure over_the_path(const CsvTable& curve, const Measures& measures) {
   const bool has_gauge = !measures.displacements().empty();
   const Column x = has_gauge ? measures.names()[measures.displacements().front()]
-                             : Column{"dissipated_energy", measures.columns()[4].unit};
+                             : Column{column::dissipated_energy, measures.energy_unit()};
   const std::string label = x.unit.empty() ? x.name : fmt::format("{} [{}]", x.name, x.unit);
   svg::Panel ratios{.title = "eigenvalues",
                     .x_label = label,
                     .y_label = "μ/μ₀, drawn down to −1",
                     .series = {},
                     .markers = {}};
-  for (int i = 1; curve.has(fmt::format("mu_ratio_{}", i)); ++i) {
-    svg::Series series = known(curve, x.name, fmt::format("mu_ratio_{}", i));
+  for (std::size_t i = 1; curve.has(column::mu_ratio(i)); ++i) {
+    svg::Series series = known(curve, x.name, column::mu_ratio(i));
     for (double& ratio : series.y) ratio = std::max(ratio, -1.0);  // a steep crack would dwarf all the others
     series.name = fmt::format("mode {}", i);
     ratios.series.push_back(std::move(series));
   }
   svg::Panel bergan{
       .title = "current stiffness", .x_label = label, .y_label = "(ṗ/u̇)/(ṗ/u̇)₀", .series = {}, .markers = {}};
-  bergan.series.push_back(known(curve, x.name, "current_stiffness"));
+  bergan.series.push_back(known(curve, x.name, column::current_stiffness));
   return {.title = "", .panels = {std::move(ratios), std::move(bergan)}};
 }
 
@@ -212,22 +214,19 @@ svg::Figure over_the_path(const CsvTable& curve, const Measures& measures) {
 
 std::vector<svg::Series> by_stability(const CsvTable& curve, const std::string& x, const std::string& y) {
   auto pieces = pieces_of(curve, x, y);
-  constexpr int blue = 0, orange = 1, black = 6;
-  const std::array<const char*, 4> names{"stable under dead load", "stable under the control only",
-                                         "unstable", "stability not known"};
-  const std::array<int, 4> colours{blue, blue, orange, black};
   std::vector<svg::Series> out;
   for (std::size_t kind = 0; kind < pieces.size(); ++kind) {
     if (pieces[kind].x.empty()) continue;
     svg::Series& piece = pieces[kind];
-    piece.name = names[kind];
-    piece.colour = colours[kind];
-    piece.dashed = kind == 1 || kind == 2;
-    piece.dotted = kind == 3;
+    const StabilityLine& line = stability_lines[kind];
+    piece.name = line.name;
+    piece.colour = std::max(line.colour, svg::blue);
+    piece.dashed = line.dashed;
+    piece.dotted = line.dotted;
     out.push_back(std::move(piece));
   }
   if (out.empty()) return {{"", curve.numbers(x), curve.numbers(y)}};
-  if (out.size() == 1 && out.front().name == names.front()) out.front().name.clear();
+  if (out.size() == 1 && out.front().name == stability_lines.front().name) out.front().name.clear();
   return out;
 }
 
@@ -244,7 +243,7 @@ std::vector<svg::Series> by_stability(const CsvTable& curve, const std::string& 
 
 void write_stability_pictures(const RunFolder& folder, const Fields& fields, const Measures& measures) {
   const CsvTable curve = read_csv(folder.file("curve.csv"));
-  if (!curve.has("mu_1")) return;
+  if (!curve.has(column::mu(1))) return;
   write_whole(folder.file("eigenvalues.svg"), svg::to_svg(over_the_path(curve, measures)), Flush::to_system);
   if (fields.equilibrium().num_blocks() > most_blocks) return;
   const ResultsReader results(folder.path());

@@ -7,10 +7,8 @@
 
 namespace dda {
 
-/// A curve in pieces by its stability: solid where it is stable under dead load, dashed where it is so only
-/// while the control holds what it prescribes, dashed in another colour where it is not even then, dotted
-/// where that is not known. One series without a name where all of it is stable. The columns are those of
-/// curve.csv.
+/// A curve in pieces by its stability, each in its stability_lines. One series without a name where all of it is
+/// stable. The columns are those of curve.csv.
 std::vector<svg::Series> by_stability(const CsvTable& curve, const std::string& x, const std::string& y);
 
 struct LegendEntry {

@@ -32,19 +32,28 @@ FailureIndicator::FailureIndicator(Simulation& simulation, IndicatorMemory memor
   if (parameters_.mass) mass_ = unit_mass(simulation.body());
 }
 
-std::vector<Column> FailureIndicator::columns() const {
-  std::vector<Column> out{{"current_stiffness", ""}};
+RecordedColumns FailureIndicator::columns() const {
+  using At = const RecordedStep&;
+  RecordedColumns out;
+  for (const char* kept : {"negative_", "mu_", column::rigid_modes}) out.push_back({{kept, ""}, nullptr});
+  out.push_back({{column::current_stiffness, ""}, [this](At) { return stiffness_; }});
   if (simulation_.deck().path.stability) {
-    out.push_back({"negative_eigenvalues", ""});
-    out.push_back({"negative_under_control", ""});
-    out.push_back({"negative_second_order_work", ""});
+    out.push_back(
+        {{column::negative_eigenvalues, ""}, [](At at) { return count_cell(at.point.num_negative); }});
+    out.push_back({{column::negative_under_control, ""},
+                   [](At at) { return count_cell(at.point.num_negative_under_control); }});
+    out.push_back({{column::negative_second_order_work, ""},
+                   [](At at) { return count_cell(at.point.num_negative_work); }});
   }
   if (parameters_.count == 0) return out;
   constexpr Dimension per_mass{1, -4}, raw = dimension::stiffness;
   const std::string unit = unit_of(parameters_.mass ? per_mass : raw, simulation_.deck().units);
-  for (int i = 1; i <= parameters_.count; ++i) out.push_back({"mu_" + std::to_string(i), unit});
-  for (int i = 1; i <= parameters_.count; ++i) out.push_back({"mu_ratio_" + std::to_string(i), ""});
-  out.push_back({"rigid_modes", ""});
+  const auto count = static_cast<std::size_t>(parameters_.count);
+  for (std::size_t i = 0; i < count; ++i)
+    out.push_back({{column::mu(i + 1), unit}, [this, i](At) { return values_[i]; }});
+  for (std::size_t i = 0; i < count; ++i)
+    out.push_back({{column::mu_ratio(i + 1), ""}, [this, i](At) { return ratios_[i]; }});
+  out.push_back({{column::rigid_modes, ""}, [this](At) { return count_cell(num_rigid_); }});
   return out;
 }
 
@@ -58,25 +67,21 @@ double FailureIndicator::path_stiffness() const {
   return leaving.rate(loading.load) / rate;
 }
 
-bool FailureIndicator::is_due(const IndicatorNow& now) const {
+bool FailureIndicator::is_due(const RecordedStep& at) const {
   if (!tracker_.has_started()) return true;  // what all ratios refer to
-  if (parameters_.every > 0 && now.step % parameters_.every == 0) return true;
-  return std::ranges::any_of(parameters_.at, [&](const auto& event) { return now.events.contains(event); });
+  if (parameters_.every > 0 && at.now.step % parameters_.every == 0) return true;
+  return std::ranges::any_of(parameters_.at, [&](const auto& event) { return at.events.contains(event); });
 }
 
-std::vector<TableCell> FailureIndicator::cells(const IndicatorNow& now) {
+void FailureIndicator::look(const RecordedStep& at) {
   const double stiffness = path_stiffness();
   if (memory_.first_stiffness == 0) memory_.first_stiffness = stiffness;
-  std::vector<TableCell> out{stiffness / memory_.first_stiffness};
-  if (simulation_.deck().path.stability) {
-    out.push_back(count_cell(now.num_negative));
-    out.push_back(count_cell(now.num_negative_under_control));
-    out.push_back(count_cell(now.num_negative_work));
-  }
+  stiffness_ = stiffness / memory_.first_stiffness;
+  values_.assign(static_cast<std::size_t>(parameters_.count), unknown);
+  ratios_ = values_;
+  num_rigid_.reset();
   shapes_.clear();
-  if (parameters_.count > 0 && is_due(now)) append_eigenvalues(out);
-  out.resize(columns().size(), unknown);
-  return out;
+  if (parameters_.count > 0 && is_due(at)) find_eigenvalues();
 }
 
 Eigenmodes FailureIndicator::modes(int count) {
@@ -95,7 +100,7 @@ Eigenmodes FailureIndicator::modes(int count) {
 }
 
 /// μ/μ₀ of the tracked modes; nan of one that is not among those found.
-std::vector<double> FailureIndicator::ratios(const Eigenmodes& found) {
+std::vector<double> FailureIndicator::ratios_of(const Eigenmodes& found) {
   std::vector<double> out;
   const std::vector<int> places = tracker_.follow(found, mass_);
   for (std::size_t i = 0; i < places.size(); ++i)
@@ -126,29 +131,26 @@ bool FailureIndicator::is_rigid(const Eigenmodes& found, std::size_t mode) const
   return std::abs(found.values[mode]) <= clearly * weak + rounding * absolute;
 }
 
-void FailureIndicator::append_eigenvalues(std::vector<TableCell>& out) {
+void FailureIndicator::find_eigenvalues() {
   const auto scope = simulation_.system().timings().measure("eigenvalues");
   Eigenmodes found = modes(parameters_.count + memory_.spare_modes);
   if (found.values.empty()) return;
   if (!tracker_.has_started()) tracker_.start(found);
-  std::vector<double> of_first = ratios(found);
+  std::vector<double> of_first = ratios_of(found);
   const bool is_lost = std::ranges::any_of(of_first, [](double ratio) { return std::isnan(ratio); });
   constexpr int of_one_fragment = 3;  // rigid motions that may have come below it
   if (is_lost && memory_.spare_modes == 0) {
     memory_.spare_modes = of_one_fragment;
     if (Eigenmodes more = modes(parameters_.count + memory_.spare_modes); !more.values.empty()) {
       found = std::move(more);
-      of_first = ratios(found);
+      of_first = ratios_of(found);
     }
   }
-  const std::size_t count = std::min(found.values.size(), static_cast<std::size_t>(parameters_.count));
-  std::int64_t rigid = 0;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(parameters_.count); ++i)
-    out.emplace_back(i < count ? found.values[i] : unknown);
-  of_first.resize(static_cast<std::size_t>(parameters_.count), unknown);
-  for (const double ratio : of_first) out.emplace_back(ratio);
-  for (std::size_t i = 0; i < count; ++i) rigid += is_rigid(found, i);
-  out.emplace_back(rigid);
+  const std::size_t count = std::min(found.values.size(), values_.size());
+  std::copy_n(found.values.begin(), count, values_.begin());
+  std::copy_n(of_first.begin(), std::min(of_first.size(), ratios_.size()), ratios_.begin());
+  num_rigid_ = 0;
+  for (std::size_t i = 0; i < count; ++i) *num_rigid_ += is_rigid(found, i);
   found.shapes.resize(count);
   shapes_ = std::move(found.shapes);
 }

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "continuation/stability/mode_tracker.hpp"
-#include "framework/files/curve_table.hpp"
 #include "studies/dda/case/simulation.hpp"
+#include "studies/dda/record/recorded_column.hpp"
 
 namespace dda {
 
@@ -14,13 +14,6 @@ struct IndicatorMemory {
   double first_stiffness = 0;  ///< ṗ/u̇ at the start; 0 before it
   TrackedModes modes;
   int spare_modes = 0;  ///< computed beyond those asked for, once a tracked one was lost among them
-};
-
-/// What is known of the state at which the walker stands.
-struct IndicatorNow {
-  int step = 0;
-  std::set<EventKind> events;
-  std::optional<int> num_negative, num_negative_under_control, num_negative_work;
 };
 
 /// Lowest eigenvalues of the physical stiffness at accepted states, and what tells stable from unstable.
@@ -42,21 +35,20 @@ class FailureIndicator {
  public:
   FailureIndicator(Simulation& simulation, IndicatorMemory memory);
 
-  /// `current_stiffness`, the three counts, and where eigenvalues are asked for `mu_1` … `mu_m`,
-  /// `mu_ratio_1` … `mu_ratio_m`, `rigid_modes`.
-  std::vector<Column> columns() const;
-  /// Those of the state at which the walker stands; the first call gives what ratios are relative to.
-  std::vector<TableCell> cells(const IndicatorNow& now);
+  /// They tell what it has looked at last.
+  RecordedColumns columns() const;
+  /// At the state at which the walker stands; the first look gives what ratios are relative to.
+  void look(const RecordedStep& at);
   const IndicatorMemory& memory() const { return memory_; }
-  /// Shapes of the last call, in ascending order of μ; none when it computed none.
+  /// Shapes of the last look, in ascending order of μ; none when it computed none.
   const std::vector<std::vector<double>>& shapes() const { return shapes_; }
 
  private:
-  bool is_due(const IndicatorNow& now) const;
+  bool is_due(const RecordedStep& at) const;
   double path_stiffness() const;
   Eigenmodes modes(int count);
-  void append_eigenvalues(std::vector<TableCell>& out);
-  std::vector<double> ratios(const Eigenmodes& found);
+  void find_eigenvalues();
+  std::vector<double> ratios_of(const Eigenmodes& found);
   bool is_rigid(const Eigenmodes& found, std::size_t mode) const;
 
   Simulation& simulation_;
@@ -64,6 +56,9 @@ class FailureIndicator {
   std::vector<Mat6> mass_;
   IndicatorMemory memory_;
   ModeTracker tracker_;
+  double stiffness_ = 1;  ///< over that at the start
+  std::vector<double> values_, ratios_;
+  std::optional<int> num_rigid_;
   std::vector<std::vector<double>> shapes_;
 };
 

@@ -46,22 +46,23 @@ InterfaceRecord::InterfaceRecord(const Equilibrium& equilibrium, const Units& un
   memory_.first_cracks.resize(equilibrium.interfaces().names.size());
 }
 
-std::vector<Column> InterfaceRecord::columns() const {
-  std::vector<Column> out;
+RecordedColumns InterfaceRecord::columns() const {
+  const std::string prefix = "dissipated_energy_";
+  RecordedColumns out{{{prefix, ""}, nullptr}};
   for (const std::string& name : equilibrium_.interfaces().names)
-    out.push_back({"dissipated_energy_" + name, energy_unit_});
+    out.push_back({{prefix + name, energy_unit_},
+                   [this, i = out.size() - 1](const RecordedStep&) { return energies_[i]; }});
   return out;
 }
 
-std::vector<TableCell> InterfaceRecord::cells(int step, const std::vector<History>& history) {
-  note_first_cracks(step, history);
-  std::vector<double> energies(memory_.first_cracks.size());
+void InterfaceRecord::look(const RecordedStep& at) {
+  note_first_cracks(at.now.step, at.history);
+  energies_.assign(memory_.first_cracks.size(), 0);
   for (std::size_t p = 0; p < equilibrium_.num_active(); ++p) {
     const InterfacePoint& point = equilibrium_.point(p);
     if (point.interface >= 0)
-      energies[static_cast<std::size_t>(point.interface)] += point.weight * history[p].dissipated;
+      energies_[static_cast<std::size_t>(point.interface)] += point.weight * at.history[p].dissipated;
   }
-  return {energies.begin(), energies.end()};
 }
 
 void InterfaceRecord::note_first_cracks(int step, const std::vector<History>& history) {

@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "framework/files/curve_table.hpp"
 #include "studies/dda/record/fields.hpp"
+#include "studies/dda/record/recorded_column.hpp"
 #include "studies/dda/record/run_memory.hpp"
 
 namespace dda {
@@ -23,9 +23,10 @@ class InterfaceRecord {
   /// `memory` remembers the first cracks.
   InterfaceRecord(const Equilibrium& equilibrium, const Units& units, RunMemory& memory);
 
-  std::vector<Column> columns() const;
-  /// Those of an accepted step; notes what has cracked for the first time.
-  std::vector<TableCell> cells(int step, const std::vector<History>& history);
+  /// They tell what it has looked at last.
+  RecordedColumns columns() const;
+  /// Notes the energies and what has cracked for the first time.
+  void look(const RecordedStep& at);
   /// By name, at the end of the run.
   nlohmann::ordered_json summary(const Fields& fields, const StoredState& end) const;
 
@@ -34,6 +35,7 @@ class InterfaceRecord {
 
   const Equilibrium& equilibrium_;
   std::string energy_unit_;
+  std::vector<double> energies_;  ///< by interface [FL]
   RunMemory& memory_;
 };
 

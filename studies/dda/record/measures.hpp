@@ -5,7 +5,7 @@
 
 #include "continuation/path/path.hpp"
 #include "framework/deck/units.hpp"
-#include "framework/files/curve_table.hpp"
+#include "studies/dda/record/recorded_column.hpp"
 
 namespace dda {
 
@@ -36,26 +36,28 @@ struct Measurement {
 /// What is recorded of every accepted state: the path's own numbers, every gauge and every reaction.
 class Measures {
  public:
-  Measures(const Loading& loading, Functional load, std::string load_unit, const Units& units);
+  /// A gauge whose name one of the columns takes, of these or of `others`, is called gauge_<name>, a reaction
+  /// reaction_<name>.
+  Measures(const Loading& loading, Functional load, std::string load_unit, const Units& units,
+           const RecordedColumns& others);
 
-  /// A reaction whose name is taken by a gauge or a fixed column is called reaction_<name>.
-  std::vector<Column> columns() const;
+  RecordedColumns columns() const;
   Measurement measure(const Walker& walker, int step, const std::string& control,
                       int newton_iterations) const;
-  static std::vector<TableCell> cells(const Measurement& measurement);
 
   /// Names and units in the order of Measurement::values; gauges stand first.
   const std::vector<Column>& names() const { return names_; }
   std::size_t num_gauges() const { return num_gauges_; }
   const std::vector<Functional>& functionals() const { return functionals_; }
   const std::string& load_unit() const { return load_unit_; }
+  const std::string& energy_unit() const { return energy_unit_; }
   const Functional& load() const { return load_; }
   /// Indices of the gauges that are displacements.
   const std::vector<std::size_t>& displacements() const { return displacements_; }
 
  private:
-  void add(const std::string& name, Dimension dimension, const Functional& functional, const Units& units);
-  bool is_taken(const std::string& name) const;
+  /// Those that every run has.
+  RecordedColumns path_columns() const;
 
   Functional load_;
   std::string load_unit_, energy_unit_;

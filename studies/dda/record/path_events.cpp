@@ -64,7 +64,7 @@ PathEvents::PathEvents(const Measures& measures, const Walker& start, int step, 
 
 void PathEvents::remember_sizes(const CsvTable& curve) {
   for (std::size_t i = 0; i < largest_.size(); ++i)
-    for (const double value : curve.numbers(i == 0 ? "load" : measures_.names()[i - 1].name))
+    for (const double value : curve.numbers(i == 0 ? column::load : measures_.names()[i - 1].name))
       largest_[i] = std::max(largest_[i], std::abs(value));
   remember_sizes(before_);
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "continuation/path/path.hpp"
+#include "studies/dda/record/column_names.hpp"
 
 namespace dda {
 namespace {
@@ -38,7 +39,7 @@ Json limit_point(const Json& peak, double dissipated) {
 }  // namespace
 
 bool is_passed(const CsvTable& curve, std::size_t peak) {
-  const std::vector<double> loads = curve.numbers("load"), works = curve.numbers("external_work");
+  const std::vector<double> loads = curve.numbers(column::load), works = curve.numbers(column::external_work);
   const double highest = loads.at(peak);
   const auto falls = [&](double load) { return !reaches(load, highest); };
   if (std::any_of(loads.begin() + static_cast<std::ptrdiff_t>(peak), loads.end(), falls)) return true;
@@ -52,7 +53,7 @@ Json with_peak(Json events, const Json& peak, const CsvTable& curve) {
   const auto load = peak["load"].get<double>();
   if (step == 0 || !is_passed(curve, step)) return events;
   if (std::ranges::any_of(events, [&](const Json& event) { return is_as_high(event, load); })) return events;
-  const Json found = limit_point(peak, curve.numbers("dissipated_energy").at(step));
+  const Json found = limit_point(peak, curve.numbers(column::dissipated_energy).at(step));
   const auto place = [](const Json& event) {
     return std::pair{event["step"].get<std::size_t>(), event["dissipated_energy"].get<double>()};
   };

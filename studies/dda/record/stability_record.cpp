@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "studies/dda/record/column_names.hpp"
+
 namespace dda {
 namespace {
 
@@ -16,16 +18,16 @@ Stability stability(double dead, double held) {
 }  // namespace
 
 std::vector<Stability> stability_of(const CsvTable& curve) {
-  const std::size_t rows = curve.numbers("step").size();
-  if (!curve.has("negative_eigenvalues")) return std::vector<Stability>(rows, Stability::unknown);
-  const auto dead = curve.numbers("negative_eigenvalues"), held = curve.numbers("negative_under_control");
+  const std::size_t rows = curve.numbers(column::step).size();
+  if (!curve.has(column::negative_eigenvalues)) return std::vector<Stability>(rows, Stability::unknown);
+  const auto dead = curve.numbers(column::negative_eigenvalues),
+             held = curve.numbers(column::negative_under_control);
   std::vector<Stability> out;
   for (std::size_t i = 0; i < rows; ++i) out.push_back(stability(dead[i], held[i]));
   return out;
 }
 
-std::vector<Stability> stability_between(const CsvTable& curve) {
-  const std::vector<Stability> rows = stability_of(curve);
+std::vector<Stability> between(const std::vector<Stability>& rows) {
   std::vector<Stability> out;
   for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
     const auto [better, worse] = std::minmax(rows[i], rows[i + 1]);
@@ -41,8 +43,9 @@ nlohmann::ordered_json stability_counts(const CsvTable& curve) {
                              {"under_control", count(Stability::under_control)},
                              {"unstable", count(Stability::unstable)},
                              {"unknown", count(Stability::unknown)}};
-  if (curve.has("negative_second_order_work"))
-    out["positive_second_order_work"] = std::ranges::count(curve.numbers("negative_second_order_work"), 0.0);
+  if (curve.has(column::negative_second_order_work))
+    out["positive_second_order_work"] =
+        std::ranges::count(curve.numbers(column::negative_second_order_work), 0.0);
   return out;
 }
 

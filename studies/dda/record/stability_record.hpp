@@ -18,9 +18,9 @@ enum class Stability {
 /// Of every row of curve.csv.
 std::vector<Stability> stability_of(const CsvTable& curve);
 
-/// Of the parts of the curve between its rows: the better of both ends, because at a kink the point already
+/// Of the parts of a curve between its rows: the better of both ends, because at a kink the point already
 /// counts as what follows; unknown where either is.
-std::vector<Stability> stability_between(const CsvTable& curve);
+std::vector<Stability> between(const std::vector<Stability>& rows);
 
 /// Rows by stability; of the stable ones those where the second-order work of every motion is positive.
 nlohmann::ordered_json stability_counts(const CsvTable& curve);

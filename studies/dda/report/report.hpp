@@ -32,7 +32,7 @@ Json data_of_run(const std::filesystem::path& folder, const Limits& limits);
 Json data_of_sweep(const std::filesystem::path& folder, const std::filesystem::path& page,
                    const Limits& limits);
 
-/// The self-contained HTML page.
+/// The self-contained HTML page; its scripts find what figures share in STYLE.
 std::string page_of(const Json& data);
 
 /// JSON that may stand inside a <script> element: no text of the user can end it or begin a comment.
@@ -44,6 +44,13 @@ std::string filled(const std::string& page, const std::vector<std::pair<std::str
 
 /// A table as columns: numbers exact (base64 of doubles) where every cell is one, else texts.
 Json columns_of(const CsvTable& table, const Json& units, std::span<const std::size_t> rows);
+/// What stands in these rows.
+template <class Value>
+std::vector<Value> chosen(const std::vector<Value>& all, std::span<const std::size_t> rows) {
+  std::vector<Value> out;
+  for (const std::size_t row : rows) out.push_back(all[row]);
+  return out;
+}
 /// At most `most` of `count` rows, evenly spread, with all of `wanted`.
 std::vector<std::size_t> kept_rows(std::size_t count, std::size_t most,
                                    const std::vector<std::size_t>& wanted);

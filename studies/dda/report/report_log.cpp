@@ -20,7 +20,9 @@ class LogDigest {
     if (event == "started" || event == "resumed") is_open_ = true;
     if (event == "ended") is_open_ = false;
     if (event == "step") {
-      steps_[line.value("step", 0)] = line;  // a step that was taken again after a resume counts once
+      // A step that was taken again after a resume counts once.
+      steps_[line.value("step", 0)] = {line.value("residual", 0.0), line.value("jump_energy", 0.0),
+                                       line.value("landed", Json())};
       return;
     }
     ++counts_[event];
@@ -36,14 +38,19 @@ class LogDigest {
   }
 
  private:
+  struct Step {
+    double residual = 0, jump_energy = 0;
+    Json landed;
+  };
+
   Json steps() const {
     std::vector<double> number, residual, jump_energy;
     Json landed = Json::object();
-    for (const auto& [step, line] : steps_) {
-      number.push_back(step);
-      residual.push_back(line.value("residual", 0.0));
-      jump_energy.push_back(line.value("jump_energy", 0.0));
-      if (line.contains("landed")) landed[std::to_string(step)] = line["landed"];
+    for (const auto& [number_of_step, step] : steps_) {
+      number.push_back(number_of_step);
+      residual.push_back(step.residual);
+      jump_energy.push_back(step.jump_energy);
+      if (!step.landed.is_null()) landed[std::to_string(number_of_step)] = step.landed;
     }
     const auto packed = [](const std::vector<double>& v) { return base64_of(std::span<const double>(v)); };
     return {{"step", packed(number)},
@@ -56,7 +63,7 @@ class LogDigest {
   std::string first_time_, last_time_;
   bool is_open_ = false;
   std::map<std::string, int> counts_;
-  std::map<int, Json> steps_;
+  std::map<int, Step> steps_;
   Json events_ = Json::array();
 };
 
@@ -67,8 +74,11 @@ Json data_of_log(const std::filesystem::path& file, const Limits& limits) {
   std::istringstream lines(read_whole(file));
   for (std::string text; std::getline(lines, text);) {
     const Json line = Json::parse(text, nullptr, false);
-    // The last line of a killed run may be cut.
-    if (line.is_object()) digest.take(line);
+    try {
+      if (line.is_object()) digest.take(line);
+    } catch (const Json::type_error&) {
+      // A damaged line, with a text where a number should be, says nothing; the last one of a killed run is no object.
+    }
   }
   return digest.result();
 }

@@ -1,6 +1,7 @@
 #include <string_view>
 
 #include "report_files.hpp"
+#include "studies/dda/figures/stability_lines.hpp"
 #include "studies/dda/report/report.hpp"
 
 namespace dda::report {
@@ -58,8 +59,19 @@ std::string filled(const std::string& page, const std::vector<std::pair<std::str
   return out;
 }
 
+/// What the page's figures share with those of files.
+Json style_of_figures() {
+  Json out = svg::page_style();
+  for (const StabilityLine& line : stability_lines) {
+    Json dash = Json::array();
+    if (line.dashed || line.dotted) dash = line.dotted ? svg::dots : svg::dashes;
+    out["stability"].push_back({{"colour", line.colour}, {"dash", dash}, {"note", line.explanation}});
+  }
+  return out;
+}
+
 std::string page_of(const Json& data) {
-  std::string styles, scripts;
+  std::string styles, scripts = "const STYLE = " + embedded(style_of_figures()) + ";\n";
   for (const std::string_view part : files::styles) styles += part;
   for (const std::string_view part : files::scripts) scripts += part;
   return filled(std::string(files::page), {{"title", escaped(data.value("title", ""))},

@@ -7,6 +7,8 @@
 #include "framework/deck/node.hpp"
 #include "framework/files/run_folder.hpp"
 #include "framework/messages/provenance.hpp"
+#include "studies/dda/record/column_names.hpp"
+#include "studies/dda/record/stability_record.hpp"
 #include "studies/dda/report/report.hpp"
 
 namespace dda::report {
@@ -19,6 +21,8 @@ void attempt(Json& data, const Read& read) {
   try {
     read();
   } catch (const InputError& error) {
+    data["notices"].push_back(error.what());
+  } catch (const Json::exception& error) {  // a text where a number should be
     data["notices"].push_back(error.what());
   }
 }
@@ -45,7 +49,7 @@ std::vector<std::size_t> marked_rows(const CsvTable& curve, const Json& summary,
     if (event.is_object() && event.contains("step") && event["step"].is_number())
       steps.push_back(event["step"]);
   std::vector<std::size_t> out;
-  const std::vector<double> numbers = curve.numbers("step");
+  const std::vector<double> numbers = curve.numbers(column::step);
   for (const double step : steps)
     out.push_back(static_cast<std::size_t>(std::ranges::lower_bound(numbers, step) - numbers.begin()));
   return out;
@@ -56,12 +60,16 @@ Json data_of_curve(const fs::path& folder, Json& data, std::span<const int> stor
   const Json units = read_json(folder / "curve.units.json", data["notices"]);
   const Json summary = data["summary"].is_object() ? data["summary"] : Json::object();
   const std::size_t most = std::max<std::size_t>(2, limits.cells / curve.names().size());
-  return columns_of(curve, units, kept_rows(curve.num_rows(), most, marked_rows(curve, summary, stored)));
+  const std::vector<std::size_t> rows =
+      kept_rows(curve.num_rows(), most, marked_rows(curve, summary, stored));
+  Json out = columns_of(curve, units, rows);
+  attempt(data, [&] { out["stability"] = between(chosen(stability_of(curve), rows)); });
+  return out;
 }
 
 /// Step of the highest load, for a run that has no summary.
 int peak_step(const CsvTable& curve) {
-  const std::vector<double> load = curve.numbers("load"), step = curve.numbers("step");
+  const std::vector<double> load = curve.numbers(column::load), step = curve.numbers(column::step);
   const auto highest = std::ranges::max_element(load, {}, [](double value) { return std::abs(value); });
   return highest == load.end() ? -1
                                : static_cast<int>(step[static_cast<std::size_t>(highest - load.begin())]);
@@ -75,8 +83,9 @@ void add_decks(const fs::path& folder, Json& data, const Limits& limits) {
 
 void add_title(const fs::path& folder, Json& data) {
   const Json& summary = data["summary"];
-  std::string title = summary.is_object() ? summary.value("title", "") : "";
+  std::string title;
   attempt(data, [&] {
+    if (summary.is_object()) title = summary.value("title", "");
     const fs::path deck = folder / "effective_deck.yaml";
     if (!title.empty() || !fs::exists(deck)) return;
     const Node tree = read_yaml(deck);

@@ -8,6 +8,7 @@
 #include "framework/files/base64.hpp"
 #include "framework/files/run_folder.hpp"
 #include "framework/messages/provenance.hpp"
+#include "studies/dda/record/column_names.hpp"
 #include "studies/dda/report/report.hpp"
 
 namespace dda::report {
@@ -28,7 +29,8 @@ std::string link_to(const fs::path& target, const fs::path& page) {
 }
 
 bool is_axis(const std::string& name, const std::string& unit, const std::string& length) {
-  return name == "load" || name == "load_factor" || name == "dissipated_energy" || unit == length;
+  return name == column::load || name == column::load_factor || name == column::dissipated_energy ||
+         unit == length;
 }
 
 /// Load, energy and displacements of a case, in single precision.

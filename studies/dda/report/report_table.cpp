@@ -7,13 +7,6 @@
 namespace dda::report {
 namespace {
 
-template <class Value>
-std::vector<Value> chosen(const std::vector<Value>& all, std::span<const std::size_t> rows) {
-  std::vector<Value> out;
-  for (const std::size_t row : rows) out.push_back(all[row]);
-  return out;
-}
-
 Json column_of(const CsvTable& table, const std::string& name, std::span<const std::size_t> rows) {
   try {
     const std::vector<double> numbers = chosen(table.numbers(name), rows);

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 /// What a run may lose when it is killed or the machine goes down; a shorter run is sooner repeated [s].
 constexpr double bearable_loss = 1.0;
 
-Measures measures_of(const Simulation& simulation) {
+Measures measures_of(const Simulation& simulation, const RecordedColumns& others) {
   const Deck& deck = simulation.deck();
   const Loading& loading = simulation.loading();
   Dimension dimension =
@@ -32,7 +32,7 @@ Measures measures_of(const Simulation& simulation) {
   for (const NamedGauge& gauge : loading.gauges)
     if (gauge.name == deck.path.load_gauge) dimension = gauge.dimension;
   if (deck.path.load_gauge.empty() && dimension == dimension::none) dimension = dimension::force;
-  return {loading, simulation.path().load_gauge(), unit_of(dimension, deck.units), deck.units};
+  return {loading, simulation.path().load_gauge(), unit_of(dimension, deck.units), deck.units, others};
 }
 
 ResultsTexts texts_of(const DeckFile& deck, const std::string& effective) {
@@ -42,9 +42,20 @@ ResultsTexts texts_of(const DeckFile& deck, const std::string& effective) {
   return out;
 }
 
-CurveTable open_curve(const RunFolder& folder, const std::vector<Column>& columns,
+RecordedColumns joined(RecordedColumns first, const RecordedColumns& second) {
+  std::ranges::copy(second, std::back_inserter(first));
+  return first;
+}
+
+RecordedColumns written(RecordedColumns all) {
+  std::erase_if(all, [](const RecordedColumn& column) { return !column.cell; });
+  return all;
+}
+
+CurveTable open_curve(const RunFolder& folder, const RecordedColumns& recorded,
                       const std::optional<RunMemory>& memory) {
   const auto file = folder.file("curve.csv");
+  const std::vector<Column> columns(recorded.begin(), recorded.end());
   if (!memory) return {file, columns};
   return CurveTable::resume(file, columns, static_cast<std::size_t>(memory->last_step) + 1);
 }
@@ -64,14 +75,15 @@ RunRecorder::RunRecorder(const RunFolder& folder, Simulation& simulation, const 
       deck_(deck),
       effective_(std::move(effective)),
       timings_(timings),
-      measures_(measures_of(simulation)),
-      indicator_(simulation, memory ? memory->indicator : IndicatorMemory{}),
-      fields_(simulation.body(), simulation.deck(), simulation.equilibrium(), simulation.deck().units),
       memory_(memory.value_or(RunMemory{})),
-      events_(measures_, simulation.walker(), memory_.last_step, memory_.events),
       interfaces_(simulation.equilibrium(), simulation.deck().units, memory_),
+      indicator_(simulation, memory_.indicator),
+      measures_(measures_of(simulation, columns_of_parts())),
+      columns_(written(joined(measures_.columns(), columns_of_parts()))),
+      fields_(simulation.body(), simulation.deck(), simulation.equilibrium(), simulation.deck().units),
+      events_(measures_, simulation.walker(), memory_.last_step, memory_.events),
       log_(folder.file("log.jsonl"), memory ? FileWriter::Mode::append : FileWriter::Mode::create),
-      curve_(open_curve(folder, columns(), memory)),
+      curve_(open_curve(folder, columns_, memory)),
       results_(memory
                    ? ResultsWriter::resume(folder.path(), memory->last_step)
                    : ResultsWriter(folder.path(), mesh_of(fields_, simulation), texts_of(deck, effective_))) {
@@ -112,20 +124,17 @@ void RunRecorder::write_stiffness() const {
   write_whole(folder_.file("stiffness.json"), both.dump() + "\n", Flush::to_system);
 }
 
-std::vector<Column> RunRecorder::columns() const {
-  std::vector<Column> out = measures_.columns();
-  std::ranges::copy(interfaces_.columns(), std::back_inserter(out));
-  std::ranges::copy(indicator_.columns(), std::back_inserter(out));
-  return out;
+RecordedColumns RunRecorder::columns_of_parts() const {
+  return joined(interfaces_.columns(), indicator_.columns());
 }
 
 void RunRecorder::append_row(const Measurement& now, const Point& point) {
-  std::vector<TableCell> cells = Measures::cells(now);
-  std::ranges::copy(interfaces_.cells(now.step, simulation_.system().history()), std::back_inserter(cells));
-  const auto of_indicator = indicator_.cells({now.step, events_here_, point.num_negative,
-                                              point.num_negative_under_control, point.num_negative_work});
-  std::ranges::copy(of_indicator, std::back_inserter(cells));
+  const RecordedStep at{point, now, simulation_.system().history(), events_here_};
+  interfaces_.look(at);
+  indicator_.look(at);
   memory_.indicator = indicator_.memory();
+  std::vector<TableCell> cells;
+  for (const RecordedColumn& column : columns_) cells.push_back(column.cell(at));
   curve_.append(cells);
 }
 

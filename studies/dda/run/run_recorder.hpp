@@ -55,7 +55,8 @@ class RunRecorder {
   Flush durability() const;
   void log_step(const Point& point, const Measurement& now);
   void look_for_crawling();
-  std::vector<Column> columns() const;
+  /// Those of the parts that look at each step.
+  RecordedColumns columns_of_parts() const;
   void append_row(const Measurement& now, const Point& point);
   bool is_due(const Point& point) const;
   StoredState here() const;
@@ -65,13 +66,14 @@ class RunRecorder {
   const DeckFile& deck_;
   const std::string effective_;
   Timings& timings_;
-  Measures measures_;
-  FailureIndicator indicator_;
-  Fields fields_;
   RunMemory memory_;
+  InterfaceRecord interfaces_;
+  FailureIndicator indicator_;
+  Measures measures_;
+  RecordedColumns columns_;
+  Fields fields_;
   PathEvents events_;
   std::set<EventKind> events_here_;
-  InterfaceRecord interfaces_;
   Log log_;
   CurveTable curve_;
   ResultsWriter results_;

@@ -9,6 +9,7 @@
 #include "framework/files/curve_table.hpp"
 #include "framework/files/run_folder.hpp"
 #include "framework/messages/provenance.hpp"
+#include "studies/dda/record/column_names.hpp"
 
 namespace dda {
 namespace {
@@ -46,10 +47,10 @@ std::string unit_of(const std::string& name, const Json& units) {
   };
   if (name.starts_with("timings.")) return "s";
   if (name == "peak_memory_mib") return "MiB";
-  if (name == "jump_energy") return of_column("external_work");
+  if (name == "jump_energy") return of_column(column::external_work);
   constexpr std::string_view gauges = "peak.gauges.";
   if (name.starts_with(gauges)) return of_column(name.substr(gauges.size()));
-  return of_column(name == "peak.load" ? "load" : name);
+  return of_column(name == "peak.load" ? column::load : name);
 }
 
 /// The rows' scalars and the union of their names, in the order in which they first occur.

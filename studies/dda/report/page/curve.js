@@ -6,8 +6,8 @@ class Curve {
     this.table = table;
     this.summary = summary ?? {};
     this.log = log;
-    this.steps = table.numbers("step") ?? Float64Array.from({length: table.numRows}, (_, i) => i);
-    this.kindOf = this.stability();
+    this.steps = table.numbers(COLUMN.step) ?? Float64Array.from({length: table.numRows}, (_, i) => i);
+    this.kindOf = (row) => table.stability[row - 1] ?? STYLE.stability.length - 1;
   }
 
   rowOfStep(step) {
@@ -24,35 +24,13 @@ class Curve {
   }
 
   get defaultAxis() {
-    return (this.displacements()[0] ?? this.table.column("dissipated_energy") ?? this.table.columns[0]).name;
-  }
-
-  /**
-   * The kind of the part of the path before a row: 0 stable under dead load, 1 stable while the control holds what it
-   * prescribes, 2 unstable even then; the better of its two ends, because at a kink the point already counts as what
-   * follows. 3 where that is not known at either end, because the negative eigenvalues were not or could not be
-   * counted.
-   */
-  stability() {
-    const [dead, held] = ["negative_eigenvalues", "negative_under_control"].map((name) => this.table.numbers(name));
-    const unknown = 3;
-    const kind = (row) => {
-      if (!dead || Number.isNaN(dead[row])) return unknown;
-      if (dead[row] === 0) return 0;
-      return held ? (held[row] > 0 ? 2 : 1) : unknown;
-    };
-    return (row) => (Math.max(kind(row - 1), kind(row)) === unknown ? unknown : Math.min(kind(row - 1), kind(row)));
+    return (this.displacements()[0] ?? this.table.column(COLUMN.dissipated) ?? this.table.columns[0]).name;
   }
 
   /** What the kinds of line mean, of those that the curve has. */
   stabilityNote() {
-    const kinds = new Set(Array.from(this.steps.slice(1), (_, i) => this.kindOf(i + 1)));
-    const notes = [
-      [1, "Dashed: stable under the control only; under a dead load the structure would fail here."],
-      [2, "Dashed in orange: unstable under the control, too."],
-      [3, "Dotted: it is not known whether it is stable."],
-    ];
-    return notes.filter(([kind]) => kinds.has(kind)).map(([, note]) => note).join(" ");
+    const has = (kind) => this.table.stability.includes(kind);
+    return STYLE.stability.filter((_, kind) => has(kind)).map(({note}) => note).filter(Boolean).join(" ");
   }
 
   /** Names of the gauges: the summary lists them, without one they are the displacements. */
@@ -63,9 +41,10 @@ class Curve {
 
   /** What a reader wants to know of a step first; the axes of a figure can be chosen to see the rest. */
   describe(row, axes = []) {
+    const {step, control, iterations, load, work, stored, dissipated, stiffness, lowest} = COLUMN;
+    const counts = this.table.columns.map(({name}) => name).filter((name) => COLUMNS.counts.test(name));
     const names = [
-      "step", "control", "newton_iterations", "load", ...this.gauges(), ...axes, "external_work", "stored_energy",
-      "dissipated_energy", "current_stiffness", "negative_eigenvalues", "negative_under_control", "negative_second_order_work", "mu_1"
+      step, control, iterations, load, ...this.gauges(), ...axes, work, stored, dissipated, stiffness, ...counts, lowest
     ];
     const isKnown = (column) => column && !(column.numbers && Number.isNaN(column.numbers[row]));
     const columns = [...new Set(names)].map((name) => this.table.column(name)).filter(isKnown);
@@ -86,7 +65,7 @@ class Curve {
     const hasPeak = peak?.step > 0;
     const isPeak = (event) => hasPeak && event.kind === "limit_point" && Math.abs(event.step - peak.step) <= 1 &&
         Math.abs(event.load - peak.load) <= 1e-3 * Math.abs(peak.load);
-    const loadUnit = this.table.column("load")?.unit ?? "";
+    const loadUnit = this.table.column(COLUMN.load)?.unit ?? "";
     const named = hasPeak ? [{...peak, kind: `peak, ${formatNumber(peak.load, 4)} ${loadUnit}`.trim()}] : [];
     const marks = [...named, ...this.events.filter((event) => !isPeak(event))]
                       .map((event) => this.markOf(event, x, y))
@@ -110,8 +89,8 @@ class Curve {
 
 /** Other marks are white. */
 const MARK_COLOURS = {
-  turning_point: "#56b4e9",
-  bifurcation: "#e69f00"
+  turning_point: PALETTE[5],
+  bifurcation: PALETTE[4]
 };
 
 /** "turning point of cmod". */
@@ -124,7 +103,7 @@ function eventName(event) {
 function eventTable(curve) {
   if (curve.events.length === 0) return null;
   const unit = (name) => curve.table.column(name)?.unit ?? "";
-  const numbers = ["load", ...curve.gauges()];
+  const numbers = [COLUMN.load, ...curve.gauges()];
   const columns = [
     {
       title: "event",

@@ -1,5 +1,25 @@
 // The data of the page: arrays out of base64, and a table of columns.
 
+/** Columns of curve.csv that the page knows, and those of which there are several. */
+const COLUMN = {
+  step: "step",
+  control: "control",
+  iterations: "newton_iterations",
+  load: "load",
+  loadFactor: "load_factor",
+  work: "external_work",
+  stored: "stored_energy",
+  dissipated: "dissipated_energy",
+  stiffness: "current_stiffness",
+  lowest: "mu_1",
+};
+const COLUMNS = {
+  eigenvalues: /^mu_(\d+)$/,
+  ratios: /^mu_ratio_(\d+)$/,
+  stiffness: /^current_stiffness$/,
+  counts: /^negative_/
+};
+
 /** The bytes of a base64 text as an array of the given type. */
 function decoded(text, ArrayType) {
   const characters = atob(text);
@@ -46,10 +66,12 @@ class Column {
 
 /** A table read from a CSV file, by columns. */
 class Table {
-  constructor({columns, rows, all_rows}) {
+  constructor({columns, rows, all_rows, stability}) {
     this.columns = columns.map((column) => new Column(column));
     this.numRows = rows ?? this.columns[0]?.numbers?.length ?? 0;
     this.numAllRows = all_rows ?? this.numRows;
+    /** Which of STYLE.stability the parts between the rows of a run's curve are; its last, where nobody knows. */
+    this.stability = stability ?? [];
   }
 
   column(name) {

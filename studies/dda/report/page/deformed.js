@@ -52,8 +52,8 @@ class DeformedFigure {
     return element(
         "div", {class: "toolbar"},
         chooser(
-            "cracks by", [["opening", "opening"], ["sliding", "sliding"], ["damage", "damage"], ["none", "not shown"]], "opening",
-            (value) => this.set("cracks", value)),
+            "cracks by", [["opening", "opening"], ["sliding", "sliding"], ["damage", "damage"], ["none", "not shown"]],
+            "opening", (value) => this.set("cracks", value)),
         this.blocks.stressUnit ? chooser("blocks by", fields, "none", (value) => this.set("field", value)) : null,
         checkbox("one scale for all steps", true, (value) => this.set("everyStep", value)),
         figureButtons(this.actions(), middle, () => this.save()));
@@ -76,10 +76,10 @@ class DeformedFigure {
     return element("div", {class: "player"}, this.play, this.slider, this.magnifier(), this.told);
   }
 
-  /** 0, then 1, 2, 5, 10, ... around the automatic one. */
+  /** 0, then round numbers around the automatic one. */
   magnifier() {
     const from = Math.floor(Math.log10(this.automatic)) - 2;
-    const series = Array.from({length: 15}, (_, i) => [1, 2, 5][i % 3] * 10 ** (from + Math.floor(i / 3)));
+    const series = Array.from({length: 5}, (_, i) => STYLE.roundDigits.map((digit) => digit * 10 ** (from + i))).flat();
     const texts = [[0, "none"], ...series.map((value) => [value, `× ${formatNumber(value)}`])];
     const chosen = series.find((value) => Math.abs(value / this.automatic - 1) < 1e-6) ?? 0;
     return chooser(

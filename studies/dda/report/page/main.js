@@ -24,4 +24,11 @@ function build() {
   document.body.dataset.ready = "true";
 }
 
+function setColours() {
+  const {style} = document.documentElement;
+  style.setProperty("--ink", INK);
+  PALETTE.forEach((colour, i) => style.setProperty(`--palette-${i}`, colour));
+}
+
+setColours();
 build();

@@ -44,35 +44,40 @@ function plural(count, one, many = `${one}s`) {
   return `${count} ${count === 1 ? one : many}`;
 }
 
-/** The round step, 1, 2 or 5 times a power of ten, that gives about `wanted` intervals. */
+// Axes follow the rules of framework/figure/axis.cpp, with the same numbers; tests/report compares them.
+
+function exponentOf(value) {
+  return Math.floor(Math.log10(value) + STYLE.rounding);
+}
+
+/** The round step that gives about `wanted` intervals. */
 function roundStep(length, wanted) {
   const rough = length / wanted;
   const power = 10 ** Math.floor(Math.log10(rough));
-  const factor = [1, 2, 5].find((candidate) => rough <= candidate * power * (1 + 1e-9)) ?? 10;
-  return factor * power;
+  return power * (STYLE.roundDigits.find((digit) => rough <= digit * power * (1 + STYLE.rounding)) ?? 10);
 }
 
-/** 1, 2 or 5 times a power of ten, at most `value`. */
+/** The largest round number up to `value`. */
 function roundDown(value) {
-  const power = 10 ** Math.floor(Math.log10(value) + 1e-12);
-  const digit = value / power;
-  return power * (digit >= 5 ? 5 : digit >= 2 ? 2 : 1);
+  const power = 10 ** exponentOf(value);
+  return power * (STYLE.roundDigits.findLast((digit) => digit * power <= value) ?? 1);
 }
 
 /** Ticks of an axis: value and label, and the power of ten and offset taken out of the labels. */
 function axisTicks([low, high], wanted) {
   const step = roundStep(high - low, wanted);
   const largest = Math.max(Math.abs(low), Math.abs(high));
-  const offset = largest / step > 1e5 ? Math.ceil(low / step) * step : 0;
+  const offset = largest / step > STYLE.mostSteps ? Math.ceil(low / step) * step : 0;
   const rest = Math.max(Math.abs(low - offset), Math.abs(high - offset));
-  const power = Math.floor(Math.log10(rest) + 1e-9);
-  const exponent = power >= 5 || power <= -4 ? 3 * Math.floor(power / 3) : 0;
+  const power = exponentOf(rest);
+  const exponent = power >= STYLE.largeExponent || power <= STYLE.smallExponent ? 3 * Math.floor(power / 3) : 0;
   const unit = 10 ** exponent;
-  const decimals = Math.min(12, Math.max(0, -Math.floor(Math.log10(step / unit) + 1e-9)));
+  const decimals = Math.max(0, -exponentOf(step / unit));
   const ticks = [];
-  for (let n = Math.ceil(low / step - 1e-6); n * step <= high + 1e-6 * step; n += 1)
+  const slack = STYLE.tickSlack * step;
+  for (let n = Math.ceil((low - slack) / step); n * step <= high + slack; n += 1)
     ticks.push({value: n * step, label: tickLabel((n * step - offset) / unit, decimals)});
-  const shift = offset === 0 ? "" : ` ${offset < 0 ? "−" : "+"} ${Number(Math.abs(offset).toPrecision(9))}`;
+  const shift = offset === 0 ? "" : ` ${offset < 0 ? "−" : "+"} ${Number(Math.abs(offset).toPrecision(15))}`;
   return {ticks, scale: `${exponent === 0 ? "" : `×10${superscript(exponent)}`}${shift}`.trim()};
 }
 

@@ -4,7 +4,7 @@
 class CurveFigure {
   constructor(curve, name, {onPick, note}) {
     this.curve = curve;
-    this.axes = {x: curve.defaultAxis, y: curve.table.column("load") ? "load" : curve.table.columns[0].name};
+    this.axes = {x: curve.defaultAxis, y: curve.table.column(COLUMN.load) ? COLUMN.load : curve.table.columns[0].name};
     this.plot = new Plot({
       name: fileName(name, "curve"),
       label: "Load against displacement; arrow keys go from step to step",
@@ -59,20 +59,22 @@ class LinesFigure {
       label: `${yLabel} along the path`,
       height: (width) => Math.min(330, Math.max(220, 0.6 * width)),
       describe: (series, i) => [
-          ["step", String(curve.steps[series.rows[i]])],
+          [COLUMN.step, String(curve.steps[series.rows[i]])],
           ...lines.map((line) => [line.name, formatNumber(line.values[series.rows[i]])])],
     });
-    const axes = [["step", "step"], ...curve.displacements().map((column) => [column.name, words(column.name)])];
+    const axes =
+        [[COLUMN.step, COLUMN.step], ...curve.displacements().map((column) => [column.name, words(column.name)])];
     this.figure = element(
         "figure", {id},
         element(
-            "div", {class: "toolbar"}, chooser("across", axes, "step", (axis) => this.show(axis)), this.plot.buttons()),
+            "div", {class: "toolbar"}, chooser("across", axes, COLUMN.step, (axis) => this.show(axis)),
+            this.plot.buttons()),
         this.plot.stage,
         element(
             "figcaption", {},
             lines.length > 1 ? legend(lines.map((line, i) => [line.name, PALETTE[i % PALETTE.length]])) : null,
             note ?? ""));
-    this.show("step");
+    this.show(COLUMN.step);
   }
 
   show(axis) {

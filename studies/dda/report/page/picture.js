@@ -1,6 +1,9 @@
 // The picture of the deformed blocks: what is drawn where, in which colours.
 
-/** Options: index, magnification, field, cracks ("opening", "sliding" or "damage"), everyStep (one scale), view (or null). */
+/**
+ * Options: index, magnification, field, cracks ("opening", "sliding" or "damage"), everyStep (one scale), view (or
+ * null).
+ */
 class PicturePainter {
   constructor(blocks, options, scales) {
     this.blocks = blocks;
@@ -61,7 +64,7 @@ class PicturePainter {
   paintTornOut(surface, moved) {
     const {offsets, tornOut} = this.blocks;
     const outlines = tornOut.map((b) => moved.subarray(2 * offsets[b], 2 * offsets[b + 1]));
-    if (outlines.length > 0) surface.tracks(outlines, {stroke: "#e00000", width: 2.4, closed: true});
+    if (outlines.length > 0) surface.tracks(outlines, {stroke: STYLE.markOutline, width: 2.4, closed: true});
   }
 
   /** Outlines of the blocks that are in view. */
@@ -72,7 +75,7 @@ class PicturePainter {
     for (let b = 0; b < blocks.numBlocks; b += 1) {
       const outline = moved.subarray(2 * blocks.offsets[b], 2 * blocks.offsets[b + 1]);
       if (!isInView(outline, width, height)) continue;
-      const fill = values ? scales.field.colourOfBin(scales.field.binOf(values[b])) : "rgb(238,238,238)";
+      const fill = values ? scales.field.colourOfBin(scales.field.binOf(values[b])) : STYLE.blockFill;
       if (!bins.has(fill)) bins.set(fill, []);
       bins.get(fill).push(outline);
     }
@@ -148,8 +151,7 @@ function scalesOf(blocks, {index, field, cracks, everyStep}) {
   if (cracks === "damage") scales.cracks = new ColourScale("crack", [0, 1], "damage of the interface");
   if (cracks === "opening" || cracks === "sliding")
     scales.cracks = new ColourScale(
-        "crack", [0, over((i) => rangeOf([[0], blocks.ofCracks(i, cracks)]))[1]],
-        withUnit(cracks, blocks.lengthUnit));
+        "crack", [0, over((i) => rangeOf([[0], blocks.ofCracks(i, cracks)]))[1]], withUnit(cracks, blocks.lengthUnit));
   scales.list = [scales.cracks, scales.field].filter(Boolean);
   return scales;
 }

@@ -56,9 +56,8 @@ class Plot {
     const {series, marks} = this.content;
     // A point counts where both of its numbers are there.
     const drawn = (one, axis) => one[axis].filter((_, i) => isPoint(one, i));
-    const all = (axis, part) =>
-        widened(rangeOf([...series.map((one) => drawn(one, axis)), marks.map((mark) => mark[axis])]), part);
-    const view = this.view ?? {x: all("x", 0.05), y: all("y", 0.08)};
+    const all = (axis) => widened(rangeOf([...series.map((one) => drawn(one, axis)), marks.map((mark) => mark[axis])]));
+    const view = this.view ?? {x: all("x"), y: all("y")};
     return new PlotFrame(width, height, view.x, view.y);
   }
 

@@ -7,9 +7,6 @@ const PLOT_ROOM = {
   bottom: 44
 };
 
-/** A part of a curve is stable, stable under its control only, unstable, or nobody knows. */
-const LINE_KINDS = [{}, {dash: [5, 5]}, {dash: [5, 5], stroke: PALETTE[1]}, {dash: [1.5, 4], stroke: INK}];
-
 /** From values to the picture and back. */
 class PlotFrame {
   constructor(width, height, x, y) {
@@ -88,8 +85,9 @@ class PlotPainter {
 
   curve(series) {
     if (!series.onlyDots)
-      LINE_KINDS.forEach((kind, k) => {
-        this.surface.tracks(this.pieces(series, k), {stroke: series.colour, width: series.width ?? 1.8, ...kind});
+      STYLE.stability.forEach(({colour, dash}, kind) => {
+        const stroke = PALETTE[colour] ?? series.colour;
+        this.surface.tracks(this.pieces(series, kind), {stroke, width: series.width ?? 1.8, dash});
       });
     if (series.dots) this.dots(series);
   }
@@ -133,7 +131,7 @@ class PlotPainter {
     const places = [];
     const apart = 5;
     for (const series of this.content.series)
-      for (const track of LINE_KINDS.flatMap((_, kind) => this.pieces(series, kind)))
+      for (const track of STYLE.stability.flatMap((_, kind) => this.pieces(series, kind)))
         for (let i = 2; i < track.length && places.length < 20000; i += 2) {
           const [dx, dy] = [track[i] - track[i - 2], track[i + 1] - track[i - 1]];
           const count = Math.min(300, Math.ceil(Math.hypot(dx, dy) / apart));
@@ -171,7 +169,7 @@ class PlotPainter {
     if (!cursor) return;
     const [px, py] = [this.frame.toX(cursor.x), this.frame.toY(cursor.y)];
     if (Number.isFinite(px + py) && this.frame.holds(px, py))
-      this.surface.circle(px, py, 6, {stroke: "#d55e00", width: 2.4});
+      this.surface.circle(px, py, 6, {stroke: PALETTE[1], width: 2.4});
   }
 }
 
@@ -180,9 +178,9 @@ function isPoint(series, i) {
 }
 
 /** A range a little wider than its values, never empty. */
-function widened([low, high], part) {
+function widened([low, high]) {
   const largest = Math.max(Math.abs(low), Math.abs(high));
-  if (!(high - low > 1e-12 * largest))
-    return [low - (largest ? 0.1 * largest : 1), high + (largest ? 0.1 * largest : 1)];
-  return [low - part * (high - low), high + part * (high - low)];
+  const around = largest ? STYLE.halfOfNoLength * largest : 1;
+  const room = high - low > STYLE.leastLength * largest ? STYLE.axisMargin * (high - low) : around;
+  return [low - room, high + room];
 }

@@ -9,9 +9,9 @@ class Raster {
     this.crossings = [];
   }
 
-  /** A colour "rgb(r,g,b)" as the image wants it: bytes red, green, blue, opaque. */
+  /** A colour "#rrggbb" as the image wants it: bytes red, green, blue, opaque. */
   static colour(text) {
-    const [red, green, blue] = text.match(/\d+/g).map(Number);
+    const [red, green, blue] = text.match(/[0-9a-f]{2}/g).map((byte) => parseInt(byte, 16));
     return new Uint32Array(new Uint8Array([red, green, blue, 255]).buffer)[0];
   }
 

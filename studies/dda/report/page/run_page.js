@@ -60,17 +60,17 @@ class RunPage {
     const unit = (name) => this.table.column(name)?.unit ?? "";
     const gauges = Object.entries(peak.gauges ?? {}).slice(0, 2);
     return [
-      ["peak load", `${formatNumber(peak.load)} ${unit("load")}`, `step ${peak.step}`],
+      ["peak load", `${formatNumber(peak.load)} ${unit(COLUMN.load)}`, `step ${peak.step}`],
       ...gauges.map(([name, value]) => [`${words(name)} at the peak`, `${formatNumber(value, 4)} ${unit(name)}`])
     ];
   }
 
   /** Without a summary the highest load of the curve is told, as what it is. */
   highestSoFar() {
-    const load = this.table?.numbers("load");
+    const load = this.table?.numbers(COLUMN.load);
     if (!this.curve || !load) return [];
     const row = load.reduce((best, value, i) => (Math.abs(value) > Math.abs(load[best]) ? i : best), 0);
-    return [["highest load so far", this.table.column("load").textAt(row), `step ${this.curve.steps[row]}`]];
+    return [["highest load so far", this.table.column(COLUMN.load).textAt(row), `step ${this.curve.steps[row]}`]];
   }
 
   pathSection() {
@@ -123,7 +123,7 @@ class RunPage {
   stepText(step) {
     if (!this.curve) return `step ${step}`;
     const row = this.curve.rowOfStep(step);
-    const told = ["load", this.curve.defaultAxis]
+    const told = [COLUMN.load, this.curve.defaultAxis]
                      .map((name) => this.table.column(name))
                      .filter(Boolean)
                      .map((column) => `${words(column.name)} ${column.textAt(row)}`);
@@ -136,28 +136,25 @@ class RunPage {
     const columns = this.table.numericColumns();
     const groups = [
       [
-        "ratios", /^mu_ratio_\d+$/, "μ/μ₀",
+        "ratios", "μ/μ₀",
         "Eigenvalues of the stiffness over those at the start, each followed by its shape: negative where it makes the " +
             "structure unstable."
       ],
+      ["eigenvalues", "eigenvalue", "Lowest eigenvalues of the stiffness: negative where the structure is unstable."],
       [
-        "eigenvalues", /^mu_\d+$/, "eigenvalue",
-        "Lowest eigenvalues of the stiffness: negative where the structure is unstable."
-      ],
-      [
-        "stiffness", /^current_stiffness$/, "current stiffness",
+        "stiffness", "current stiffness",
         "Stiffness along the path over that at the start: zero at a limit point, negative while the load falls and its " +
             "displacement grows, positive while both fall."
       ],
       [
-        "count", /^negative_(eigenvalues|under_control|second_order_work)$/, "negative eigenvalues",
+        "counts", "negative eigenvalues",
         "How many eigenvalues of the stiffness are negative: under dead load, while the control holds what it prescribes, " +
             "and of its symmetric part, where friction or unequal strengths make it unsymmetric."
       ],
     ];
     const figures = groups.map(
-        ([id, pattern, label, note]) =>
-            this.stabilityFigure(columns.filter(({name}) => pattern.test(name)), {id, label, note}));
+        ([id, label, note]) =>
+            this.stabilityFigure(columns.filter(({name}) => COLUMNS[id].test(name)), {id, label, note}));
     const drawn = figures.filter(Boolean);
     return drawn.length === 0 ? null : section("stability", "Stability", element("div", {class: "figures"}, drawn));
   }
@@ -172,7 +169,7 @@ class RunPage {
 
   energySection() {
     const [work, stored, dissipated] =
-        ["external_work", "stored_energy", "dissipated_energy"].map((name) => this.table?.numbers(name));
+        [COLUMN.work, COLUMN.stored, COLUMN.dissipated].map((name) => this.table?.numbers(name));
     if (!this.curve || !work || !stored || !dissipated) return null;
     const jumps = this.jumps();
     const lines = [["external work", work], ["stored", stored], ["dissipated", dissipated]].map(
@@ -182,7 +179,7 @@ class RunPage {
     const error = work.map(
         (value, row) =>
             (value - work[0] - (stored[row] - stored[0]) - (dissipated[row] - dissipated[0]) - jumps[row]) / largest);
-    const unit = this.table.column("external_work").unit;
+    const unit = this.table.column(COLUMN.work).unit;
     return section(
         "energy", "Energy balance",
         element(
@@ -302,10 +299,11 @@ class RunPage {
 
 /** "mu_2" as μ₂, "mu_ratio_1" as μ₁ ratio. */
 function symbolOf(name) {
-  const match = /^mu_(ratio_)?(\d+)$/.exec(name);
+  const ratio = COLUMNS.ratios.exec(name);
+  const match = ratio ?? COLUMNS.eigenvalues.exec(name);
   if (!match) return words(name);
-  const subscript = match[2].replace(/\d/g, (digit) => "₀₁₂₃₄₅₆₇₈₉"[digit]);
-  return `μ${subscript}${match[1] ? " ratio" : ""}`;
+  const subscript = match[1].replace(/\d/g, (digit) => "₀₁₂₃₄₅₆₇₈₉"[digit]);
+  return `μ${subscript}${ratio ? " ratio" : ""}`;
 }
 
 /** What a line of the log says beside its time, level, event and step. */

@@ -38,6 +38,9 @@ class SweepCase {
 }
 
 class Sweep {
+  /** What curves have beside displacements. */
+  static axes = [COLUMN.load, COLUMN.loadFactor, COLUMN.dissipated];
+
   constructor(data) {
     this.data = data;
     this.table = data.table ? new Table(data.table) : null;
@@ -78,7 +81,7 @@ class Sweep {
     for (const {curve} of this.cases)
       for (const column of curve?.columns ?? [])
         if (column.isNumeric) found.set(column.name, column);
-    const rank = ({name}) => ["load", "load_factor", "dissipated_energy"].indexOf(name);
+    const rank = ({name}) => Sweep.axes.indexOf(name);
     return [...found.values()].sort((one, other) => rank(one) - rank(other));
   }
 
@@ -98,7 +101,8 @@ class Sweep {
     // Numbers follow a scale that leaves out its palest end; few words have colours of their own.
     const part = (i) => (values.length > 1 ? (0.92 * i) / (values.length - 1) : 0);
     const colours = values.map(
-        (_, i) => (areNumbers || values.length > PALETTE.length ? colourAt("viridis", part(i)) : PALETTE[i]));
+        (_, i) =>
+            (areNumbers || values.length > PALETTE.length ? STYLE.maps.viridis[colourStep(part(i))] : PALETTE[i]));
     const colour = (one) => colours[values.indexOf(one.setting(key))] ?? GREY;
     return {
       colour,

@@ -73,8 +73,8 @@ class SweepPage {
   curvePlot() {
     const columns = this.sweep.curveColumns();
     if (columns.length < 2) return null;
-    const gauge = columns.find(({name}) => !["load", "load_factor", "dissipated_energy"].includes(name)) ?? columns[1];
-    const up = columns.find(({name}) => name === "load") ?? columns[0];
+    const gauge = columns.find(({name}) => !Sweep.axes.includes(name)) ?? columns[1];
+    const up = columns.find(({name}) => name === COLUMN.load) ?? columns[0];
     return this.axesPlot(columns, {x: gauge.name, y: up.name}, {
       id: "overlay",
       name: fileName(this.data.name, "curves"),

@@ -24,7 +24,7 @@ TEST(StabilityRecord, UnknownIsNeverStable) {
       curve_of({{"0", "0"}, {"nan", "nan"}, {"0", "0"}, {"0", "0"}, {"1", "0"}, {"2", "1"}});
   using enum Stability;
   EXPECT_EQ(stability_of(curve), (std::vector{stable, unknown, stable, stable, under_control, unstable}));
-  EXPECT_EQ(stability_between(curve), (std::vector{unknown, unknown, stable, stable, under_control}));
+  EXPECT_EQ(between(stability_of(curve)), (std::vector{unknown, unknown, stable, stable, under_control}));
   const auto counts = stability_counts(curve);
   EXPECT_EQ(counts["unknown"], 1);
   EXPECT_EQ(counts["stable"], 3);

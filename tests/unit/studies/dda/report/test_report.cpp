@@ -97,6 +97,7 @@ TEST(Report, TheLogIsDigested) {
       "{\"time\":\"t3\",\"level\":\"warning\",\"event\":\"notice\",\"text\":\"so\"}\n"
       "{\"time\":\"t4\",\"level\":\"info\",\"event\":\"step\",\"step\":1,\"residual\":0.25,\"landed\":"
       "\"cmod\"}\n"
+      "{\"time\":\"t4\",\"event\":\"step\",\"step\":1,\"residual\":[1]}\n"
       "{\"time\":\"t5\",\"lev");
   const Json log = data_of_log(scratch / "log.jsonl", {});
   EXPECT_EQ(log["started"], "t1");

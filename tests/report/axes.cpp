@@ -1,0 +1,22 @@
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "framework/figure/axis.hpp"
+#include "framework/figure/style.hpp"
+
+/// Axes of the ranges [[low, high, wanted ticks], ...] that it reads, for the comparison with those of the page.
+int main() {
+  using namespace dda::svg;
+  nlohmann::json out;
+  for (const auto& range : nlohmann::json::parse(std::cin)) {
+    const Axis axis = make_axis({range[0], range[1], false}, range[2]);
+    nlohmann::json labels = nlohmann::json::array();
+    for (const Tick& tick : axis.ticks) labels.push_back(tick.label);
+    const Range wide = axis.range.widened(axis_margin);
+    const double length = axis.range.high - axis.range.low;
+    out.push_back(
+        {{"labels", labels}, {"scale", axis.scale}, {"numbers", {wide.low, wide.high, round_down(length)}}});
+    for (const Tick& tick : axis.ticks) out.back()["numbers"].push_back(tick.value);
+  }
+  std::cout << out;
+}
