@@ -44,7 +44,11 @@ class LinearSystem {
     std::span<const Vec2> traction;
   };
 
-  LinearSystem(const Equilibrium& equilibrium, const DirectSolverChoice& solver, Update update);
+  /// Factorises; the solver may have analysed the intact stiffness before. Throws InputError where that is
+  /// singular.
+  LinearSystem(const Equilibrium& equilibrium, std::unique_ptr<DirectSolver> solver, Update update);
+  LinearSystem(const Equilibrium& equilibrium, const DirectSolverChoice& solver, Update update)
+      : LinearSystem(equilibrium, solver.make(), update) {}
   /// Times its phases there from now on.
   void measure_with(Timings& timings) { timings_ = &timings; }
 

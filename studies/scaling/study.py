@@ -47,11 +47,11 @@ def run(program, deck, folder):
 
 
 def predicted_memory(program, folder):
-    """MiB, as `dda check` says."""
+    """MiB that the run takes at least, as `dda check` says."""
     said = subprocess.run([program, "check", Path(folder) / "deck.json"], check=True, capture_output=True,
                           text=True).stdout
     line = next(line for line in said.splitlines() if line.strip().startswith("memory"))
-    return float(line.split("about ")[1].split(" MiB")[0])
+    return float(line.split("at least ")[1].split(" MiB")[0])
 
 
 def row_of(seconds, summary):
