@@ -22,6 +22,7 @@ struct State {
 struct Settled {
   State state;
   std::vector<History> history;
+  int iterations = 0;  ///< that led to it: Newton's, or steps from crack to crack of sequentially linear ones
 };
 
 /// What the laws say at a state.
