@@ -8,18 +8,13 @@ Runs have one thread, but for those that compare one with two. Exit 1 when a tar
 
 import json
 import statistics
-import subprocess
 import sys
 import tempfile
-import time
-from pathlib import Path
 
+import decks
 import mesh_of_run
-
-STUDIES = Path(__file__).resolve().parents[2] / "studies"
-sys.path.insert(0, str(STUDIES / "scaling"))
-
-import beams  # noqa: E402
+from decks import STUDIES, beams
+from processes import Program
 
 # Phases of a profile that belong to following the path.
 FOLLOWING = ("tangents", "laws", "solutions", "path", "LOCA", "residuals", "columns", "products", "energies",
@@ -29,30 +24,6 @@ ITERATED = {2000: (2.70, 21.6), 20_000: (0.81, 6.48)}
 
 
 THREADED = (("triangles", 30_000, 1.2), ("triangles", 100_000, 1.2), ("voronoi", 30_000, 1.3), ("voronoi", 100_000, 1.3))
-
-
-class Program:
-    def __init__(self, path, folder):
-        self.path, self.folder = str(Path(path).resolve()), Path(folder)
-
-    def run(self, deck, *settings, threads=1):
-        """Seconds of the whole process, and its summary; `deck` is a file or what goes into one."""
-        if isinstance(deck, dict):
-            file = self.folder / "deck.json"
-            file.write_text(json.dumps(deck), encoding="utf-8")
-            deck = file
-        command = [self.path, "run", deck, "--folder", self.folder / "run", "--overwrite", "--quiet", "--threads",
-                   str(threads)]
-        for setting in settings:
-            command += ["--set", setting]
-        start = time.perf_counter()
-        subprocess.run(command, check=True, capture_output=True)
-        seconds = time.perf_counter() - start
-        return seconds, json.loads((self.folder / "run" / "summary.json").read_text(encoding="utf-8"))
-
-    def seconds(self, deck, runs, *settings):
-        found = [self.run(deck, *settings) for _ in range(runs + 1)][1:]
-        return statistics.median(seconds for seconds, _ in found), found[-1][1]
 
 
 def seconds_per_iteration(summary):
@@ -89,18 +60,7 @@ def snap_back(program, runs):
 
 def voronoi(program, runs):
     for blocks, target in ((560, 0.7), (2200, 4.5)):
-        deck = {
-            "scene": {"regions": [{"material": "concrete", "vertices": [[0, 0], [300, 0], [300, 100], [0, 100]]}],
-                      "slits": {"notch": [[150, 0], [150, 50]]},
-                      "subdivision": {"type": "voronoi", "blocks": blocks, "seed": 1}},
-            "thickness": 100,
-            "materials": {"concrete": {"type": "linear_elastic", "young_modulus": 30000, "poisson_ratio": 0.2}},
-            "interfaces": {"any": {"between": ["concrete", "concrete"], "law": {
-                "type": "linear_softening", "tensile_strength": 3, "fracture_energy": 0.1}}},
-            "supports": {"left": {"at": [0, 0], "fix": "xy"}, "right": {"at": [300, 0], "fix": "y"}},
-            "stages": [{"loads": [{"type": "point_load", "at": [150, 100], "force": [0, -1]}]}],
-            "path": {"stop": {"load_below": 0.1}},
-        }
+        deck = decks.voronoi(blocks, 2)
         seconds, summary = program.seconds(deck, runs)
         yield f"{summary['blocks']} Voronoi cells, notch D/2, every interface able to crack [s]", seconds, target, False
 

@@ -3,21 +3,17 @@
     whole_process.py PROGRAM [RUNS]
 
 Each deck is run RUNS times (default 7) after one that fills the file cache; a number is the median. The split by
-phase is summary.json's, of the same runs; "outside" is what the process spends before its clock and after it.
+phase is summary.json's, of the same runs; start-up is also what the process spends before its clock and after it.
 Exit 1 when a median exceeds its target.
 """
 
-import json
-import os
 import statistics
-import subprocess
 import sys
 import tempfile
-import time
 from dataclasses import dataclass
-from pathlib import Path
 
-STUDIES = Path(__file__).resolve().parents[2] / "studies"
+from decks import STUDIES
+from processes import Program
 
 
 @dataclass(frozen=True)
@@ -31,27 +27,32 @@ class Case:
 BRITTLE = "interfaces.joints.law.fracture_energy=0.02"
 CASES = (Case("snap-back-beam", "snap-back-beam", 1.0), Case("voronoi-beam", "voronoi-beam", 3.0),
          Case("voronoi-beam, Gf = 0.02", "voronoi-beam", 3.0, (BRITTLE,)))
+# Phases of a run that are shown together; all others are "path and the rest".
+GROUPS = {
+    "meshing": ("meshing",),
+    "assembly and factorisation": ("equilibrium", "factorisation"),
+    "columns of cracked points, products with them": ("columns", "products", "solutions"),
+    "iterations": ("reduced iterations", "LOCA", "contact", "tangents"),
+    "laws, residuals, energies, stability": ("laws", "residuals", "energies", "stability"),
+    "output": ("output", "fields", "restart file", "figures"),
+    "start-up": ("start_up", "outside"),
+}
+REST = "path and the rest"
 
 
-def measure(program, deck, settings, folder):
-    """Seconds of one whole process, and its summary."""
-    command = [program, "run", deck, "--folder", folder, "--overwrite", "--quiet"]
-    for setting in settings:
-        command += ["--set", setting]
-    start = time.perf_counter()
-    subprocess.run(command, check=True, capture_output=True, env=os.environ | {"OMP_NUM_THREADS": "1"})
-    seconds = time.perf_counter() - start
-    return seconds, json.loads((Path(folder) / "summary.json").read_text(encoding="utf-8"))
+def grouped(phases):
+    """Seconds of the groups, and what is left."""
+    known = {name for names in GROUPS.values() for name in names} | {"total"}
+    out = {group: sum(phases.get(name, 0) for name in names) for group, names in GROUPS.items()}
+    return out | {REST: sum(seconds for name, seconds in phases.items() if name not in known)}
 
 
 def measure_case(program, case, runs):
-    with tempfile.TemporaryDirectory() as folder:
-        deck = STUDIES / case.study / "deck.yaml"
-        found = [measure(program, deck, case.settings, folder) for _ in range(runs + 1)][1:]
+    found = [program.run(STUDIES / case.study / "deck.yaml", *case.settings) for _ in range(runs + 1)][1:]
     summary = found[-1][1]
-    phases = {name: statistics.median(run["timings"][name] for _, run in found) for name in summary["timings"]}
+    phases = {name: statistics.median(run["timings"].get(name, 0) for _, run in found) for name in summary["timings"]}
     phases["outside"] = statistics.median(seconds - run["timings"]["total"] for seconds, run in found)
-    return statistics.median(seconds for seconds, _ in found), phases, summary
+    return statistics.median(seconds for seconds, _ in found), grouped(phases), summary
 
 
 def overview(measured):
@@ -65,17 +66,18 @@ def overview(measured):
 
 
 def split(measured):
-    names = list(dict.fromkeys(name for _, (_, phases, _) in measured for name in phases if name != "total"))
     print("\n| phase [s] | " + " | ".join(case.name for case, _ in measured) + " |")
     print("|---|" + "---|" * len(measured))
-    for name in names:
-        seconds = (f"{phases.get(name, 0):.3f}" for _, (_, phases, _) in measured)
-        print(f"| {name.replace('_', '-')} | " + " | ".join(seconds) + " |")
+    for name in (*GROUPS, REST):
+        seconds = (f"{groups[name]:.3f}" for _, (_, groups, _) in measured)
+        print(f"| {name} | " + " | ".join(seconds) + " |")
 
 
 def main(arguments):
-    program, runs = arguments[0], int(arguments[1]) if len(arguments) > 1 else 7
-    measured = [(case, measure_case(program, case, runs)) for case in CASES]
+    runs = int(arguments[1]) if len(arguments) > 1 else 7
+    with tempfile.TemporaryDirectory() as folder:
+        program = Program(arguments[0], folder)
+        measured = [(case, measure_case(program, case, runs)) for case in CASES]
     overview(measured)
     split(measured)
     return 1 if any(result[0] > case.target for case, result in measured) else 0
