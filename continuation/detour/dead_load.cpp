@@ -41,6 +41,7 @@ std::string release(Walker& walker) {
   if (found) {
     Candidate next = walker.settled(*found);
     why = objection_to(next, walker);
+    if (why.empty() && !walker.confirm(next)) why = "NOX does not converge there";
     if (why.empty()) walker.jump(std::move(next));
   }
   if (why.empty()) return {};

@@ -87,7 +87,7 @@ class Release {
     system_.set_multipliers(guess.multipliers);
     const auto found = equilibrium.solve(guess);
     if (!found) return {};
-    return Settled{*found, system_.next_history(*found)};
+    return Settled{*found, system_.next_history(*found), equilibrium.iterations()};
   }
 
   /// Share of the way to `end` at which another point reaches its strength first, or one that is losing its

@@ -218,7 +218,7 @@ std::optional<Settled> sequentially_linear(System& system, const State& start, d
   bool is_enough = !walk.find_critical();
   for (int i = 0; i < most && !is_enough && walk.step(); ++i) {
     if (!walk.is_admissible()) continue;
-    out = Settled{walk.state(), system.history()};
+    out = Settled{walk.state(), system.history(), i + 1};
     for (History& h : out->history) h.loading = false;
     out->history[walk.critical()].loading = true;
     is_enough = system.dissipated(system.history()) >= goal;

@@ -124,6 +124,10 @@ std::optional<Point> jump_to(PathState& path, Candidate beyond, StepKind kind) {
     path.report("rejected", fmt::format("{}: {}", label, why));
     return {};
   }
+  if (!beyond.solution && !path.walker.confirm(beyond)) {
+    path.report("rejected", label + ": NOX does not converge there");
+    return {};
+  }
   report_passed(path, path.walker.state(), beyond.state);
   Point point = noted(path, beyond, kind);
   point.jump_energy = path.walker.jump(std::move(beyond));

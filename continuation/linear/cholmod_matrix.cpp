@@ -69,10 +69,9 @@ void CholmodMatrix::forget() {
 double CholmodMatrix::factor_bytes(const BlockMatrix& a) {
   assemble(a);
   analyse(a);
-  constexpr double copies = 2;
   const double of_factor = static_cast<double>(factor_->xsize) * sizeof(double) +
                            static_cast<double>(factor_->ssize) * sizeof(int);
-  return of_factor + copies * static_cast<double>(matrix_->nzmax) * (sizeof(double) + sizeof(int));
+  return of_factor + static_cast<double>(matrix_->nzmax) * (sizeof(double) + sizeof(int));
 }
 
 void CholmodMatrix::assemble(const BlockMatrix& a) {

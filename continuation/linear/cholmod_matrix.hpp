@@ -31,7 +31,7 @@ class CholmodMatrix final : public HalfSolver {
   void forget();
   /// Overwrites each of the columns of length n in x by the solution for it.
   void solve(std::span<double> x, int columns) const;
-  /// Memory of L, known when the matrix is analysed, and of the two copies of A beside it [bytes].
+  /// Memory of L, known when the matrix is analysed, and of A beside it [bytes].
   double factor_bytes(const BlockMatrix& a);
   /// Operations of the factorisation.
   double factor_flops() const { return common_.fl; }

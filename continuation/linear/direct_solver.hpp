@@ -18,7 +18,7 @@ class DirectSolver {
   virtual bool factor(const BlockMatrix& a) = 0;
   /// Overwrites each of the columns of length n in x by A⁻¹ times it.
   virtual void solve(std::span<double> x, int columns) = 0;
-  /// Memory that a factorisation of A will take, from its pattern alone [bytes].
+  /// Memory that a factorisation of A takes at least, from its pattern alone [bytes].
   virtual double factor_bytes(const BlockMatrix& a) = 0;
   /// Estimated floating point operations of the last factorisation, or of the one that `factor_bytes`
   /// counted.

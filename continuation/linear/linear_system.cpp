@@ -23,9 +23,10 @@ Mat2 symmetric_part(const Mat2& a) { return 0.5 * (a + a.transpose()); }
 
 }  // namespace
 
-LinearSystem::LinearSystem(const Equilibrium& equilibrium, const DirectSolverChoice& solver, Update update)
+LinearSystem::LinearSystem(const Equilibrium& equilibrium, std::unique_ptr<DirectSolver> solver,
+                           Update update)
     : equilibrium_(equilibrium),
-      solver_(solver.make()),
+      solver_(std::move(solver)),
       update_(update),
       slot_(equilibrium.num_active(), -1) {
   for (std::size_t p = 0; p < equilibrium.num_active(); ++p)

@@ -54,7 +54,11 @@ class LinearSystem {
     std::optional<double> dead_work = {};  ///< f_dead · d [FL]
   };
 
-  LinearSystem(const Equilibrium& equilibrium, const DirectSolverChoice& solver, Update update);
+  /// Factorises; the solver may have analysed the intact stiffness before. Throws InputError where that is
+  /// singular.
+  LinearSystem(const Equilibrium& equilibrium, std::unique_ptr<DirectSolver> solver, Update update);
+  LinearSystem(const Equilibrium& equilibrium, const DirectSolverChoice& solver, Update update)
+      : LinearSystem(equilibrium, solver.make(), update) {}
   LinearSystem(const LinearSystem&) = delete;
   LinearSystem& operator=(const LinearSystem&) = delete;
   ~LinearSystem();

@@ -103,9 +103,8 @@ double MumpsMatrix::factor_bytes(const BlockMatrix& a) {
   set(a);
   call(job_analyse);
   is_analysed_ = true;
-  constexpr double mega = 1e6;
   const double per_entry = 2 * sizeof(MUMPS_INT) + sizeof(double);
-  return mega * count(16) + per_entry * static_cast<double>(values_.size());
+  return sizeof(double) * large_count(20) + per_entry * static_cast<double>(values_.size());
 }
 
 bool MumpsMatrix::factor() {

@@ -33,16 +33,21 @@ class MumpsMatrix {
   /// LDLᵀ or LU of the matrix, analysed before when its pattern is new. False when it is numerically
   /// singular.
   bool factor();
-  /// Memory that a factorisation of A will take, its own copy of A included [bytes].
+  /// Memory of the factors that the analysis expects, and of the copy of A [bytes].
   double factor_bytes(const BlockMatrix& a);
   /// Operations of the factorisation; before the first those that the analysis expects.
   double flops() const { return is_factorised_ ? real_result(3) : real_result(1); }
   /// Overwrites each of the columns of length n in x by the solution for it. Throws std::runtime_error.
   void solve(std::span<double> x, int columns);
 
-  MUMPS_INT& control(int number) { return id_.icntl[number - 1]; }         ///< ICNTL
-  double& real_control(int number) { return id_.cntl[number - 1]; }        ///< CNTL
-  int count(int number) const { return id_.infog[number - 1]; }            ///< INFOG
+  MUMPS_INT& control(int number) { return id_.icntl[number - 1]; }   ///< ICNTL
+  double& real_control(int number) { return id_.cntl[number - 1]; }  ///< CNTL
+  int count(int number) const { return id_.infog[number - 1]; }      ///< INFOG
+  /// INFOG of numbers that it gives in millions where they are large, negative then.
+  double large_count(int number) const {
+    constexpr double million = 1e6;
+    return count(number) < 0 ? -million * count(number) : count(number);
+  }
   double real_result(int number) const { return id_.rinfog[number - 1]; }  ///< RINFOG
 
  private:

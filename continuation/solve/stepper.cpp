@@ -29,7 +29,7 @@ Stepper::Stepper(System& system, StepperParameters parameters)
     : system_(system), parameters_(std::move(parameters)) {}
 
 LocaStepper& Stepper::loca(Unknowns unknowns) {
-  auto& kept = loca_[static_cast<std::size_t>(unknowns)];
+  auto& kept = loca_[place(unknowns)];
   if (!kept)
     kept = make_loca_stepper({.line_search = line_search_of(parameters_.newton),
                               .reduction = parameters_.newton.reduction.value_or(0.5),
@@ -38,7 +38,12 @@ LocaStepper& Stepper::loca(Unknowns unknowns) {
   return *kept;
 }
 
-Solved Stepper::solve(const Solve& wanted) { return loca(wanted.equations.unknowns()).solve(wanted); }
+Solved Stepper::solve(const Solve& wanted) {
+  const Unknowns unknowns = wanted.equations.unknowns();
+  Solved out = loca(unknowns).solve(wanted);
+  iterations_[place(unknowns)] += out.iterations;
+  return out;
+}
 
 void Stepper::accept(const Solution& solution, const State& state) {
   const std::vector<double>& x = solution.unknowns == Unknowns::whole ? state.d.all() : solution.x;
@@ -46,7 +51,7 @@ void Stepper::accept(const Solution& solution, const State& state) {
 }
 
 int Stepper::num_steps(Unknowns unknowns) const {
-  const auto& kept = loca_[static_cast<std::size_t>(unknowns)];
+  const auto& kept = loca_[place(unknowns)];
   return kept ? kept->num_steps() : 0;
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "continuation/solve/loca.hpp"
 #include "continuation/solve/step_goal.hpp"
@@ -67,16 +68,20 @@ class Stepper {
   void accept(const Solution& solution, const State& state);
   /// Accepted steps, as LOCA counts them.
   int num_steps(Unknowns unknowns) const;
+  /// Iterations of NOX since they were last taken.
+  int take_iterations(Unknowns unknowns) { return std::exchange(iterations_[place(unknowns)], 0); }
   /// Where NOX and LOCA print what `path.newton.output` asks for, from the first solve on.
   void log_to(const std::filesystem::path& file) { log_ = file; }
 
  private:
+  static std::size_t place(Unknowns unknowns) { return static_cast<std::size_t>(unknowns); }
   LocaStepper& loca(Unknowns unknowns);
 
   System& system_;
   StepperParameters parameters_;
   std::filesystem::path log_;
   std::array<std::unique_ptr<LocaStepper>, 2> loca_;
+  std::array<int, 2> iterations_{};
 };
 
 }  // namespace dda

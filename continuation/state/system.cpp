@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "continuation/state/least_memory.hpp"
 #include "framework/base/threads.hpp"
 #include "models/stiffness_parts.hpp"
 
@@ -19,7 +20,7 @@ constexpr std::size_t points_at_once = 2000, blocks_at_once = 8000, numbers_at_o
 System::System(const Equilibrium& equilibrium, const DirectSolverChoice& solver, LinearSystem::Update update)
     : equilibrium_(equilibrium),
       loading_(nullptr),
-      linear_(equilibrium, solver, update),
+      linear_(equilibrium, affordable_solver(equilibrium, solver), update),
       solver_(solver),
       history_(equilibrium.num_active()) {
   for (std::size_t p = 0; p < equilibrium.num_active() && !physical_; ++p)

@@ -24,6 +24,7 @@ struct State {
 struct Settled {
   State state;
   std::vector<History> history;
+  int iterations = 0;  ///< that led to it: Newton's, or steps from crack to crack of sequentially linear ones
 };
 
 /// What the laws say at a state.
@@ -49,6 +50,8 @@ enum class Metric { natural, openings };
 /// With `frozen` damage the laws answer with their secant at the committed history (event control).
 class System {
  public:
+  /// Factorises the intact stiffness. Throws InputError where that is singular, or needs more memory than there
+  /// is.
   System(const Equilibrium& equilibrium, const DirectSolverChoice& solver, LinearSystem::Update update);
   /// Times the phases of a step there from now on.
   void measure_with(Timings& timings);

@@ -21,7 +21,6 @@ std::optional<Point> increment_step(PathState& path) {
   for (double increment = first; increment > smallest; increment *= 0.5) {
     const Increment found =
         load_increment(path.walker.stepper(), path.walker.state(), {increment, *path.control->load_solver()});
-    path.walker.effort().newton_iterations += found.newton_iterations;
     path.walker.effort().relaxation_iterations += found.relaxation_iterations;
     if (!found.settled || is_mechanism(path, found.settled->state)) {
       why = found.settled ? "what is left is a mechanism" : found.why;
@@ -33,7 +32,6 @@ std::optional<Point> increment_step(PathState& path) {
       why = "what was found is not the next point of this path";
       continue;
     }
-    point->newton_iterations = found.newton_iterations;
     path.memory.step = increment;
     return point;
   }

@@ -1,6 +1,7 @@
 #include "continuation/walk/walker.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -29,10 +30,14 @@ Attempt Walker::attempt(ControlEquation& control, double step, const State& gues
   constexpr int often = 10;  // with the steps whose fields are stored by default
   const bool is_audited = (effort_.accepted + 1) % often == 0;
   Attempt out = stepper_.find({here_.state, control, step, guess, is_audited}, thoroughness);
-  effort_.newton_iterations += out.newton_iterations - out.reduced_iterations;
-  effort_.reduced_iterations += out.reduced_iterations;
+  count_iterations();
   effort_.multiplier_iterations += out.multiplier_iterations;
   return out;
+}
+
+void Walker::count_iterations() {
+  effort_.newton_iterations += stepper_.take_iterations(Unknowns::whole);
+  effort_.reduced_iterations += stepper_.take_iterations(Unknowns::cracked);
 }
 
 State Walker::ahead(double amount) const {
@@ -88,7 +93,8 @@ void Walker::accept(Candidate candidate) {
   system_.set_history(here_.history);
   system_.set_multipliers(here_.state.multipliers);
   if (here_.state.d.are_all_known()) system_.remember_force_level(here_.state.d);
-  take(here_.solution ? *std::exchange(here_.solution, {}) : confirmed());
+  assert(here_.solution);
+  take(*std::exchange(here_.solution, {}));
   if (here_.arriving.d.empty()) fill_arriving(here_);
   leaving_ = leaving_tangent(system_, here_.state, here_.arriving);
   ++effort_.accepted;
@@ -102,18 +108,24 @@ void Walker::take(const Solution& solution) {
   (solution.unknowns == Unknowns::cracked ? effort_.cracked_steps : effort_.whole_steps) += count() - before;
 }
 
-/// What a detour has found, as NOX finds it from there with the load factor held.
-Solution Walker::confirmed() {
+bool Walker::confirm(Candidate& candidate) {
+  const State& at = candidate.state;
+  const HistoryGuard back(system_, here_.state.multipliers);
+  system_.set_history(candidate.history);
+  system_.set_multipliers(at.multipliers);
   const auto load = make_gauge_equation({.rows = {}, .per_load_factor = 1});
-  const State& at = here_.state;
   load->start_at({at.d, at.load_factor, *system_.laws_at(at)}, 1);
   WholeEquations equations(system_, *load, 0, parameters().newton);
-  stepper_.solve({equations, {at.d, at.load_factor}});
-  return {};
+  const Solved found = stepper_.solve({equations, {at.d, at.load_factor}});
+  count_iterations();
+  if (found.converged) candidate.solution = Solution{};
+  return found.converged;
 }
 
 Candidate Walker::settled(const Settled& found) {
-  Candidate next{.state = found.state, .history = found.history, .arriving = {}};
+  count_iterations();
+  Candidate next{
+      .state = found.state, .history = found.history, .arriving = {}, .newton_iterations = found.iterations};
   const HistoryGuard back(system_, here_.state.multipliers);
   system_.set_history(next.history);
   system_.set_multipliers(next.state.multipliers);

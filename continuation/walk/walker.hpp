@@ -25,6 +25,9 @@ struct Effort {
   int multiplier_iterations = 0;
   int relaxation_iterations = 0;  ///< residuals that dynamic relaxation evaluated
 
+  /// Steps are counted from here on: those of dead loads are none of the path.
+  void count_steps_anew() { accepted = cracked_steps = whole_steps = 0; }
+
   template <class Self, class Visit>
   static void visit(Self& self, Visit& visit) {
     visit("accepted", self.accepted);
@@ -44,7 +47,7 @@ struct Candidate {
   State state;
   std::vector<History> history;
   Tangent arriving;
-  std::optional<Solution> solution = {};  ///< none of what a detour has found
+  std::optional<Solution> solution = {};  ///< none of what a detour has found, before NOX has confirmed it
   double dissipated = 0;                  ///< since the start of the run [FL]
   double stored = 0;                      ///< [FL]
   double work = 0;                        ///< since the start of the run [FL]
@@ -90,10 +93,12 @@ class Walker {
                   Thoroughness thoroughness = Thoroughness::usual);
   /// Everything about a converged attempt; the walker stays where it is.
   Candidate evaluate(const Attempt& attempt);
-  /// Moves to a candidate.
+  /// Moves to a candidate that has a solution, and has LOCA take the step.
   void accept(Candidate candidate);
   /// An equilibrium that no continuous step led to, with its residual.
   Candidate settled(const Settled& found);
+  /// Whether NOX converges where a candidate without a solution stands, its load factor held; then it has one.
+  bool confirm(Candidate& candidate);
   /// Moves there; returns the energy released on the way [FL].
   double jump(Candidate next);
 
@@ -114,8 +119,9 @@ class Walker {
   void restore(Candidate at, std::vector<History> history, const Effort& effort, Tangent leaving);
 
  private:
-  Solution confirmed();
   void take(const Solution& solution);
+  /// Adds what NOX has done since the last time.
+  void count_iterations();
   void fill_energies(Candidate& candidate);
   /// The tangent with the flags of the system's history, and the inertia of its stiffness.
   void fill_arriving(Candidate& candidate);

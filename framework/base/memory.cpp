@@ -1,6 +1,7 @@
 #include "framework/base/memory.hpp"
 
 #include <fmt/format.h>
+#include <malloc.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -60,6 +61,17 @@ std::optional<double>& given_limit() {
 }
 
 }  // namespace
+
+/// RssFile, and malloc's own count.
+double held_memory() {
+  std::ifstream status("/proc/self/status");
+  const std::string name = "RssFile:";
+  double libraries = 0;
+  for (std::string line; std::getline(status, line);)
+    if (line.starts_with(name)) libraries = bytes_per_kib * std::stod(line.substr(name.size()));
+  const struct mallinfo2 heap = mallinfo2();
+  return libraries + static_cast<double>(heap.uordblks + heap.hblkhd);
+}
 
 double memory_limit() { return given_limit().value_or(usable_memory()); }
 void set_memory_limit(double bytes) { given_limit() = bytes; }

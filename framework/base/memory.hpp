@@ -8,6 +8,10 @@ constexpr double bytes_per_gib = 1024.0 * 1024.0 * 1024.0;
 /// and the shell (ulimit -v) allow.
 double usable_memory();
 
+/// Memory that this process holds and does not take again [bytes]: pages of its libraries, and what is
+/// allocated; not what it has given back, nor what other allocators have.
+double held_memory();
+
 /// What a run may need [bytes]: as set, else `usable_memory`.
 double memory_limit();
 void set_memory_limit(double bytes);

@@ -4,9 +4,10 @@ from pathlib import Path
 
 GEOMETRY = Path(__file__).resolve().parents[1] / "notched-beam" / "beam.geo"
 DEPTH, SPAN, NOTCH, THICKNESS = 100, 400, 50, 100  # mm
-NUMBERS = (1000, 3000, 10_000, 30_000, 100_000)
+NUMBERS = {"triangles": (1000, 3000, 10_000, 30_000, 100_000, 325_000), "voronoi": (1000, 3000, 10_000, 30_000, 100_000)}
 # Sides of the triangles at the ligament and far from it that give about so many blocks [mm].
-TRIANGLES = {1000: (3.86, 30.9), 3000: (2.16, 17.3), 10_000: (1.15, 9.2), 30_000: (0.657, 5.26), 100_000: (0.357, 2.86)}
+TRIANGLES = {1000: (3.86, 30.9), 3000: (2.16, 17.3), 10_000: (1.15, 9.2), 30_000: (0.657, 5.26), 100_000: (0.357, 2.86),
+             325_000: (0.198, 1.586)}
 
 
 def deck(scene):

@@ -33,7 +33,7 @@ def table(rows, names):
                              ("iterations on the cracked points", "reduced_iterations", "{:.0f}"),
                              ("iterations on all unknowns", "newton_iterations", "{:.0f}"),
                              ("factorisations", "factorisations", "{:.0f}"), ("peak load [N]", "peak_load", "{:.2f}"),
-                             ("memory [MiB]", "memory_mib", "{:.0f}"), ("predicted by `check` [MiB]", "predicted_mib", "{:.0f}")):
+                             ("memory [MiB]", "memory_mib", "{:.0f}"), ("at least, by `check` [MiB]", "predicted_mib", "{:.0f}")):
         yield f"| {title} | " + " | ".join(form.format(row[key]) for row in rows) + " | |"
     for name in names:
         p = exponent(rows, name)

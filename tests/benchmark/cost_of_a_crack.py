@@ -6,19 +6,15 @@ Prints a Markdown table; numbers are medians of RUNS runs (default 5), ratios ar
 Runs have one thread, but for those that compare one with two. Exit 1 when a target is missed.
 """
 
-import os
+import json
 import statistics
 import sys
 import tempfile
-from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
-STUDIES = ROOT / "studies"
-sys.path[:0] = [str(ROOT / "python"), str(STUDIES / "scaling")]
-
-import beams  # noqa: E402
-import mesh_of_run  # noqa: E402
-from ddapath import study  # noqa: E402
+import decks
+import mesh_of_run
+from decks import STUDIES, beams
+from processes import Program
 
 # Phases of a profile that belong to following the path.
 FOLLOWING = ("tangents", "laws", "solutions", "path", "LOCA", "residuals", "columns", "products", "energies",
@@ -28,24 +24,6 @@ ITERATED = {2000: (2.70, 21.6), 20_000: (0.81, 6.48)}
 
 
 THREADED = (("triangles", 30_000, 1.2), ("triangles", 100_000, 1.2), ("voronoi", 30_000, 1.3), ("voronoi", 100_000, 1.3))
-
-
-class Runs:
-    """Runs in one folder, which each replaces."""
-
-    def __init__(self, folder):
-        self.folder = Path(folder)
-
-    def run(self, deck, settings=None, threads=1):
-        """Seconds of the whole process, and its summary; `deck` is a file or what goes into one."""
-        done = study.measured(deck, self.folder / "run", settings, threads=threads)
-        if done.exit_code != 0:
-            raise SystemExit(done.said)
-        return done.seconds, done.run.summary
-
-    def seconds(self, deck, runs, settings=None):
-        found = [self.run(deck, settings) for _ in range(runs + 1)][1:]
-        return statistics.median(seconds for seconds, _ in found), found[-1][1]
 
 
 def seconds_per_iteration(summary):
@@ -63,7 +41,7 @@ def iterations(program, runs):
         found = {"low_rank": [], "refactorise": []}
         for _ in range(runs):
             for update, seconds in found.items():
-                _, summary = program.run(deck, {"path.update": update, "path.stop.after_steps": 25})
+                _, summary = program.run(deck, f"path.update={update}", "path.stop.after_steps=25")
                 seconds.append(seconds_per_iteration(summary))
         cheap, dear = (statistics.median(seconds) for seconds in found.values())
         yield (f"an iteration, {summary['blocks']} blocks: {1000 * cheap:.2f} ms against {1000 * dear:.1f} ms with a new "
@@ -71,28 +49,18 @@ def iterations(program, runs):
 
 
 def snap_back(program, runs):
-    deck = STUDIES / "snap-back-beam" / "deck.yaml"
-    program.run(deck)
+    study = STUDIES / "snap-back-beam" / "deck.yaml"
+    program.run(study)
     mesh = program.folder / "beam.msh"
     mesh_of_run.write(program.folder / "run", 100 / 6, mesh)
-    seconds, summary = program.seconds(deck, runs, {"scene": {"type": "msh", "file": mesh}})
+    scene = json.dumps({"type": "msh", "file": str(mesh)})
+    seconds, summary = program.seconds(study, runs, f"scene={scene}")
     yield f"snap-back beam, {summary['blocks']} triangles from a .msh [s]", seconds, 0.25, False
 
 
 def voronoi(program, runs):
     for blocks, target in ((560, 0.7), (2200, 4.5)):
-        deck = {
-            "scene": {"regions": [{"material": "concrete", "vertices": [[0, 0], [300, 0], [300, 100], [0, 100]]}],
-                      "slits": {"notch": [[150, 0], [150, 50]]},
-                      "subdivision": {"type": "voronoi", "blocks": blocks, "seed": 1}},
-            "thickness": 100,
-            "materials": {"concrete": {"type": "linear_elastic", "young_modulus": 30000, "poisson_ratio": 0.2}},
-            "interfaces": {"any": {"between": ["concrete", "concrete"], "law": {
-                "type": "linear_softening", "tensile_strength": 3, "fracture_energy": 0.1}}},
-            "supports": {"left": {"at": [0, 0], "fix": "xy"}, "right": {"at": [300, 0], "fix": "y"}},
-            "stages": [{"loads": [{"type": "point_load", "at": [150, 100], "force": [0, -1]}]}],
-            "path": {"stop": {"load_below": 0.1}},
-        }
+        deck = decks.voronoi(blocks, 2)
         seconds, summary = program.seconds(deck, runs)
         yield f"{summary['blocks']} Voronoi cells, notch D/2, every interface able to crack [s]", seconds, target, False
 
@@ -119,8 +87,7 @@ def main(arguments):
     missed = 0
     print("| what | measured | target | |\n|---|---|---|---|", flush=True)
     with tempfile.TemporaryDirectory() as folder:
-        os.environ["DDA"] = str(Path(arguments[0]).resolve())
-        program = Runs(folder)
+        program = Program(arguments[0], folder)
         for part in (iterations, snap_back, voronoi, large_beam, threads):
             for what, found, target, is_least in part(program, runs):
                 held = found >= target if is_least else found <= target

@@ -1,4 +1,5 @@
-"""Runs one case of a study's expect.yaml and compares the results with what is expected.
+"""Runs one case of a study's expect.yaml and compares the results with what is expected; of every run LOCA must have
+taken all steps.
 
     run_study.py PROGRAM EXPECT.yaml CASE      run the case; exit 1 and the numbers where they are not as expected
     run_study.py --list EXPECT.yaml            the cases and their labels, for CMake
@@ -19,6 +20,7 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import expectations
+import taken_steps
 
 DEFAULTS = {"command": "run", "deck": "deck.yaml", "set": [], "arguments": [], "label": "fast", "exit": 0, "also": {}}
 
@@ -112,6 +114,8 @@ def run_case(program, file, case):
             code, said = execute(program, file.parent / case["deck"], case, settings, folder)
             if code != case["exit"]:
                 return [f"exit code {code} instead of {case['exit']}: {said[-2000:]}"]
+            if untaken := list(taken_steps.complaints(folder)):
+                return untaken
             found = results(folder)
             names = names or found
             if name:

@@ -1,11 +1,13 @@
 """The runner of the studies over expectations that are right, wrong and senseless: `python3 test_run_study.py`."""
 
+import json
 import tempfile
 import unittest
 from pathlib import Path
 
 import expectations
 import run_study
+import taken_steps
 
 
 def check(**wanted):
@@ -52,6 +54,21 @@ class Complaints(unittest.TestCase):
     def test_what_is_not_a_number_never_passes(self):
         self.assertTrue(check(quantity="curve[1]", at_most=1e9))
         self.assertRaises(ValueError, check, quantity="max(curve)", at_most=1e9)
+
+
+class TakenSteps(unittest.TestCase):
+    def of(self, rows, **counts):
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "summary.json").write_text(json.dumps(counts), encoding="utf-8")
+            (Path(folder) / "curve.csv").write_text("step\n" + "".join(f"{row}\n" for row in rows), encoding="utf-8")
+            return len(list(taken_steps.complaints(Path(folder))))
+
+    def test_all_taken(self):
+        self.assertEqual(self.of((0, 1, 2, 3), steps=3, cracked_steps=2, whole_steps=1), 0)
+
+    def test_what_loca_has_not_taken_is_seen(self):
+        self.assertEqual(self.of((0, 1, 2, 3), steps=3, cracked_steps=2, whole_steps=0), 1)
+        self.assertEqual(self.of((0, 1, 2), steps=3, cracked_steps=2, whole_steps=1), 1)
 
 
 if __name__ == "__main__":

@@ -48,7 +48,7 @@ class Quick(unittest.TestCase):
             self.assertEqual([row["beam"] for row in found], ["triangles", "triangles", "voronoi", "voronoi"])
             for row in found:
                 self.assertEqual(row["factorisations"], 1)
-                self.assertLess(abs(row["predicted_mib"] / row["memory_mib"] - 1), 0.2, row)
+                self.assertLess(row["predicted_mib"], row["memory_mib"], row)
             self.assertIn("| reduced iterations [s] |", (output / "README.md").read_text(encoding="utf-8"))
             self.assertTrue((output / "results" / "scaling.svg").exists())
 

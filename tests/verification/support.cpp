@@ -55,7 +55,7 @@ Trace follow(const std::string& deck_text) {
   Simulation simulation(file.deck, timings);
   simulation.prepare();
   if (const std::string why = simulation.apply_dead_loads(); !why.empty()) throw std::runtime_error(why);
-  simulation.walker().effort().accepted = 0;
+  simulation.walker().effort().count_steps_anew();
   simulation.begin_path();
   Trace out;
   for (const Point& point : simulation.path()) out.points.push_back(traced(simulation, point));

@@ -20,7 +20,7 @@ class Followed {
   explicit Followed(const std::string& deck) : file_(deck_from_text(deck, "ends.yaml", {})) {
     simulation_.prepare();
     if (const std::string why = simulation_.apply_dead_loads(); !why.empty()) throw std::runtime_error(why);
-    simulation_.walker().effort().accepted = 0;
+    simulation_.walker().effort().count_steps_anew();
     simulation_.begin_path();
   }
 

@@ -28,16 +28,17 @@ Increment load_increment(Stepper& stepper, const State& start, const LoadStep& s
   System& system = stepper.system();
   const HistoryGuard back(system, start.multipliers);
   Increment out;
+  int iterations = 0;
   State at = start;
   for (bool more = true; more;) {
     Found found = step.solver.solve(stepper, at, start.load_factor + step.increment);
-    out.newton_iterations += found.newton_iterations;
+    iterations += found.newton_iterations;
     out.relaxation_iterations += found.relaxation_iterations;
     out.why = std::move(found.why);
     out.settled.reset();
     if (!found.state) break;
     at = *std::move(found.state);
-    out.settled = Settled{at, system.next_history(at)};
+    out.settled = Settled{at, system.next_history(at), iterations};
     auto released = overloaded_released(system, at);
     more = released.has_value();
     if (more) system.set_history(*std::move(released));

@@ -13,7 +13,6 @@ struct LoadStep {
 /// What a load increment came to.
 struct Increment {
   std::optional<Settled> settled;  ///< nothing when no equilibrium is left at that load
-  int newton_iterations = 0;       ///< of all its searches
   int relaxation_iterations = 0;
   std::string why;  ///< the last search failed
 };

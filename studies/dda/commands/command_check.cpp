@@ -3,10 +3,11 @@
 #include <cmath>
 #include <map>
 
+#include "continuation/state/least_memory.hpp"
+#include "framework/base/memory.hpp"
 #include "models/loading.hpp"
 #include "studies/dda/case/bearings.hpp"
 #include "studies/dda/case/coarse_zones.hpp"
-#include "studies/dda/case/memory_prediction.hpp"
 #include "studies/dda/commands/commands.hpp"
 #include "studies/dda/sweep/sweep.hpp"
 
@@ -71,16 +72,15 @@ void print_interfaces(const Simulation& simulation) {
 
 void print_size(const Simulation& simulation) {
   line("unknowns", fmt::format("{}", simulation.equilibrium().num_unknowns()));
-  const MemoryPrediction memory = predict_memory(simulation);
+  const double held = held_memory();
+  const auto solver = simulation.deck().path.linear.make();
+  const LeastMemory least = least_memory(simulation.equilibrium(), *solver);
   const auto mib = [](double bytes) { return bytes / bytes_per_mib; };
-  line("memory", fmt::format("about {:.0f} MiB: {:.0f} until here, libraries {:.0f}, factors {:.0f}, "
-                             "vectors {:.0f}, and {:.0f} if {} points crack{}",
-                             mib(memory.total()), mib(memory.until_here), mib(memory.libraries),
-                             mib(memory.factor), mib(memory.vectors), mib(memory.columns),
-                             memory.cracked_points, memory.factorises_anew ? " between factorisations" : ""));
-  if (memory.most > memory.least)
-    line("", fmt::format("some {:.0f} MiB if few points crack, some {:.0f} if many do", mib(memory.least),
-                         mib(memory.most)));
+  line("memory",
+       fmt::format("at least {:.0f} MiB: {:.0f} held now, {:.0f} the factor, {:.0f} vectors; cracks "
+                   "take more",
+                   mib(held + least.factor + least.vectors), mib(held), mib(least.factor),
+                   mib(least.vectors)));
 }
 
 void print_loading(const Simulation& simulation) {

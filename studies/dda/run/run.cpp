@@ -129,7 +129,7 @@ RunResult run_deck(const DeckFile& deck, const RunOptions& options) {
   write_decks(folder, deck, effective);
   simulation.stepper().log_to(folder.file("nox.log"));
   const std::string obstacle = simulation.apply_dead_loads();
-  simulation.walker().effort().accepted = 0;  // steps are counted along the path
+  simulation.walker().effort().count_steps_anew();
   simulation.begin_path();
   RunRecorder recorder(folder, simulation, deck, effective, timings);
   Ending ending{Ending::Kind::stopped_early, obstacle};
