@@ -21,6 +21,12 @@ bool is_symmetric(const Mat2& a) { return is_same(a.transpose(), a); }
 
 Mat2 symmetric_part(const Mat2& a) { return 0.5 * (a + a.transpose()); }
 
+/// Whether the traction of a joint falls in some direction in which it opens.
+bool softens(const Mat2& a) {
+  const Mat2 s = symmetric_part(a);
+  return s(0, 0) * s(1, 1) < s(0, 1) * s(1, 0) || s.trace() < 0;
+}
+
 }  // namespace
 
 LinearSystem::LinearSystem(const Equilibrium& equilibrium, std::unique_ptr<DirectSolver> solver,
@@ -53,13 +59,15 @@ BlockMatrix LinearSystem::matrix_with(std::span<const Mat2> tangents) const {
 bool LinearSystem::rebase(std::span<const Mat2> tangents) {
   const std::vector<Mat2> before = base_;
   const double stiff = reference_size();
-  const auto columns_beside = [&] {
-    return num_columns(tangents, [&](const Mat2& d, std::size_t p) { return !is_same(d, base_[p]); });
-  };
+  const auto columns_beside = [&] { return num_columns_beside(base_, tangents); };
   const auto is_good = [&](std::size_t beside) {
     return factor_base() && !is_loose(stiff) && (general_ || beside <= columns_->most_at_once());
   };
-  std::ranges::transform(tangents, base_.begin(), symmetric_part);
+  base_ = stiff_base(tangents);
+  constexpr double full = 0.75;  // it would soon have to be left
+  if (update_ == Update::refactorise ||
+      static_cast<double>(columns_beside()) > full * static_cast<double>(most_held_columns()))
+    std::ranges::transform(tangents, base_.begin(), symmetric_part);
   const std::size_t friction = columns_beside();
   if (!takes_friction(friction) && is_good(friction)) return true;
   if (friction > 0) {
@@ -117,8 +125,9 @@ bool LinearSystem::factor_base() {
   }
   general_.reset();
   if (!solver_->factor(matrix_with(base_))) return false;
-  constexpr std::size_t of_many = 4, of_few = 16;
-  batch_ = 2 * equilibrium_.num_active() <= most_columns() ? of_few : of_many;
+  constexpr std::size_t of_side = 2, of_many = 4, of_few = 16;  // points of a side mostly crack together
+  const std::size_t of_more = solver_->halves() ? of_side : of_many;
+  batch_ = 2 * equilibrium_.num_active() <= most_columns() ? of_few : of_more;
   make_update_columns();
   return true;
 }
@@ -164,12 +173,28 @@ std::size_t LinearSystem::num_columns(std::span<const Mat2> tangents,
   return out;
 }
 
+std::size_t LinearSystem::num_columns_beside(std::span<const Mat2> base,
+                                             std::span<const Mat2> tangents) const {
+  return num_columns(tangents, [&](const Mat2& d, std::size_t p) { return !is_same(d, base[p]); });
+}
+
+std::vector<Mat2> LinearSystem::stiff_base(std::span<const Mat2> tangents) const {
+  std::vector<Mat2> out;
+  for (std::size_t p = 0; p < tangents.size(); ++p)
+    out.push_back(!softens(tangents[p]) ? symmetric_part(tangents[p])
+                  : !softens(base_[p])  ? symmetric_part(base_[p])
+                                        : Mat2(equilibrium_.point(p).intact_stiffness().asDiagonal()));
+  return out;
+}
+
 bool LinearSystem::needs_new_base(std::span<const Mat2> tangents) const {
   if (!updates()) return !std::ranges::equal(tangents, base_, is_same);
   const std::size_t more = num_columns(tangents, [&](const Mat2& tangent, std::size_t p) {
     return slot_[p] < 0 && !is_same(tangent, base_[p]);
   });
-  return 2 * updated_.size() + more > most_columns() || more > columns_->most_at_once();
+  const std::size_t needed = 2 * updated_.size() + more;
+  if (more > columns_->most_at_once() || needed > most_held_columns()) return true;
+  return needed > most_columns() && 2 * num_columns_beside(stiff_base(tangents), tangents) <= needed;
 }
 
 bool LinearSystem::set_tangent(std::span<const Mat2> tangents) {
@@ -194,7 +219,7 @@ bool LinearSystem::make_columns(std::span<const std::size_t> points) {
   for (const std::size_t p : points)
     if (batches.empty() || batches.back() != p / batch_) batches.push_back(p / batch_);
   const std::size_t columns = 2 * batch_ * batches.size();
-  if (columns > columns_->most_at_once() || 2 * updated_.size() + columns > most_columns()) return false;
+  if (columns > columns_->most_at_once() || 2 * updated_.size() + columns > most_held_columns()) return false;
   add_columns(points);
   return true;
 }
@@ -308,9 +333,10 @@ void LinearSystem::correct(std::span<const std::span<double>> solutions) {
   if (!active_.empty()) subtract_columns(active_, shares_of(solutions), solutions);
 }
 
-std::optional<Eigen::MatrixXd> LinearSystem::flexibility(std::span<const std::size_t> points) const {
-  const auto is_unknown = [&](std::size_t p) { return !has_columns(p); };
-  if (!updates() || std::ranges::any_of(points, is_unknown)) return {};
+std::optional<Eigen::MatrixXd> LinearSystem::flexibility(std::span<const std::size_t> points) {
+  std::vector<std::size_t> unknown;
+  std::ranges::copy_if(points, std::back_inserter(unknown), [&](std::size_t p) { return !has_columns(p); });
+  if (!updates() || (!unknown.empty() && !make_columns(unknown))) return {};
   const auto at = [](std::size_t i) { return 2 * static_cast<Eigen::Index>(i); };
   const Eigen::Index n = at(points.size()), r = at(active_.size());
   Eigen::MatrixXd out(n, n), left(n, r), right(r, n);

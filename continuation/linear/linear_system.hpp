@@ -30,7 +30,7 @@ struct NegativeEigenvalues {
 ///
 /// Sherman-Morrison-Woodbury. Z and G grow by the columns of points that change for the first time. When so
 /// many points have changed that the dense part costs more than a factorisation, the present tangent becomes
-/// the base; that is decided by counts, never by clocks, so that runs repeat. The base is symmetric: of a
+/// the base, but for points that soften, unless these alone are too many; that is decided by counts, never by clocks, so that runs repeat. The base is symmetric: of a
 /// frictional tangent it takes the symmetric part, and the rest stays an update. Where more slides than is
 /// worth updating, and wherever nothing is updated, the unsymmetric tangent is the base itself, by LU, and
 /// every other tangent a new one. What hardly more than weak springs hold is no base.
@@ -82,8 +82,8 @@ class LinearSystem {
   /// False where that is no cheaper than a solve, or columns would have to be made for it.
   bool solve_base_residual(const Iterate& at, std::span<double> y);
   /// U K⁻¹ Uᵀ of some points, 2 × 2 for each pair, from couplings alone; nothing where nothing is updated or
-  /// one of them has no columns.
-  std::optional<Eigen::MatrixXd> flexibility(std::span<const std::size_t> points) const;
+  /// columns for all of them are too many.
+  std::optional<Eigen::MatrixXd> flexibility(std::span<const std::size_t> points);
   /// The stiffness with these D, 2 × 2 per active point, whatever the present tangent is.
   BlockMatrix matrix_with(std::span<const Mat2> tangents) const;
   /// y = K x.
@@ -156,8 +156,15 @@ class LinearSystem {
   void make_update_columns();
   /// Factorises K_base and forgets all columns.
   bool factor_base();
-  /// Columns beyond which a new base is cheaper.
+  /// Columns beyond which a new base is cheaper, if it needs half of them at most.
   std::size_t most_columns() const;
+  /// Columns beyond which it is made in any case.
+  std::size_t most_held_columns() const { return 2 * most_columns(); }
+  /// Columns for a tangent beside some base.
+  std::size_t num_columns_beside(std::span<const Mat2> base, std::span<const Mat2> tangents) const;
+  /// What a new base best holds: a tangent, but where it softens what the base held there before. Cracks grow and
+  /// rest in turn, and a base that softens would have to be left each time; it has no halves either.
+  std::vector<Mat2> stiff_base(std::span<const Mat2> tangents) const;
   std::size_t n() const { return equilibrium_.num_unknowns(); }
   void add_columns(std::span<const std::size_t> points);
   /// y = K x for the K with these D.

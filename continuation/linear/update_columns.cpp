@@ -132,8 +132,8 @@ class WholeColumns final : public UpdateColumns {
 /// product half a solution.
 class HalfColumns final : public UpdateColumns {
  public:
-  HalfColumns(const Equilibrium& equilibrium, const HalfSolver& solver)
-      : equilibrium_(equilibrium), solver_(solver) {}
+  HalfColumns(const Equilibrium& equilibrium, const HalfSolver& solver, std::size_t batch)
+      : equilibrium_(equilibrium), solver_(solver), group_size_(std::min(batch, largest_group)) {}
 
   void watch(std::span<const BlockId> nodes) override {
     watched_.assign(nodes.begin(), nodes.end());
@@ -147,7 +147,7 @@ class HalfColumns final : public UpdateColumns {
 
   void add(std::span<const std::size_t> points, Matrix& g) override {
     const std::size_t first = groups_.size();
-    const auto new_groups = neighbours(points, group_size);
+    const auto new_groups = neighbours(points, group_size_);
     for (const std::span<const std::size_t> group : new_groups) {
       for (std::size_t i = 0; i < group.size(); ++i)
         places_.push_back({groups_.size(), 2 * static_cast<Eigen::Index>(i)});
@@ -191,9 +191,7 @@ class HalfColumns final : public UpdateColumns {
   std::size_t most_at_once() const override { return std::numeric_limits<std::size_t>::max(); }
 
  private:
-  /// Points whose columns are made together: their ways are the same but for the beginning, and L is read
-  /// once for all of them.
-  static constexpr std::size_t group_size = 4;
+  static constexpr std::size_t largest_group = 4;
   static constexpr std::size_t couplings_at_once = 8;
   struct Group {
     std::size_t first;  ///< place
@@ -236,6 +234,9 @@ class HalfColumns final : public UpdateColumns {
 
   const Equilibrium& equilibrium_;
   const HalfSolver& solver_;
+  /// Points whose columns are made together: their ways are the same but for the beginning, and L is read once
+  /// for all of them. No more than are always added together, or last digits would hang on what was added when.
+  const std::size_t group_size_;
   std::vector<BlockId> watched_;
   std::optional<EliminationOrder> way_;  ///< of the watched ones, where it is narrow
   Displacements::Nodes narrow_nodes_;
@@ -253,7 +254,8 @@ std::size_t most_columns_beside(double factor_flops) {
 
 std::unique_ptr<UpdateColumns> update_columns(const Equilibrium& equilibrium, DirectSolver& solver,
                                               std::size_t batch) {
-  if (const HalfSolver* halves = solver.halves()) return std::make_unique<HalfColumns>(equilibrium, *halves);
+  if (const HalfSolver* halves = solver.halves())
+    return std::make_unique<HalfColumns>(equilibrium, *halves, batch);
   return std::make_unique<WholeColumns>(equilibrium, solver, batch);
 }
 
