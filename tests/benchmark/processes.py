@@ -15,8 +15,8 @@ class Program:
 
     def run(self, deck, *settings, threads=1):
         """Seconds of the whole process, and its summary; `deck` is a file or what goes into one."""
-        done = study.measured(deck, self.folder / "run", dict(setting.split("=", 1) for setting in settings),
-                              threads=threads, program=self.path)
+        values = {name: study.number(text) for name, text in (setting.split("=", 1) for setting in settings)}
+        done = study.measured(deck, self.folder / "run", values, threads=threads, program=self.path)
         if done.exit_code != 0:
             raise SystemExit(done.said)
         return done.seconds, done.run.summary
