@@ -38,6 +38,7 @@ LinearSystem::LinearSystem(const Equilibrium& equilibrium, std::unique_ptr<Direc
   for (std::size_t p = 0; p < equilibrium.num_active(); ++p)
     base_.emplace_back(equilibrium.point(p).intact_stiffness().asDiagonal());
   if (!factor_base()) throw InputError({}, "the stiffness matrix is singular; check supports and materials");
+  updates_softening_ = update_ == Update::low_rank && solver_->halves();
 }
 
 LinearSystem::~LinearSystem() { complete_pending(); }
@@ -59,21 +60,22 @@ BlockMatrix LinearSystem::matrix_with(std::span<const Mat2> tangents) const {
 bool LinearSystem::rebase(std::span<const Mat2> tangents) {
   const std::vector<Mat2> before = base_;
   const double stiff = reference_size();
-  const auto columns_beside = [&] { return num_columns_beside(base_, tangents); };
-  const auto is_good = [&](std::size_t beside) {
+  const auto is_good = [&](std::vector<Mat2> base) {
+    const std::size_t beside = num_columns_beside(base, tangents);
+    base_ = std::move(base);
     return factor_base() && !is_loose(stiff) && (general_ || beside <= columns_->most_at_once());
   };
-  base_ = stiff_base(tangents);
-  constexpr double full = 0.75;  // it would soon have to be left
-  if (update_ == Update::refactorise ||
-      static_cast<double>(columns_beside()) > full * static_cast<double>(most_held_columns()))
-    std::ranges::transform(tangents, base_.begin(), symmetric_part);
-  const std::size_t friction = columns_beside();
-  if (!takes_friction(friction) && is_good(friction)) return true;
-  if (friction > 0) {
-    base_.assign(tangents.begin(), tangents.end());
-    if (is_good(0)) return true;
+  if (updates_softening_) {
+    constexpr double full = 0.75;  // it would soon have to be left
+    std::vector<Mat2> base = stiff_base(tangents);
+    const auto beside = static_cast<double>(num_columns_beside(base, tangents));
+    if (beside <= full * static_cast<double>(most_held_columns()) && is_good(std::move(base))) return true;
   }
+  std::vector<Mat2> symmetric(tangents.size());
+  std::ranges::transform(tangents, symmetric.begin(), symmetric_part);
+  const std::size_t friction = num_columns_beside(symmetric, tangents);
+  if (!takes_friction(friction) && is_good(std::move(symmetric))) return true;
+  if (friction > 0 && is_good({tangents.begin(), tangents.end()})) return true;
   base_ = before;  // a singular tangent is no base: the old one stays in force
   factor_base();
   return false;

@@ -30,10 +30,11 @@ struct NegativeEigenvalues {
 ///
 /// Sherman-Morrison-Woodbury. Z and G grow by the columns of points that change for the first time. When so
 /// many points have changed that the dense part costs more than a factorisation, the present tangent becomes
-/// the base, but for points that soften, unless these alone are too many; that is decided by counts, never by clocks, so that runs repeat. The base is symmetric: of a
-/// frictional tangent it takes the symmetric part, and the rest stays an update. Where more slides than is
-/// worth updating, and wherever nothing is updated, the unsymmetric tangent is the base itself, by LU, and
-/// every other tangent a new one. What hardly more than weak springs hold is no base.
+/// the base, but for points that soften, unless these alone are too many; that is decided by counts, never by
+/// clocks, so that runs repeat. The base is symmetric: of a frictional tangent it takes the symmetric part, and
+/// the rest stays an update. Where more slides than is worth updating, and wherever nothing is updated, the
+/// unsymmetric tangent is the base itself, by LU, and every other tangent a new one. What hardly more than weak
+/// springs hold is no base.
 class LinearSystem {
  public:
   enum class Update { low_rank, refactorise };
@@ -159,7 +160,7 @@ class LinearSystem {
   /// Columns beyond which a new base is cheaper, if it needs half of them at most.
   std::size_t most_columns() const;
   /// Columns beyond which it is made in any case.
-  std::size_t most_held_columns() const { return 2 * most_columns(); }
+  std::size_t most_held_columns() const { return (updates_softening_ ? 2 : 1) * most_columns(); }
   /// Columns for a tangent beside some base.
   std::size_t num_columns_beside(std::span<const Mat2> base, std::span<const Mat2> tangents) const;
   /// What a new base best holds: a tangent, but where it softens what the base held there before. Cracks grow and
@@ -198,6 +199,7 @@ class LinearSystem {
   std::unique_ptr<DirectSolver> solver_;
   std::optional<MumpsMatrix> general_;  ///< the base where it is not symmetric
   Update update_;
+  bool updates_softening_ = false;  ///< beside a base that is stiff, and has halves
   std::vector<Mat2> base_, tangent_;
   std::size_t batch_ = 1;             ///< points that get their columns together
   std::vector<std::size_t> updated_;  ///< points with columns, in order
