@@ -20,15 +20,6 @@ Functional find_load(const PathParameters& parameters, const GaugeBook& book, co
   throw InputError(parameters.where, "`load_gauge` names '" + name + "', which is not among the gauges");
 }
 
-/// Sizes of the blocks that a path asks for, 0 of the others: these go along as they are bound to.
-std::vector<double> sizes_of_watched(const System& system) {
-  const Equilibrium& equilibrium = system.equilibrium();
-  std::vector<double> out(equilibrium.num_blocks(), 0.0);
-  for (const BlockId node : equilibrium.watched(system.loading()))
-    if (node.value() < out.size()) out[node.value()] = equilibrium.block_size()[node.value()];
-  return out;
-}
-
 }  // namespace
 
 PathState::PathState(Walker& stands, const PathParameters& wanted, const GaugeBook& gauges, Route way)
@@ -40,7 +31,7 @@ PathState::PathState(Walker& stands, const PathParameters& wanted, const GaugeBo
       route(std::move(way)),
       travelling(gauges.gauges),
       size(size_of(walker.system().equilibrium())),
-      standstill(sizes_of_watched(walker.system()), size) {
+      standstill(size) {
   if (std::ranges::find(travelling, "load", &NamedGauge::name) == travelling.end())
     travelling.push_back({"load", walker.system().loading().load, dimension::force});
   for (const Landing& landing : route.landings)

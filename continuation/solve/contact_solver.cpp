@@ -79,7 +79,7 @@ std::optional<Reduced> ContactSolver::solve_tangents(const StepGoal& goal) {
   constexpr int most = 20;
   for (int i = 0; i < most; ++i) {
     const auto laws = system_.laws_at(out.state);
-    const ControlPoint at{out.state.d, out.state.load_factor, *laws};
+    const ControlPoint at = ControlPoint::at(out.state, *laws);
     constexpr double good = 1e-10;
     if (i > 0 && std::abs(goal.control.residual(at, goal.step)) <= good) return out;
     const auto tangent = goal.control.tangent_gauge(at, goal.step);

@@ -89,7 +89,6 @@ class CrackedEquations final : public WalkedEquations {
   Vector gap() const;
   std::vector<double> unbalanced(const State& at) const;
   State state_here();
-  double dead_work(std::span<const std::size_t> points, const Vector& z);
   void solve_in_place(Matrix& x) const;
   double value() const;
   double rounding_of_value() const;
@@ -107,9 +106,8 @@ class CrackedEquations final : public WalkedEquations {
   Vector along_;        ///< Zᵀ ∂g/∂d
   double gauge_dead_ = 0, gauge_live_ = 0;
   bool only_touch_ = false;
-  std::shared_ptr<const std::vector<double>> origin_;    ///< d_dead once it is refined
-  std::optional<double> dead_of_origin_, dead_of_live_;  ///< f_dead · d_dead, f_dead · d_ref
-  Vector z_origin_;                                      ///< z₀
+  std::shared_ptr<const std::vector<double>> origin_;  ///< d_dead once it is refined
+  Vector z_origin_;                                    ///< z₀
 
   // at the last iterate
   Vector q_, z_, difference_, spending_;

@@ -76,7 +76,7 @@ std::optional<Reduced> solve_tangents(Stepper& stepper, const StepGoal& goal, in
   Reduced out{.state = goal.guess, .x = {}};
   for (int i = 0; i < most; ++i) {
     const auto laws = stepper.system().laws_at(out.state);
-    const ControlPoint at = seen_by(goal.control, out.state, *laws);
+    const ControlPoint at = ControlPoint::at(out.state, *laws);
     if (i > 0 && std::abs(goal.control.residual(at, goal.step)) <= good) return out;
     const auto tangent = goal.control.tangent_gauge(at, goal.step);
     if (!tangent) return {};

@@ -17,7 +17,7 @@ struct State {
   double load_factor = 0;
   std::vector<Vec2> multipliers = {};  ///< m of every active point when some are iterated, else empty [L]
 
-  double value(const Functional& gauge) const { return gauge.value(d.asked_by(gauge), load_factor); }
+  double value(const Functional& gauge) const { return d.value(gauge, load_factor); }
 };
 
 /// An equilibrium with the history that belongs to it.
@@ -104,6 +104,11 @@ class System {
   Vec2 opening_rate(std::size_t p, std::span<const double> d) const {
     return with_multiplier(p, equilibrium_.opening(p, d));
   }
+  Vec2 opening_rate(std::size_t p, const Displacements& d) const { return with_multiplier(p, jump(p, d)); }
+  /// B d of an active point.
+  Vec2 jump(std::size_t p, const Displacements& d) const {
+    return d.sum() ? d.sum()->openings()[p] : equilibrium_.opening(p, d.all());
+  }
   /// q̇ of all points where one of them carries a traction `t` more than its tangent says, under the path
   /// tangent in use.
   std::vector<Vec2> opened_by(std::size_t p, const Vec2& t);
@@ -111,7 +116,7 @@ class System {
   /// solutions (`opened_by`): beside iterated multipliers and where the linear system has no columns for them.
   std::optional<Eigen::MatrixXd> flexibility(std::span<const std::size_t> points);
   /// Rates of the multipliers for the same movement; empty when none is iterated.
-  std::vector<Vec2> multiplier_rates(std::span<const double> d) const;
+  std::vector<Vec2> multiplier_rates(const Displacements& d) const;
   /// What the finite p̄ leaves open when d moves by `d` and the joints by `carried` beside: P̄⁻¹ D̄ (g +
   /// carried) of the iterated points, none of the others and of those whose stiffness p̄ is their own (δ > 0).
   std::vector<Vec2> left_open(std::span<const double> d, std::span<const Vec2> carried) const;
@@ -120,7 +125,7 @@ class System {
 
   /// Laws at (d, λ) with the committed history, or the given one.
   LawValues laws(std::span<const double> d, double load_factor) const;
-  LawValues laws(const State& at) const { return laws(at.d.watched(), at.load_factor); }
+  LawValues laws(const State& at) const { return laws_of(openings(at.d, at.load_factor)); }
   /// The same, remembered: the groups and the control of one Newton iteration ask at the same place.
   std::shared_ptr<const LawValues> laws_at(std::span<const double> d, double load_factor);
   std::shared_ptr<const LawValues> laws_at(const State& at);
@@ -133,6 +138,8 @@ class System {
                            std::span<double> y);
   /// ∂R/∂λ, size n.
   void load_derivative(const LawValues& laws, std::span<double> out) const;
+  /// −K⁻¹ ∂R/∂λ with the path tangent in use.
+  Displacements load_direction(const LawValues& laws);
 
   /// Answers of intact points for which no law was asked, so far.
   std::int64_t num_screened() const { return num_screened_; }
@@ -152,6 +159,8 @@ class System {
 
   /// ‖R‖ with moments and stress resultants divided by the blocks' size [F].
   double residual_norm(std::span<const double> r) const;
+  /// What a node adds to its square.
+  double square_of_residual(BlockId node, const Vec6& r) const;
   /// What is left of R beyond rounding, over the force level: each row may keep (4 + √n) ε of the absolute
   /// products that it sums up (Equilibrium::add_absolute_products, |f|), by which they cannot cancel better.
   /// Stiff joints and supports of blocks that move far make that large. The smaller of two: with the weak
@@ -192,6 +201,11 @@ class System {
   /// Energy stored in blocks, joints, supports and, but where bodies only touch, whose equilibrium is without them,
   /// weak springs; without the driven springs' own [FL].
   double stored(const State& state, const LawValues& laws) const;
+  /// Σ |force| of loads and driven springs [F].
+  double sum_of_forces(const State& at) const;
+  /// How far the live and the dead loads have moved, each as one: |f · d| / Σ |f|; the farthest of these and of
+  /// the driven ends of springs [L].
+  double movement_of_loads(const State& at) const;
   /// f_ref · d of the forces that do work.
   const Functional& reference_work() const { return reference_work_; }
   /// f_dead · d of the forces that do work, without the far ends of driven springs [FL].
@@ -209,12 +223,15 @@ class System {
   std::vector<Mat2> path_tangents(const LawValues& laws) const;
   double block_forces(std::span<const double> d) const;
   std::vector<Vec2> openings(std::span<const double> d, double load_factor) const;
+  std::vector<Vec2> openings(const Displacements& d, double load_factor) const;
+  LawValues laws_of(std::vector<Vec2> openings) const;
 
   const Equilibrium& equilibrium_;
   const Loading* loading_;
   bool has_dead_ = false;
-  Functional reference_, reference_work_;  ///< f_ref · d, and of the forces that do work
-  Functional dead_springs_;                ///< what the far ends of driven springs add to f_dead · d
+  Functional reference_, reference_work_;      ///< f_ref · d, and of the forces that do work
+  std::vector<std::pair<Vec2, Vec2>> forces_;  ///< dead and live, of the blocks that are loaded [F]
+  Functional dead_springs_;                    ///< what the far ends of driven springs add to f_dead · d
   LinearSystem linear_;
   std::unique_ptr<LinearSystem> physical_;  ///< only when multipliers are iterated
   DirectSolverChoice solver_;

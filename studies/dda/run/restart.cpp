@@ -35,11 +35,50 @@ std::vector<Numbers> shapes(const Numbers& flat, std::size_t count) {
   return out;
 }
 
-/// What is stored of a state beside its history and modes.
+/// Displacements of all nodes, or the combination of kept solutions that they are: from that the same bits follow.
+struct DisplacementsRecord {
+  bool is_combination = false;
+  Numbers d;  ///< of a combination its origin, if it has one
+  Numbers z;
+  double share = 0, load_factor = 0;
+
+  template <class Self, class Visit>
+  static void visit(Self& self, Visit& visit) {
+    visit("is_combination", self.is_combination);
+    visit("d", self.d);
+    visit("z", self.z);
+    visit("share", self.share);
+    visit("load_factor", self.load_factor);
+  }
+};
+
+void put_displacements(RestartData& data, const std::string& name, const Displacements& d) {
+  DisplacementsRecord record;
+  if (const auto sum = LinearSystem::combination_of(d)) {
+    record = {.is_combination = true,
+              .d = sum->origin ? *sum->origin : Numbers{},
+              .z = {sum->z.begin(), sum->z.end()},
+              .share = sum->share,
+              .load_factor = sum->load_factor};
+  } else {
+    record.d = d.all();
+  }
+  put(data, name + ".displacements", record);
+}
+
+Displacements take_displacements(const RestartData& data, const std::string& name, LinearSystem& linear) {
+  auto record = take<DisplacementsRecord>(data, name + ".displacements");
+  if (!record.is_combination) return std::move(record.d);
+  return linear.combined(
+      {.origin = record.d.empty() ? nullptr : std::make_shared<const Numbers>(std::move(record.d)),
+       .share = record.share,
+       .load_factor = record.load_factor,
+       .z = Eigen::Map<const Eigen::VectorXd>(record.z.data(), std::ssize(record.z))});
+}
+
+/// What is stored of a state beside its displacements, history and modes.
 struct StateRecord {
   int step = 0, num_modes = 0;
-  Numbers d;
-  std::optional<double> dead_work;
   double load_factor = 0;
   std::vector<Vec2> multipliers;
   Numbers modes;
@@ -48,8 +87,6 @@ struct StateRecord {
   static void visit(Self& self, Visit& visit) {
     visit("step", self.step);
     visit("num_modes", self.num_modes);
-    visit("d", self.d);
-    visit("dead_work", self.dead_work);
     visit("load_factor", self.load_factor);
     visit("multipliers", self.multipliers);
     visit("modes", self.modes);
@@ -60,24 +97,22 @@ void put_state(RestartData& data, const std::string& name, const StoredState& at
   const State& state = at.state;
   StateRecord record{.step = at.step,
                      .num_modes = static_cast<int>(at.modes.size()),
-                     .d = state.d,
-                     .dead_work = state.d.dead_work(),
                      .load_factor = state.load_factor,
                      .multipliers = state.multipliers,
                      .modes = {}};
   for (const Numbers& shape : at.modes) record.modes.insert(record.modes.end(), shape.begin(), shape.end());
   put(data, name, record);
+  put_displacements(data, name, state.d);
   put_all(data, name + ".history", at.history);
 }
 
-StoredState take_state(const RestartData& data, const std::string& name) {
+StoredState take_state(const RestartData& data, const std::string& name, LinearSystem& linear) {
   auto record = take<StateRecord>(data, name);
-  return {.step = record.step,
-          .state = {{std::move(record.d), nullptr, nullptr, record.dead_work},
-                    record.load_factor,
-                    std::move(record.multipliers)},
-          .history = take_all<History>(data, name + ".history"),
-          .modes = shapes(record.modes, static_cast<std::size_t>(record.num_modes))};
+  return {
+      .step = record.step,
+      .state = {take_displacements(data, name, linear), record.load_factor, std::move(record.multipliers)},
+      .history = take_all<History>(data, name + ".history"),
+      .modes = shapes(record.modes, static_cast<std::size_t>(record.num_modes))};
 }
 
 void put_path(RestartData& data, const PathMemory& m) {
@@ -149,6 +184,7 @@ void put_walker(RestartData& data, const Walker& walker) {
                    .num_negative = here.num_negative,
                    .num_negative_work = here.num_negative_work});
   put(data, "leaving", walker.leaving());
+  put_displacements(data, "leaving", walker.leaving().d);
   put(data, "effort", walker.effort());
   put_linear(data, "linear", walker.system().linear());
   if (walker.system().iterates_multipliers()) put_linear(data, "path_linear", walker.system().path_linear());
@@ -158,7 +194,7 @@ void restore_walker(const RestartData& data, Walker& walker) {
   restore_linear(data, "linear", walker.system().linear());
   if (walker.system().iterates_multipliers())
     restore_linear(data, "path_linear", walker.system().path_linear());
-  StoredState here = take_state(data, "here");
+  StoredState here = take_state(data, "here", walker.system().linear());
   const auto record = take<WalkerRecord>(data, "walker");
   Tangent arriving;
   arriving.load_factor = record.arriving_load_factor;
@@ -173,12 +209,14 @@ void restore_walker(const RestartData& data, Walker& walker) {
                      .num_negative = record.num_negative,
                      .num_negative_work = record.num_negative_work};
   walker.system().restore_force_level(record.highest_force_level);
-  walker.restore(at, std::move(here.history), take<Effort>(data, "effort"), take<Tangent>(data, "leaving"));
+  auto leaving = take<Tangent>(data, "leaving");
+  leaving.d = take_displacements(data, "leaving", walker.system().path_linear());
+  walker.restore(at, std::move(here.history), take<Effort>(data, "effort"), std::move(leaving));
 }
 
 void check_sizes(const RestartData& data, const fs::path& folder, const Equilibrium& equilibrium) {
   const std::size_t width = data.texts.at("here.history.members").size();
-  if (data.numbers.at("here.d").size() == equilibrium.num_unknowns() &&
+  if (data.integers.at("unknowns").at(0) == std::int64_t(equilibrium.num_unknowns()) &&
       data.numbers.at("here.history").size() == width * equilibrium.num_active())
     return;
   throw InputError(
@@ -222,6 +260,7 @@ TrackedModes take_modes(const RestartData& data) {
 RestartData restart_data(const Simulation& simulation, const RunMemory& memory, const DeckFile& deck,
                          const std::string& effective) {
   RestartData out;
+  out.integers["unknowns"] = {std::int64_t(simulation.equilibrium().num_unknowns())};
   put_walker(out, simulation.walker());
   put_path(out, simulation.path().memory());
   put(out, "start", memory.start);
@@ -278,7 +317,8 @@ RunMemory restore(const RestartData& data, const fs::path& folder, Simulation& s
                               data.texts.at("stiffness").at(1)},
                 .largest_gap = run.largest_gap,
                 .first_cracks = take_all<FirstCrack>(data, "first_cracks")};
-  if (data.numbers.contains("peak_state.d")) out.peak_state = take_state(data, "peak_state");
+  if (data.numbers.contains("peak_state"))
+    out.peak_state = take_state(data, "peak_state", simulation.system().linear());
   out.num_factorisations =
       run.num_factorisations - static_cast<long long>(simulation.system().linear().num_factorisations());
   return out;
