@@ -1,6 +1,7 @@
 #include "studies/dda/run/restart.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "framework/files/record.hpp"
 
@@ -176,7 +177,22 @@ void restore_walker(const RestartData& data, Walker& walker) {
   walker.restore(at, std::move(here.history), take<Effort>(data, "effort"), take<Tangent>(data, "leaving"));
 }
 
-void check_sizes(const RestartData& data, const fs::path& folder, const Equilibrium& equilibrium) {
+/// What each law of the structure remembers, as the law declares it.
+std::vector<std::string> remembered(const Equilibrium& equilibrium) {
+  std::set<std::string> out;
+  for (const auto& law : equilibrium.interfaces().laws) {
+    std::string names;
+    for (const Remembered& one : law->memory()) names += one.name + " ";
+    out.insert(names);
+  }
+  return {out.begin(), out.end()};
+}
+
+void check_structure(const RestartData& data, const fs::path& folder, const Equilibrium& equilibrium) {
+  if (data.texts.at("memory_of_laws") != remembered(equilibrium))
+    throw InputError(Position{folder.string()},
+                     "the interfaces have laws that remember other things than those of the run did; only "
+                     "controls, stopping rules and records may change");
   const std::size_t width = data.texts.at("here.history.members").size();
   if (data.numbers.at("here.d").size() == equilibrium.num_unknowns() &&
       data.numbers.at("here.history").size() == width * equilibrium.num_active())
@@ -237,6 +253,7 @@ RestartData restart_data(const Simulation& simulation, const RunMemory& memory, 
                 .first_stiffness = memory.indicator.first_stiffness,
                 .spare_modes = memory.indicator.spare_modes});
   put_modes(out, memory.indicator.modes);
+  out.texts["memory_of_laws"] = remembered(simulation.equilibrium());
   out.texts["events"] = {memory.events.dump()};
   out.texts["stiffness"] = {memory.stiffness.numbers.dump(), memory.stiffness.text};
   out.texts["control"] = {to_yaml(simulation.deck().path.control.echo())};
@@ -258,7 +275,7 @@ DeckFile deck_of(const RestartData& data, const fs::path& folder, const std::vec
 }
 
 RunMemory restore(const RestartData& data, const fs::path& folder, Simulation& simulation) {
-  check_sizes(data, folder, simulation.equilibrium());
+  check_structure(data, folder, simulation.equilibrium());
   simulation.walker().begin_stage(simulation.equilibrium().stages().size() - 1);
   restore_walker(data, simulation.walker());
   simulation.begin_path();
