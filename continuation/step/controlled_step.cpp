@@ -1,5 +1,3 @@
-#include "continuation/step/controlled_step.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,11 +7,8 @@
 #include "continuation/follow/advice.hpp"
 #include "continuation/follow/pace.hpp"
 #include "continuation/follow/trial.hpp"
-#include "continuation/step/arrive.hpp"
-#include "continuation/step/refine.hpp"
-#include "continuation/step/rescue_step.hpp"
-#include "continuation/step/rupture.hpp"
-#include "continuation/step/turn.hpp"
+#include "continuation/step/rungs.hpp"
+#include "continuation/step/steps.hpp"
 
 namespace dda {
 namespace {

@@ -1,14 +1,11 @@
-#include "continuation/step/event_step.hpp"
-
 #include <cmath>
 
 #include "continuation/follow/judge.hpp"
 #include "continuation/follow/landings.hpp"
 #include "continuation/follow/mechanism.hpp"
 #include "continuation/follow/trial.hpp"
-#include "continuation/step/rescue_step.hpp"
-#include "continuation/step/sliding_step.hpp"
-#include "continuation/step/stride.hpp"
+#include "continuation/step/rungs.hpp"
+#include "continuation/step/steps.hpp"
 
 namespace dda {
 namespace {

@@ -1,5 +1,3 @@
-#include "continuation/step/increment_step.hpp"
-
 #include <fmt/format.h>
 
 #include <cmath>
@@ -7,7 +5,7 @@
 #include "continuation/detour/increment/load_increment.hpp"
 #include "continuation/follow/mechanism.hpp"
 #include "continuation/follow/trial.hpp"
-#include "continuation/step/event_step.hpp"
+#include "continuation/step/steps.hpp"
 
 namespace dda {
 

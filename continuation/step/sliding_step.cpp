@@ -1,5 +1,3 @@
-#include "continuation/step/sliding_step.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,8 +8,7 @@
 #include "continuation/follow/mechanism.hpp"
 #include "continuation/follow/pace.hpp"
 #include "continuation/follow/trial.hpp"
-#include "continuation/step/controlled_step.hpp"
-#include "continuation/step/event_step.hpp"
+#include "continuation/step/steps.hpp"
 
 namespace dda {
 namespace {

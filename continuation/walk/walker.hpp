@@ -67,6 +67,19 @@ struct Candidate {
     if (!num_negative) return {};
     return std::abs(*num_negative - (arriving.load_factor < 0 ? 1 : 0));
   }
+
+  /// The numbers that a walker which stands here needs of how it came; state and history are kept by themselves.
+  template <class Self, class Visit>
+  static void visit(Self& self, Visit& visit) {
+    visit("dissipated", self.dissipated);
+    visit("stored", self.stored);
+    visit("work", self.work);
+    visit("load", self.load);
+    visit("residual", self.residual);
+    visit("arriving_load_factor", self.arriving.load_factor);
+    visit("num_negative", self.num_negative);
+    visit("num_negative_work", self.num_negative_work);
+  }
 };
 
 /// Stands on an equilibrium of the path, tries steps from it, and moves when one is kept.

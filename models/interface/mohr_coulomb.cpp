@@ -283,12 +283,8 @@ Schema<MohrCoulombParameters> schema() {
       });
 }
 
-std::unique_ptr<InterfaceLaw> make(const MohrCoulombParameters& p) {
-  return std::make_unique<MohrCoulomb>(p);
-}
-
 }  // namespace
 
-DDA_REGISTER(interface_laws(), "mohr_coulomb", schema(), make);
+DDA_REGISTER(interface_laws(), "mohr_coulomb", schema(), make_of<MohrCoulomb>);
 
 }  // namespace dda

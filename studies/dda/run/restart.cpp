@@ -116,39 +116,10 @@ void restore_linear(const RestartData& data, const std::string& name, LinearSyst
     throw std::runtime_error("the stiffness of the restart file is singular");
 }
 
-/// What is stored of the walker's candidate beside its state.
-struct WalkerRecord {
-  double dissipated = 0, stored = 0, work = 0, load = 0, residual = 0;
-  double arriving_load_factor = 0, highest_force_level = 0;
-  std::optional<int> num_negative, num_negative_work;
-
-  template <class Self, class Visit>
-  static void visit(Self& self, Visit& visit) {
-    visit("dissipated", self.dissipated);
-    visit("stored", self.stored);
-    visit("work", self.work);
-    visit("load", self.load);
-    visit("residual", self.residual);
-    visit("arriving_load_factor", self.arriving_load_factor);
-    visit("highest_force_level", self.highest_force_level);
-    visit("num_negative", self.num_negative);
-    visit("num_negative_work", self.num_negative_work);
-  }
-};
-
 void put_walker(RestartData& data, const Walker& walker) {
-  const Candidate& here = walker.here();
-  put_state(data, "here", {walker.effort().accepted, here.state, walker.system().history()});
-  put(data, "walker",
-      WalkerRecord{.dissipated = here.dissipated,
-                   .stored = here.stored,
-                   .work = here.work,
-                   .load = here.load,
-                   .residual = here.residual,
-                   .arriving_load_factor = here.arriving.load_factor,
-                   .highest_force_level = walker.system().highest_force_level(),
-                   .num_negative = here.num_negative,
-                   .num_negative_work = here.num_negative_work});
+  put_state(data, "here", {walker.effort().accepted, walker.state(), walker.system().history()});
+  put(data, "walker", walker.here());
+  data.numbers["highest_force_level"] = {walker.system().highest_force_level()};
   put(data, "leaving", walker.leaving());
   put(data, "effort", walker.effort());
   put_linear(data, "linear", walker.system().linear());
@@ -160,21 +131,11 @@ void restore_walker(const RestartData& data, Walker& walker) {
   if (walker.system().iterates_multipliers())
     restore_linear(data, "path_linear", walker.system().path_linear());
   StoredState here = take_state(data, "here");
-  const auto record = take<WalkerRecord>(data, "walker");
-  Tangent arriving;
-  arriving.load_factor = record.arriving_load_factor;
-  const Candidate at{.state = here.state,
-                     .history = here.history,
-                     .arriving = arriving,
-                     .dissipated = record.dissipated,
-                     .stored = record.stored,
-                     .work = record.work,
-                     .load = record.load,
-                     .residual = record.residual,
-                     .num_negative = record.num_negative,
-                     .num_negative_work = record.num_negative_work};
-  walker.system().restore_force_level(record.highest_force_level);
-  walker.restore(at, std::move(here.history), take<Effort>(data, "effort"), take<Tangent>(data, "leaving"));
+  auto at = take<Candidate>(data, "walker");
+  at.state = std::move(here.state);
+  walker.system().restore_force_level(data.numbers.at("highest_force_level").at(0));
+  walker.restore(std::move(at), std::move(here.history), take<Effort>(data, "effort"),
+                 take<Tangent>(data, "leaving"));
 }
 
 /// What each law of the structure remembers, as the law declares it.
@@ -203,24 +164,9 @@ void check_structure(const RestartData& data, const fs::path& folder, const Equi
       "stopping rules and records may change");
 }
 
-/// What is stored of a run beside its path and its events.
-struct RunRecord {
-  int last_step = 0;
-  bool is_peak_stored = true;
-  long long num_factorisations = 0;
-  double largest_gap = 0, first_stiffness = 0;
-  int spare_modes = 0;
-
-  template <class Self, class Visit>
-  static void visit(Self& self, Visit& visit) {
-    visit("last_step", self.last_step);
-    visit("is_peak_stored", self.is_peak_stored);
-    visit("num_factorisations", self.num_factorisations);
-    visit("largest_gap", self.largest_gap);
-    visit("first_stiffness", self.first_stiffness);
-    visit("spare_modes", self.spare_modes);
-  }
-};
+long long num_factorisations(const Simulation& simulation) {
+  return static_cast<long long>(simulation.system().linear().num_factorisations());
+}
 
 void put_modes(RestartData& data, const TrackedModes& modes) {
   data.numbers["modes.first_values"] = modes.first_values;
@@ -244,14 +190,8 @@ RestartData restart_data(const Simulation& simulation, const RunMemory& memory, 
   put(out, "peak", memory.peak);
   put_all(out, "first_cracks", memory.first_cracks);
   if (memory.peak_state) put_state(out, "peak_state", *memory.peak_state);
-  const auto spent = static_cast<long long>(simulation.system().linear().num_factorisations());
-  put(out, "run",
-      RunRecord{.last_step = memory.last_step,
-                .is_peak_stored = memory.is_peak_stored,
-                .num_factorisations = memory.num_factorisations + spent,
-                .largest_gap = memory.largest_gap,
-                .first_stiffness = memory.indicator.first_stiffness,
-                .spare_modes = memory.indicator.spare_modes});
+  put(out, "run", memory);
+  out.integers["factorisations"] = {memory.num_factorisations + num_factorisations(simulation)};
   put_modes(out, memory.indicator.modes);
   out.texts["memory_of_laws"] = remembered(simulation.equilibrium());
   out.texts["events"] = {memory.events.dump()};
@@ -283,21 +223,16 @@ RunMemory restore(const RestartData& data, const fs::path& folder, Simulation& s
   if (data.texts.at("control").at(0) != to_yaml(simulation.deck().path.control.echo()))
     path.control = path.step = 0;
   simulation.path().restore(path);
-  const auto run = take<RunRecord>(data, "run");
-  RunMemory out{.last_step = run.last_step,
-                .start = take<Measurement>(data, "start"),
-                .peak = take<Measurement>(data, "peak"),
-                .peak_state = {},
-                .is_peak_stored = run.is_peak_stored,
-                .indicator = {run.first_stiffness, take_modes(data), run.spare_modes},
-                .events = nlohmann::ordered_json::parse(data.texts.at("events").at(0)),
-                .stiffness = {nlohmann::ordered_json::parse(data.texts.at("stiffness").at(0)),
-                              data.texts.at("stiffness").at(1)},
-                .largest_gap = run.largest_gap,
-                .first_cracks = take_all<FirstCrack>(data, "first_cracks")};
+  auto out = take<RunMemory>(data, "run");
+  out.start = take<Measurement>(data, "start");
+  out.peak = take<Measurement>(data, "peak");
   if (data.numbers.contains("peak_state.d")) out.peak_state = take_state(data, "peak_state");
-  out.num_factorisations =
-      run.num_factorisations - static_cast<long long>(simulation.system().linear().num_factorisations());
+  out.indicator.modes = take_modes(data);
+  out.events = nlohmann::ordered_json::parse(data.texts.at("events").at(0));
+  const auto& stiffness = data.texts.at("stiffness");
+  out.stiffness = {nlohmann::ordered_json::parse(stiffness.at(0)), stiffness.at(1)};
+  out.num_factorisations = data.integers.at("factorisations").at(0) - num_factorisations(simulation);
+  out.first_cracks = take_all<FirstCrack>(data, "first_cracks");
   return out;
 }
 
