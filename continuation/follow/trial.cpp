@@ -14,10 +14,44 @@
 namespace dda {
 namespace {
 
+/// By how much of the way from the point before to the present one what a move prescribes grows by s again;
+/// nothing where it has not grown on that way.
+std::optional<double> share_of_way(const PathState& path, const Move& move, double s) {
+  const auto sum = move.equation->as_sum(0);
+  if (!sum || !path.memory.before) return {};
+  double grown = sum->spends ? path.walker.here().dissipated - path.memory.dissipated_before : 0;
+  if (sum->gauge) grown += path.walker.value(*sum->gauge) - path.memory.before->value(*sum->gauge);
+  const double share = s / grown;
+  return std::isfinite(share) && share > 0 ? std::optional(share) : std::nullopt;
+}
+
+/// The present state moved on by a share of the way from the one before.
+State moved_on(const State& before, const State& here, double share) {
+  State out = here;
+  std::vector<double> way(here.d.size(), 0.0);
+  for (std::size_t i = 0; i < way.size(); ++i)
+    if (const std::size_t node = i / block_unknowns; here.d.know(node) && before.d.know(node))
+      way[i] = here.d.watched()[i] - before.d.watched()[i];
+  out.d = here.d.moved(share, way);
+  out.load_factor += share * (here.load_factor - before.load_factor);
+  for (std::size_t p = 0; p < out.multipliers.size(); ++p)
+    out.multipliers[p] += share * (here.multipliers[p] - before.multipliers[p]);
+  return out;
+}
+
+/// Where Newton's method begins to look for the end of a step.
+State predicted(const PathState& path, const Move& move, double amount) {
+  const Predictor predictor = move.to_event ? Predictor::tangent : path.parameters.step.predictor;
+  if (predictor == Predictor::constant) return path.walker.state();
+  if (predictor == Predictor::secant)
+    if (const auto share = share_of_way(path, move, amount * move.rate))
+      return moved_on(*path.memory.before, path.walker.state(), *share);
+  return path.walker.ahead(amount);
+}
+
 Attempt attempt(PathState& path, const Move& move, double amount, Thoroughness thoroughness) {
-  const bool is_constant = path.parameters.step.predictor == Predictor::constant && !move.to_event;
   return path.walker.attempt(*move.equation, move.to_event ? 1.0 : amount * move.rate,
-                             is_constant ? path.walker.state() : path.walker.ahead(amount), thoroughness);
+                             predicted(path, move, amount), thoroughness);
 }
 
 /// Whether the load has gone back on the way to an event although nothing cracks.
@@ -101,6 +135,10 @@ Point keep(PathState& path, Candidate candidate, StepKind kind) {
   path.memory.imbalance += missing_work(path, candidate);
   if (const double quantum = candidate.dissipated - path.walker.here().dissipated; quantum > 0)
     path.memory.last_quantum = quantum;
+  if (path.parameters.step.predictor == Predictor::secant) {
+    path.memory.before = path.walker.state();
+    path.memory.dissipated_before = path.walker.here().dissipated;
+  }
   path.walker.accept(std::move(candidate));
   return arrived(path, std::move(out));
 }
@@ -133,6 +171,7 @@ std::optional<Point> jump_to(PathState& path, Candidate beyond, StepKind kind) {
   point.jump_energy = path.walker.jump(std::move(beyond));
   path.memory.jump_energy += point.jump_energy;
   path.memory.step = 0;
+  path.memory.before.reset();
   return arrived(path, std::move(point));
 }
 

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "continuation/follow/advice.hpp"
@@ -12,11 +11,6 @@
 
 namespace dda {
 namespace {
-
-/// What is asked of a converged try, one after another; the first that has a say decides.
-constexpr std::array<Rung, 9> rungs{refuse_stray,  bracket_peak,     bracket_turn,
-                                    look_between,  refine_coarse,    stop_at_branch,
-                                    land_on_value, land_at_strength, go_on};
 
 Outcome climb(PathState& path, const Candidate& candidate, Stride& stride) {
   for (const Rung rung : rungs)

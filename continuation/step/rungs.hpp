@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 
@@ -65,6 +66,11 @@ std::optional<Outcome> bracket_turn(PathState& path, const Candidate& candidate,
 std::optional<Outcome> look_between(PathState& path, const Candidate& candidate, Stride& stride);
 /// The quadrature of the work misses a kink, or joints have snapped.
 std::optional<Outcome> refine_coarse(PathState& path, const Candidate& candidate, Stride& stride);
+
+/// What is asked of a converged try, one after another; the first that has a say decides.
+inline constexpr std::array<Rung, 9> rungs{refuse_stray,  bracket_peak,     bracket_turn,
+                                           look_between,  refine_coarse,    stop_at_branch,
+                                           land_on_value, land_at_strength, go_on};
 
 // What they and failed tries lead to.
 

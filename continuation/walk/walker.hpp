@@ -129,7 +129,7 @@ class Walker {
   void begin_stage(std::size_t stage);
   /// Puts the walker on a stored equilibrium with the tangent by which it was about to leave: computed anew,
   /// with another base of the linear system, it would differ in its last digits.
-  void restore(Candidate at, std::vector<History> history, const Effort& effort, Tangent leaving);
+  void restore(Candidate at, const Effort& effort, Tangent leaving);
 
  private:
   void take(const Solution& solution);

@@ -45,6 +45,8 @@ class RecordWriter {
   void operator()(const char* member, const std::string& value);
   void operator()(const char* member, const std::vector<double>& value);
   void operator()(const char* member, const std::vector<Vec2>& value);
+  /// Arrays of one length.
+  void operator()(const char* member, const std::vector<std::vector<double>>& values);
 
   /// What follows is the next of many records, whose members have their names by now.
   void begin_next() { names_ = nullptr; }
@@ -79,6 +81,7 @@ class RecordReader {
   void operator()(const char* member, std::string& value);
   void operator()(const char* member, std::vector<double>& value);
   void operator()(const char* member, std::vector<Vec2>& value);
+  void operator()(const char* member, std::vector<std::vector<double>>& values);
 
  private:
   double next(const char* member);

@@ -14,7 +14,7 @@ namespace dda {
 namespace {
 
 constexpr const char* format_name = "ddapath restart";
-constexpr std::int64_t format_version = 5;
+constexpr std::int64_t format_version = 6;
 
 /// 64-bit FNV-1a. Source: Fowler, Noll, Vo, RFC draft-eastlake-fnv.
 std::uint64_t checksum(std::string_view bytes) {

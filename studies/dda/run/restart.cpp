@@ -25,30 +25,18 @@ std::vector<Mat2> matrices(const Numbers& flat) {
   return out;
 }
 
-/// `count` shapes of one size, cut out of one array.
-std::vector<Numbers> shapes(const Numbers& flat, std::size_t count) {
-  std::vector<Numbers> out;
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto size = static_cast<std::ptrdiff_t>(flat.size() / count),
-               begin = static_cast<std::ptrdiff_t>(i) * size;
-    out.emplace_back(flat.begin() + begin, flat.begin() + begin + size);
-  }
-  return out;
-}
-
-/// What is stored of a state beside its history and modes.
+/// What is stored of a state beside its history.
 struct StateRecord {
-  int step = 0, num_modes = 0;
+  int step = 0;
   Numbers d;
   std::optional<double> dead_work;
   double load_factor = 0;
   std::vector<Vec2> multipliers;
-  Numbers modes;
+  std::vector<Numbers> modes;
 
   template <class Self, class Visit>
   static void visit(Self& self, Visit& visit) {
     visit("step", self.step);
-    visit("num_modes", self.num_modes);
     visit("d", self.d);
     visit("dead_work", self.dead_work);
     visit("load_factor", self.load_factor);
@@ -59,15 +47,13 @@ struct StateRecord {
 
 void put_state(RestartData& data, const std::string& name, const StoredState& at) {
   const State& state = at.state;
-  StateRecord record{.step = at.step,
-                     .num_modes = static_cast<int>(at.modes.size()),
-                     .d = state.d,
-                     .dead_work = state.d.dead_work(),
-                     .load_factor = state.load_factor,
-                     .multipliers = state.multipliers,
-                     .modes = {}};
-  for (const Numbers& shape : at.modes) record.modes.insert(record.modes.end(), shape.begin(), shape.end());
-  put(data, name, record);
+  put(data, name,
+      StateRecord{.step = at.step,
+                  .d = state.d,
+                  .dead_work = state.d.dead_work(),
+                  .load_factor = state.load_factor,
+                  .multipliers = state.multipliers,
+                  .modes = at.modes});
   put_all(data, name + ".history", at.history);
 }
 
@@ -78,11 +64,12 @@ StoredState take_state(const RestartData& data, const std::string& name) {
                     record.load_factor,
                     std::move(record.multipliers)},
           .history = take_all<History>(data, name + ".history"),
-          .modes = shapes(record.modes, static_cast<std::size_t>(record.num_modes))};
+          .modes = std::move(record.modes)};
 }
 
 void put_path(RestartData& data, const PathMemory& m) {
   put(data, "path", m);
+  if (m.before) put_state(data, "before", {.step = 0, .state = *m.before, .history = {}, .modes = {}});
   data.texts["path.step_kind"] = {m.step_kind ? to_string(*m.step_kind) : ""};
   auto& names = data.texts["path.travels"] = {};
   Numbers& travels = data.numbers["path.travels"] = {};
@@ -94,6 +81,7 @@ void put_path(RestartData& data, const PathMemory& m) {
 
 PathMemory take_path(const RestartData& data) {
   auto out = take<PathMemory>(data, "path");
+  if (data.numbers.contains("before.d")) out.before = take_state(data, "before").state;
   out.step_kind = step_kind(data.texts.at("path.step_kind").at(0));
   const Numbers& n = data.numbers.at("path.travels");
   std::size_t at = 0;
@@ -133,9 +121,9 @@ void restore_walker(const RestartData& data, Walker& walker) {
   StoredState here = take_state(data, "here");
   auto at = take<Candidate>(data, "walker");
   at.state = std::move(here.state);
+  at.history = std::move(here.history);
   walker.system().restore_force_level(data.numbers.at("highest_force_level").at(0));
-  walker.restore(std::move(at), std::move(here.history), take<Effort>(data, "effort"),
-                 take<Tangent>(data, "leaving"));
+  walker.restore(std::move(at), take<Effort>(data, "effort"), take<Tangent>(data, "leaving"));
 }
 
 /// What each law of the structure remembers, as the law declares it.
@@ -168,17 +156,6 @@ long long num_factorisations(const Simulation& simulation) {
   return static_cast<long long>(simulation.system().linear().num_factorisations());
 }
 
-void put_modes(RestartData& data, const TrackedModes& modes) {
-  data.numbers["modes.first_values"] = modes.first_values;
-  Numbers& all = data.numbers["modes.shapes"] = {};
-  for (const auto& shape : modes.shapes) all.insert(all.end(), shape.begin(), shape.end());
-}
-
-TrackedModes take_modes(const RestartData& data) {
-  const Numbers& values = data.numbers.at("modes.first_values");
-  return {values, shapes(data.numbers.at("modes.shapes"), values.size())};
-}
-
 }  // namespace
 
 RestartData restart_data(const Simulation& simulation, const RunMemory& memory, const DeckFile& deck,
@@ -192,7 +169,7 @@ RestartData restart_data(const Simulation& simulation, const RunMemory& memory, 
   if (memory.peak_state) put_state(out, "peak_state", *memory.peak_state);
   put(out, "run", memory);
   out.integers["factorisations"] = {memory.num_factorisations + num_factorisations(simulation)};
-  put_modes(out, memory.indicator.modes);
+  put(out, "modes", memory.indicator.modes);
   out.texts["memory_of_laws"] = remembered(simulation.equilibrium());
   out.texts["events"] = {memory.events.dump()};
   out.texts["stiffness"] = {memory.stiffness.numbers.dump(), memory.stiffness.text};
@@ -227,7 +204,7 @@ RunMemory restore(const RestartData& data, const fs::path& folder, Simulation& s
   out.start = take<Measurement>(data, "start");
   out.peak = take<Measurement>(data, "peak");
   if (data.numbers.contains("peak_state.d")) out.peak_state = take_state(data, "peak_state");
-  out.indicator.modes = take_modes(data);
+  out.indicator.modes = take<TrackedModes>(data, "modes");
   out.events = nlohmann::ordered_json::parse(data.texts.at("events").at(0));
   const auto& stiffness = data.texts.at("stiffness");
   out.stiffness = {nlohmann::ordered_json::parse(stiffness.at(0)), stiffness.at(1)};

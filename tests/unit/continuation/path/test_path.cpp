@@ -1,8 +1,10 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <map>
 
 #include "continuation/detour/rescue.hpp"
+#include "support/law_case.hpp"
 #include "unit/continuation/on_path.hpp"
 
 namespace dda {
@@ -152,6 +154,26 @@ stages:
   - loads: [{type: point_load, at: [533, 400], force: [0, -1]}, {type: point_load, at: [1067, 400], force: [0, -1]}]
 gauges: {deflection: {type: displacement, at: [800, 400], inside: [799, 399], direction: [0, -1]}}
 )";
+
+/// Where Newton's method begins changes how many iterations it takes, not where it ends.
+TEST(Predictor, EachLeadsToTheSamePointsInItsOwnNumberOfIterations) {
+  std::map<std::string, int> iterations;
+  std::vector<double> known;
+  for (const std::string predictor : {"tangent", "secant", "constant"}) {
+    OnPath beam(rough_beam,
+                "{step: {sizing: constant, predictor: " + predictor + "}, stop: {after_steps: 25}}");
+    std::vector<double> loads;
+    for ([[maybe_unused]] const Point& point : beam.path()) loads.push_back(beam.walker().here().load);
+    ASSERT_EQ(loads.size(), 25u) << predictor;
+    if (known.empty()) known = loads;
+    for (std::size_t i = 0; i < loads.size(); ++i)
+      EXPECT_NEAR(loads[i], known[i], 1e-6 * known[i]) << predictor;
+    const Effort& effort = beam.walker().effort();
+    iterations[predictor] = effort.newton_iterations + effort.reduced_iterations;
+  }
+  EXPECT_NE(iterations["secant"], iterations["tangent"]);
+  EXPECT_LT(iterations["secant"], iterations["constant"]);
+}
 
 /// Points that have slid and stick again bear more than their stiffness times q.
 TEST(Rescue, KeepsWhatHasSlid) {
