@@ -23,7 +23,7 @@ Drawing two_blocks() {
 /// Corners of the first polygon on the picture.
 std::vector<Vec2> first_polygon(const std::string& svg) {
   std::smatch path;
-  std::regex_search(svg, path, std::regex("<path d=\"(M[^\"]*)Z\""));
+  std::regex_search(svg, path, std::regex("<path d=\"(M[^\"Z]*)Z"));
   const std::string data = path[1];
   const std::regex pair("[ML]([-0-9.]+) ([-0-9.]+)");
   std::vector<Vec2> corners;
