@@ -57,6 +57,7 @@ void begin_next_leg(PathState& path) {
   ++path.memory.leg;
   path.memory.leg_start = path.walker.effort().accepted;
   path.memory.step = 0;
+  path.memory.before.reset();
   path.walker.unload();
   set_out(path);
   path.report("leg", path.leg().name);

@@ -11,19 +11,6 @@
 #include "continuation/state/reach.hpp"
 
 namespace dda {
-namespace {
-
-State between(const State& a, const State& b, double share) {
-  State out = a;
-  out.d = a.d.combined(1 - share, share, b.d);
-  out.load_factor += share * (b.load_factor - a.load_factor);
-  for (std::size_t p = 0; p < out.multipliers.size(); ++p)
-    out.multipliers[p] += share * (b.multipliers[p] - a.multipliers[p]);
-  return out;
-}
-
-}  // namespace
-
 std::vector<Landing> present_landings(const PathState& path) {
   std::vector<Landing> out = path.route.landings;
   out.insert(out.end(), path.leg().until.begin(), path.leg().until.end());

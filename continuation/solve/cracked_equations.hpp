@@ -20,11 +20,11 @@ namespace dda {
 /// iteration costs a dense solve of the size of the cracked components.
 class CrackedEquations final : public WalkedEquations {
  public:
-  /// How well q is wanted: against the openings, or against what the points carry, t/(E/h), by which
+  /// What the error of q is measured by: the openings, or what the points carry, t/(E/h), by which
   /// equilibrium is judged: joints may open much further than they are pressed together.
   enum class Accuracy { of_openings, of_what_is_carried };
-  /// When an iteration ends. That of Newton's method counts only iterations that bring no new set of pieces; a
-  /// set that comes back ends it at once where something else can be tried.
+  /// When an iteration ends. Newton's method counts only iterations that bring no new set of pieces of the laws;
+  /// a set that comes back ends it at once where something else can be tried.
   struct Rule {
     int max_iterations = 15;
     bool may_settle = false;  ///< of Newton's method: sets may come back

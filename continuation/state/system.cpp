@@ -141,9 +141,8 @@ void System::screen_intact_points() {
   parallel_for(screen_.size(), points_at_once, [&](std::size_t p) {
     const InterfacePoint& point = equilibrium_.point(p);
     const History& h = history_[p];
-    const bool is_intact = !h.loading && !h.sliding && h.phase == 0 && h.slip == 0 && h.dissipated == 0 &&
-                           point.law->kappa(h, point.stiffness) <= point.law->initial_kappa(point.stiffness);
-    const double bound = is_intact ? inside * point.law->intact_bound(point.stiffness) : 0;
+    const bool is_idle = !h.loading && !h.sliding && h.dissipated == 0;
+    const double bound = is_idle ? inside * point.law->intact_bound(h, point.stiffness) : 0;
     screen_[p].bound = bound * bound;
   });
 }

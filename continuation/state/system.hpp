@@ -33,7 +33,7 @@ struct LawValues {
   std::vector<Vec2> traction;  ///< t
   std::vector<Mat2> tangent;   ///< D
 
-  /// Whether nothing is left of a point: no traction, and none that would answer.
+  /// Whether a point has nothing left: it bears no traction, and would bear none if it opened further.
   bool is_released(std::size_t p) const { return traction[p].isZero(0) && tangent[p].isZero(0); }
 };
 
@@ -41,13 +41,13 @@ struct LawValues {
 /// times the block's size, or the openings of the points that can crack, Σ W q·q.
 enum class Metric { natural, openings };
 
-/// Equilibrium with its memory: what every LOCA group of a run shares.
+/// The equilibrium of a stage with what it remembers, history and multipliers: one for all equations of a run.
 ///
 ///     R(d, λ) = K0 d + Bᵀ W (t(q; h) − D0 B d) − f(λ),      K = K0 + Bᵀ W (D − D0) B
 ///
 /// Iterated multipliers m enter as q = B d + q0(λ) + m and stay during a solve (`set_multipliers`).
-/// The history changes only in `commit`; groups are cloned freely and hold no memory of their own.
-/// With `frozen` damage the laws answer with their secant at the committed history (event control).
+/// The history changes only by `set_history`, between solves; what is solved keeps no memory of its own.
+/// With `frozen` damage the laws answer with their secant at that history (event control).
 class System {
  public:
   /// Factorises the intact stiffness. Throws InputError where that is singular, or needs more memory than there
@@ -90,8 +90,8 @@ class System {
   bool use_path_tangent(const LawValues& laws);
   /// Tangents of all points, bonds among them, symmetric; with each joint's own stiffness p̄ on request.
   std::vector<Mat2> all_tangents(const LawValues& laws, bool is_physical) const;
-  /// K*, of the blocks alone: the joints' own stiffness, and nothing left of released points, neither what
-  /// consistent ones subtract.
+  /// The stiffness K* of the structure without devices of the method: joints with their own stiffness, released
+  /// points with none, and without what consistent joints subtract there.
   BlockMatrix physical_stiffness(const LawValues& laws) const;
   /// Whether the path's tangent is that matrix.
   bool is_path_physical(const LawValues& laws) const;
@@ -126,10 +126,10 @@ class System {
   /// Laws at (d, λ) with the committed history, or the given one.
   LawValues laws(std::span<const double> d, double load_factor) const;
   LawValues laws(const State& at) const { return laws_of(openings(at.d, at.load_factor)); }
-  /// The same, remembered: the groups and the control of one Newton iteration ask at the same place.
+  /// The same, remembered: equations and control of one Newton iteration ask at the same place.
   std::shared_ptr<const LawValues> laws_at(std::span<const double> d, double load_factor);
   std::shared_ptr<const LawValues> laws_at(const State& at);
-  /// R, size n; also counts as an evaluation.
+  /// The residual R, size n.
   void residual(std::span<const double> d, double load_factor, const LawValues& laws,
                 std::span<double> out) const;
   /// K_base⁻¹ R by what is kept of earlier solves; false when that is not enough
@@ -178,7 +178,7 @@ class System {
   /// The force level that a residual is compared with: ‖V C ε / size‖ over the blocks, at least a tenth of
   /// the largest that was accepted so far, so that an unloaded end of the path can still be reached [F].
   double force_level(std::span<const double> d) const;
-  /// What it is at least, whatever the state [F].
+  /// The least that the force level is at any state [F].
   double least_force_level() const { return force_level_floor * highest_level_; }
   void remember_force_level(std::span<const double> d) {
     highest_level_ = std::max(highest_level_, block_forces(d));
@@ -193,7 +193,7 @@ class System {
   double kappa(std::size_t p, const History& h) const;
   bool is_broken(std::size_t p) const;
 
-  /// A fingerprint of which points load, are closed or ruptured at these openings.
+  /// A number that tells apart which points load, are closed or ruptured at these openings.
   std::size_t active_set(const LawValues& laws) const;
 
   /// Σ W h.dissipated [FL].

@@ -161,10 +161,9 @@ void Walker::turn_to(Tangent leaving, std::vector<History> flags) {
   leaving_ = std::move(leaving);
 }
 
-void Walker::restore(Candidate at, std::vector<History> history, const Effort& effort, Tangent leaving) {
+void Walker::restore(Candidate at, const Effort& effort, Tangent leaving) {
   here_ = std::move(at);
-  here_.history = history;
-  system_.set_history(std::move(history));
+  system_.set_history(here_.history);
   system_.set_multipliers(here_.state.multipliers);
   effort_ = effort;
   leaving_ = std::move(leaving);
