@@ -62,8 +62,9 @@ class Walk {
   }
 
  private:
-  /// Corners a walk may pass, per point and beside: one that passes more wanders.
-  static constexpr std::size_t most_near = 2, most_covered = 4, few = 200;
+  /// Corners a walk may pass, per point and beside: one that passes more wanders. A covered one ends by itself,
+  /// but where strong friction wedges bricks many joints are let go and held again on the way.
+  static constexpr std::size_t most_near = 2, most_covered = 20, few = 200;
 
   std::size_t size() const { return problem_.points.size(); }
   Eigen::Index count() const { return static_cast<Eigen::Index>(size()); }
