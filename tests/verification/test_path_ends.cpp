@@ -136,7 +136,7 @@ TEST(PathEnd, AHairAboveTheTargetIsReached) {
   Followed other(softening("{stop: {load_below: 0.39999999999}}"));
   Candidate here = run.simulation().walker().here();
   here.history = run.simulation().system().history();
-  other.simulation().walker().restore(here, run.simulation().walker().effort(),
+  other.simulation().walker().restore(std::move(here), run.simulation().walker().effort(),
                                       run.simulation().walker().leaving());
   other.simulation().path().restore(run.simulation().path().memory());
   EXPECT_EQ(other.follow(), 0);
