@@ -31,12 +31,11 @@ bool softens(const Mat2& a) {
 /// Whether something has cracked and nothing softens: which cracks will grow, and would be in the way of a new
 /// base for these tangents, they do not tell.
 bool is_of_unloading(const Equilibrium& equilibrium, std::span<const Mat2> tangents) {
-  if (std::ranges::any_of(tangents, softens)) return false;
-  for (std::size_t p = 0; p < tangents.size(); ++p) {
-    const InterfacePoint& point = equilibrium.point(p);
-    if (!point.is_separate() && !is_same(tangents[p], point.intact_stiffness().asDiagonal())) return true;
-  }
-  return false;
+  bool has_cracked = false;
+  for (std::size_t p = 0; p < tangents.size() && !has_cracked; ++p)
+    has_cracked = !equilibrium.point(p).is_separate() &&
+                  !is_same(tangents[p], equilibrium.point(p).intact_stiffness().asDiagonal());
+  return has_cracked && std::ranges::none_of(tangents, softens);
 }
 
 }  // namespace
@@ -209,10 +208,8 @@ bool LinearSystem::needs_new_base(std::span<const Mat2> tangents) const {
   const std::size_t needed = 2 * updated_.size() + more;
   if (more > columns_->most_at_once() || needed > most_held_columns()) return true;
   if (needed <= most_columns() || is_of_unloading(equilibrium_, tangents)) return false;
-  constexpr double less = 0.8;  // half of the dense part
-  const auto now = static_cast<double>(num_columns_beside(base_, tangents));
   const std::size_t then = num_columns_beside(stiff_base(tangents), tangents);
-  return 2 * then <= needed || static_cast<double>(then) <= less * now;
+  return 2 * then <= needed || 5 * then <= 4 * num_columns_beside(base_, tangents);  // half of the dense part
 }
 
 bool LinearSystem::set_tangent(std::span<const Mat2> tangents) {
