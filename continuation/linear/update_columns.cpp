@@ -161,8 +161,13 @@ class HalfColumns final : public UpdateColumns {
     parallel_for(new_groups.size(), 1, [&](std::size_t i) {
       groups_[first + i].y = solver_.half_solve(entries_of(new_groups[i]));
     });
-    for (std::size_t right = first; right < groups_.size(); ++right)
-      parallel_for(right + 1, couplings_at_once, [&](std::size_t left) { couple(left, right, g); });
+    constexpr std::size_t at_once = 8;  // the half solutions of so many stay in the cache
+    for (std::size_t begin = first; begin < groups_.size(); begin += at_once) {
+      const std::size_t end = std::min(begin + at_once, groups_.size());
+      parallel_for(end, 1, [&](std::size_t left) {
+        for (std::size_t right = std::max(left, begin); right < end; ++right) couple(left, right, g);
+      });
+    }
   }
 
   void subtract(std::span<const std::size_t> places, const Matrix& shares,
@@ -198,7 +203,6 @@ class HalfColumns final : public UpdateColumns {
 
  private:
   static constexpr std::size_t largest_group = 4;
-  static constexpr std::size_t couplings_at_once = 8;
   struct Group {
     std::size_t first;  ///< place
     HalfSolution y;

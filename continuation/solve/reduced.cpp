@@ -41,7 +41,8 @@ std::vector<std::size_t> newly_cracked(System& system, const LinearSystem& linea
 
 namespace {
 
-/// Under a control that is a sum, taking points in until none is left out.
+/// Under a control that is a sum, taking points in until none is left out. What was found without the last ones is
+/// nearer than the guess.
 std::optional<Reduced> solve_sum(Stepper& stepper, const ControlSum& sum, const StepGoal& goal,
                                  int max_iterations) {
   System& system = stepper.system();
@@ -51,8 +52,8 @@ std::optional<Reduced> solve_sum(Stepper& stepper, const ControlSum& sum, const 
     CrackedEquations equations(system, system.linear(), sum);
     Solved found = [&] {
       const auto scope = system.timings().measure("reduced iterations");
-      const Iterate guess =
-          equations.begin(goal.guess, {.max_iterations = max_iterations, .may_settle = true});
+      const Iterate guess = equations.begin(round > 0 ? out.state : goal.guess,
+                                            {.max_iterations = max_iterations, .may_settle = true});
       return stepper.solve({equations, guess, goal.step});
     }();
     if (!found.converged) return {};
