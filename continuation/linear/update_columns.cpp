@@ -191,7 +191,8 @@ class HalfColumns final : public UpdateColumns {
     Eigen::VectorXd out = Eigen::VectorXd::Zero(2 * std::ssize(places_));
     if (entries.empty()) return out;
     const HalfSolution of_gauge = solver_.half_solve(entries);
-    parallel_for(groups_.size(), couplings_at_once, [&](std::size_t g) {
+    constexpr std::size_t products_at_once = 8;
+    parallel_for(groups_.size(), products_at_once, [&](std::size_t g) {
       const Matrix common = solver_.product(groups_[g].y, of_gauge);
       out.segment(row_of(groups_[g].first), common.rows()) = common.col(0);
     });
