@@ -115,8 +115,6 @@ bool LinearSystem::takes_friction(std::size_t columns) const {
   return update_ == Update::refactorise || columns > (general_ ? most_whole_columns : most_columns());
 }
 
-void LinearSystem::make_update_columns() { columns_ = update_columns(equilibrium_, *solver_, batch_); }
-
 bool LinearSystem::factor_base() {
   const auto scope = timings_->measure("factorisation");
   tangent_ = base_;
@@ -139,7 +137,7 @@ bool LinearSystem::factor_base() {
   batch_ = solver_->halves() ? of_side : of_many;
   takes_all_ = solver_->halves() && !equilibrium_.has_separate_bodies() &&
                2 * equilibrium_.num_active() <= most_columns();
-  make_update_columns();
+  columns_ = update_columns(equilibrium_, *solver_, batch_);
   return true;
 }
 
@@ -169,8 +167,7 @@ bool LinearSystem::start_from(std::span<const Mat2> base) {
   updated_.clear();
   active_.clear();
   std::ranges::fill(slot_, -1);
-  num_solves_ += columns_->num_solves();
-  make_update_columns();
+  columns_->begin_anew();
   return true;
 }
 
