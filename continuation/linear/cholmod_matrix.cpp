@@ -29,17 +29,17 @@ Eigen::Map<Eigen::MatrixXd> scratch(std::size_t rows, Eigen::Index columns) {
 /// Rows of a half solution.
 using Part = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>;
 
-/// out += xᵀ y for columns from `i` and `j` on, which fit in the registers: a general product would turn x and y
+/// xᵀ y of a few columns from these places on, which fit in the registers: a general product would turn x and y
 /// first, which takes longer.
-template <int Rows, int Columns>
-void add_tile(const Part& x, const Part& y, Eigen::Index i, Eigen::Index j, Eigen::MatrixXd& out) {
+template <int Rows, int Columns, class Tile>
+void add_tile(const Part& x, const Part& y, Tile out) {
   using Left = Eigen::Map<const Eigen::Matrix<double, Rows, 1>>;
   using Right = Eigen::Map<const Eigen::Matrix<double, 1, Columns>>;
   Eigen::Matrix<double, Rows, Columns> sum = Eigen::Matrix<double, Rows, Columns>::Zero();
-  const double *left = x.data() + i, *right = y.data() + j;
+  const double *left = x.data() + out.startRow(), *right = y.data() + out.startCol();
   for (Eigen::Index k = 0; k < x.rows(); ++k, left += x.cols(), right += y.cols())
     sum.noalias() += Left(left).lazyProduct(Right(right));
-  out.block<Rows, Columns>(i, j) += sum;
+  out += sum;
 }
 
 /// out += xᵀ y; columns come in pairs.
@@ -48,13 +48,13 @@ void add_product(const Part& x, const Part& y, Eigen::MatrixXd& out) {
     for (Eigen::Index j = 0; j < y.cols(); j += 4) {
       const bool is_low = i + 2 == x.cols(), is_narrow = j + 2 == y.cols();
       if (is_low && is_narrow)
-        add_tile<2, 2>(x, y, i, j, out);
+        add_tile<2, 2>(x, y, out.block<2, 2>(i, j));
       else if (is_low)
-        add_tile<2, 4>(x, y, i, j, out);
+        add_tile<2, 4>(x, y, out.block<2, 4>(i, j));
       else if (is_narrow)
-        add_tile<4, 2>(x, y, i, j, out);
+        add_tile<4, 2>(x, y, out.block<4, 2>(i, j));
       else
-        add_tile<4, 4>(x, y, i, j, out);
+        add_tile<4, 4>(x, y, out.block<4, 4>(i, j));
     }
 }
 

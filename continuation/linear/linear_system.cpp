@@ -361,14 +361,12 @@ std::optional<Eigen::MatrixXd> LinearSystem::flexibility(std::span<const std::si
       right.block<2, 2>(at(a), at(j)) = update_of(active_[a]) * coupling(active_[a], points[j]);
     }
   }
-  out -= product_of_transpose(left, small_.solve(std::move(right)));
+  if (r > 0) out -= product_of_transpose(left, small_.solve(std::move(right)));
   return out;
 }
 
 Eigen::MatrixXd LinearSystem::shares_of(std::span<const std::span<double>> solutions) const {
-  const auto r = static_cast<Eigen::Index>(2 * active_.size());
-  const auto columns = static_cast<Eigen::Index>(solutions.size());
-  Eigen::MatrixXd right(r, columns);
+  Eigen::MatrixXd right(2 * std::ssize(active_), std::ssize(solutions));
   for (std::size_t a = 0; a < active_.size(); ++a) {
     const Mat2 e = update_of(active_[a]);
     for (std::size_t c = 0; c < solutions.size(); ++c)
