@@ -1,8 +1,13 @@
 """The triangles of a run as an ASCII .msh file of version 2.2, so that a run can start from a mesh."""
 
+import sys
+from pathlib import Path
+
 import numpy as np
 
-import ddapath
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "python"))
+
+import ddapath  # noqa: E402
 
 LINE, TRIANGLE = 1, 2
 ROUND_OFF = 1e-9  # of the beam
