@@ -41,13 +41,14 @@ std::vector<std::size_t> newly_cracked(System& system, const LinearSystem& linea
 
 namespace {
 
-/// Under a control that is a sum, taking points in until none is left out. Where that is not found from the guess,
-/// it may be from what was found without the last ones.
+/// Under a control that is a sum, taking points in until none is left out. What was found without the last ones
+/// is where to begin where they are few, and else where the guess does not lead to the end.
 std::optional<Reduced> solve_sum(Stepper& stepper, const ControlSum& sum, const StepGoal& goal,
                                  int max_iterations) {
   System& system = stepper.system();
   Reduced out;
-  constexpr int most_rounds = 8;
+  constexpr int most_rounds = 8, few = 50;  // one in so many
+  bool is_near = false;
   for (int round = 0; round < most_rounds; ++round) {
     CrackedEquations equations(system, system.linear(), sum);
     const auto solve_from = [&](const State& state) {
@@ -55,8 +56,8 @@ std::optional<Reduced> solve_sum(Stepper& stepper, const ControlSum& sum, const 
       const Iterate guess = equations.begin(state, {.max_iterations = max_iterations, .may_settle = true});
       return stepper.solve({equations, guess, goal.step});
     };
-    Solved found = solve_from(goal.guess);
-    if (!found.converged && round > 0) found = solve_from(out.state);
+    Solved found = solve_from(is_near ? out.state : goal.guess);
+    if (!found.converged && round > 0) found = solve_from(is_near ? goal.guess : out.state);
     if (!found.converged) return {};
     out.iterations += found.iterations;
     out.state = equations.state({found.x, found.load_factor});
@@ -67,6 +68,7 @@ std::optional<Reduced> solve_sum(Stepper& stepper, const ControlSum& sum, const 
       return out;
     }
     if (!system.linear().make_columns(added)) return {};
+    is_near = few * added.size() <= equations.num_points();
   }
   return {};
 }
