@@ -80,6 +80,11 @@ bool CrackGeometry::open(std::size_t side, const Vec2& start, const Vec2& end, i
   return true;
 }
 
+void CrackGeometry::confirm(int crack) {
+  for (Cut& cut : cuts_)
+    if (cut.crack == crack) cut.is_provisional = false;
+}
+
 void CrackGeometry::drop_last() {
   assert(!cuts_.empty());
   const Cut last = cuts_.back();

@@ -17,6 +17,7 @@ struct Cut {
   Vec2 start, end;
   int crack = 0;                         ///< to which it belongs
   std::optional<std::size_t> side = {};  ///< along which it runs, index into Assembly::sides
+  bool is_provisional = true;            ///< it lies ahead of its crack and may still be aimed elsewhere
 
   double length() const { return (end - start).norm(); }
   /// Outward of what lies left.
@@ -58,6 +59,8 @@ class CrackGeometry {
   bool cut(BlockId block, const Vec2& start, const Vec2& end, int crack);
   /// Opens a side between two places on it. False where they are one, or it is open there already.
   bool open(std::size_t side, const Vec2& start, const Vec2& end, int crack);
+  /// The crack has reached its cuts: none of them is provisional any more.
+  void confirm(int crack);
   /// Takes the last cut back.
   void drop_last();
 

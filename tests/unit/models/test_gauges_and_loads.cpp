@@ -157,7 +157,7 @@ TEST_F(OnSquare, RotationOfAPatchIsThatOfARigidMotion) {
   Mat2 turn;
   turn << 0, -0.3, 0.3, 0;
   const Functional rotation =
-      rotation_over(square_.assembly(), {{}, {}, std::vector<Spot>{Spot(1, 0.2), Spot(1, 0.9)}}, {});
+      rotation_over(square_.body(), {{}, {}, std::vector<Spot>{Spot(1, 0.2), Spot(1, 0.9)}}, {});
   EXPECT_NEAR(rotation.value(square_.field({1, 2}, turn), 0), 0.3, 1e-14);
 }
 
