@@ -43,6 +43,14 @@ struct Loading {
   /// q0 of an active point at λ = 0, and its rate in λ [L].
   Vec2 dead_opening(std::size_t p) const { return part_of(dead_offset, p); }
   Vec2 reference_opening(std::size_t p) const { return part_of(reference_offset, p); }
+  /// Stress that is there without strain, by block; empty when there is none [F/L²].
+  std::vector<Vec3> dead_stress, reference_stress;
+  Vec3 initial_stress(std::size_t block, double load_factor) const {
+    const auto part = [&](const std::vector<Vec3>& of) {
+      return of.empty() ? Vec3(Vec3::Zero()) : of[block];
+    };
+    return part(dead_stress) + load_factor * part(reference_stress);
+  }
   Functional load;  ///< the load gauge: λ Σ|force|, or the sum of the driven reactions
   std::map<std::string, Functional> reactions;  ///< by support and driven spring
   std::vector<NamedGauge> gauges;               ///< as the deck names them

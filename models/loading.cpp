@@ -95,6 +95,7 @@ class StageMaker {
     if (!loads.initial_stress.empty()) {
       const StressOffset offset = stress_offset(body_, interfaces_, loads.initial_stress);
       out.reference_offset = offset.openings;
+      out.reference_stress = loads.initial_stress;
       add_scaled(1, offset.force, out.reference);
       add_scaled(1, offset.force, out.reference_work);
     }
@@ -147,6 +148,10 @@ class StageMaker {
     add_scaled(1, stage.reference, so_far_.dead);
     add_scaled(1, stage.reference_work, so_far_.dead_work);
     if (!stage.reference_offset.empty()) add_scaled(1, stage.reference_offset, so_far_.dead_offset);
+    if (stage.reference_stress.empty()) return;
+    so_far_.dead_stress.resize(stage.reference_stress.size(), Vec3::Zero());
+    for (std::size_t b = 0; b < stage.reference_stress.size(); ++b)
+      so_far_.dead_stress[b] += stage.reference_stress[b];
   }
 
   const Body& body_;

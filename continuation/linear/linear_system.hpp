@@ -63,6 +63,10 @@ class LinearSystem {
   LinearSystem(const LinearSystem&) = delete;
   LinearSystem& operator=(const LinearSystem&) = delete;
   ~LinearSystem();
+  /// Begins anew with the unknowns and points that its equilibrium has been given; before that `let_go`.
+  void begin_anew();
+  /// Completes whatever of earlier displacements is computed only when it is asked for.
+  void let_go() { complete_pending(); }
   /// Times its phases there from now on.
   void measure_with(Timings& timings) { timings_ = &timings; }
 

@@ -9,6 +9,7 @@
 #include "continuation/follow/advice.hpp"
 #include "continuation/step/controlled_step.hpp"
 #include "continuation/step/event_step.hpp"
+#include "continuation/step/growth_step.hpp"
 #include "continuation/step/increment_step.hpp"
 #include "continuation/step/release_step.hpp"
 #include "continuation/step/rescue_step.hpp"
@@ -17,6 +18,7 @@
 namespace dda {
 
 std::optional<Point> take_step(PathState& path) {
+  if (const auto crack = crack_to_grow(path)) return growth_step(path, *crack);
   if (path.leg().unloads) return unload_step(path);
   if (path.releases_at_once && path.control->load_increment() == 0 &&
       is_release_pending(path.walker.system()))

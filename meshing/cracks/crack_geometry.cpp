@@ -80,9 +80,9 @@ bool CrackGeometry::open(std::size_t side, const Vec2& start, const Vec2& end, i
   return true;
 }
 
-void CrackGeometry::confirm(int crack) {
-  for (Cut& cut : cuts_)
-    if (cut.crack == crack) cut.is_provisional = false;
+void CrackGeometry::confirm(const Cut& cut) {
+  for (Cut& mine : cuts_)
+    if (mine.is_at(cut)) mine.is_provisional = false;
 }
 
 void CrackGeometry::drop_last() {

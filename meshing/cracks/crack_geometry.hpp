@@ -19,6 +19,9 @@ struct Cut {
   std::optional<std::size_t> side = {};  ///< along which it runs, index into Assembly::sides
   bool is_provisional = true;            ///< it lies ahead of its crack and may still be aimed elsewhere
 
+  bool is_at(const Cut& other) const {
+    return crack == other.crack && start == other.start && end == other.end;
+  }
   double length() const { return (end - start).norm(); }
   /// Outward of what lies left.
   Vec2 normal() const { return Vec2(end.y() - start.y(), start.x() - end.x()) / length(); }
@@ -59,8 +62,8 @@ class CrackGeometry {
   bool cut(BlockId block, const Vec2& start, const Vec2& end, int crack);
   /// Opens a side between two places on it. False where they are one, or it is open there already.
   bool open(std::size_t side, const Vec2& start, const Vec2& end, int crack);
-  /// The crack has reached its cuts: none of them is provisional any more.
-  void confirm(int crack);
+  /// Its crack has reached a cut, given by its crack and its ends: it is not provisional any more.
+  void confirm(const Cut& cut);
   /// Takes the last cut back.
   void drop_last();
 

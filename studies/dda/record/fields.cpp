@@ -9,11 +9,17 @@
 namespace dda {
 namespace {
 
-/// Each active point's equal share of its side, in the order in which they stand along it.
+/// Each active point's equal share of its side, in the order in which they stand along it. Points of cuts come behind
+/// those of sides and have none.
 std::vector<std::array<Vec2, 2>> pieces_of_sides(const Assembly& assembly, const Equilibrium& equilibrium) {
   std::map<std::size_t, std::vector<std::size_t>> on_side;
-  for (std::size_t p = 0; p < equilibrium.num_active(); ++p) on_side[equilibrium.point(p).side].push_back(p);
-  std::vector<std::array<Vec2, 2>> out(equilibrium.num_active());
+  std::size_t num_points = 0;
+  for (std::size_t p = 0; p < equilibrium.num_active(); ++p) {
+    if (equilibrium.point(p).cut) continue;
+    on_side[equilibrium.point(p).side].push_back(p);
+    ++num_points;
+  }
+  std::vector<std::array<Vec2, 2>> out(num_points);
   for (auto& [number, points] : on_side) {
     const Side& side = assembly.sides[number];
     const Vec2 along = side.end - side.start;
@@ -83,6 +89,8 @@ Fields::Interface Fields::interface_at(const StoredState& at) const {
     const Vec2 jump =
         displacement(point.second, point.x, at.state.d) - displacement(point.first, point.x, at.state.d);
     out.jump[p] = {point.normal.dot(jump), cross(point.normal, jump)};
+    for (const JumpRows& cut : point.jumps)
+      out.jump[p] += cut.rows * Eigen::Map<const Vec6>(at.state.d.data() + block_unknowns * cut.node.value());
     out.damage[p] = point.law->damage(at.history[p], point.stiffness);
   }
   return out;
@@ -139,6 +147,8 @@ StoredField Fields::mode_of_blocks(const std::vector<double>& shape, std::size_t
 
 void Fields::add_points(const StoredState& at, Snapshot& out) const {
   Interface here = interface_at(at);
+  for (auto* values : {&here.opening, &here.jump, &here.traction}) values->resize(segments_.size());
+  here.damage.resize(segments_.size());
   const std::string stress = label(dimension::stress, units_);
   out.fields.push_back(displacement_of_segments(at.state));
   out.fields.push_back({"opening", units_.length, FieldPlace::segment, 2, flat(here.opening), "n s"});

@@ -30,8 +30,9 @@ std::vector<bool> holding_sides(const Simulation& simulation, const std::vector<
   const Equilibrium& equilibrium = simulation.equilibrium();
   std::vector<bool> holds(simulation.assembly().sides.size(), false);
   for (std::size_t p = 0; p < equilibrium.num_points(); ++p)
-    if (p >= history.size() || strength_of(equilibrium.point(p), history[p]) >= strength_left)
-      holds[equilibrium.point(p).side] = true;
+    if (equilibrium.point(p).cut) continue;
+  if (p >= history.size() || strength_of(equilibrium.point(p), history[p]) >= strength_left)
+    holds[equilibrium.point(p).side] = true;
   return holds;
 }
 
