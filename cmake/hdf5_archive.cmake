@@ -3,13 +3,12 @@
 # Else dda_hdf5 is the shared library.
 find_library(HDF5_SERIAL_ARCHIVE libhdf5.a PATHS ${HDF5_LIBRARY_DIRS} NO_DEFAULT_PATH)
 find_library(SZIP_LIBRARY sz)
-find_library(ZLIB_LIBRARY z)
 
 add_library(dda_hdf5 INTERFACE)
-if(HDF5_SERIAL_ARCHIVE AND SZIP_LIBRARY AND ZLIB_LIBRARY)
+if(HDF5_SERIAL_ARCHIVE AND SZIP_LIBRARY)
   target_include_directories(dda_hdf5 SYSTEM INTERFACE ${HDF5_INCLUDE_DIRS})
   list(REMOVE_ITEM HDF5_LIBRARIES hdf5)
-  target_link_libraries(dda_hdf5 INTERFACE ${HDF5_SERIAL_ARCHIVE} ${HDF5_LIBRARIES} ${SZIP_LIBRARY} ${ZLIB_LIBRARY} ${CMAKE_DL_LIBS} m)
+  target_link_libraries(dda_hdf5 INTERFACE ${HDF5_SERIAL_ARCHIVE} ${HDF5_LIBRARIES} ${SZIP_LIBRARY} ZLIB::ZLIB ${CMAKE_DL_LIBS} m)
   # gmsh's libraries bring HDF5 as well, perhaps another one; neither may find the other's functions.
   target_link_options(dda_hdf5 INTERFACE LINKER:--exclude-libs,libhdf5.a)
 else()

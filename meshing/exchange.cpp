@@ -67,41 +67,38 @@ void pass(Archive& archive, std::string& text) {
   for (char& letter : text) archive.plain(letter);
 }
 
+template <class Archive, class T>
+void pass(Archive& archive, std::vector<T>& list);
+
+/// One member after another.
+template <class Archive, class... Members>
+requires(sizeof...(Members) > 1) void pass(Archive& archive, Members&... members) {
+  (pass(archive, members), ...);
+}
+
 template <class Archive>
 void pass(Archive& archive, Vec2& x) {
-  archive.plain(x.x());
-  archive.plain(x.y());
+  pass(archive, x.x(), x.y());
 }
 
 template <class Archive>
 void pass(Archive& archive, std::pair<std::string, Vec2>& point) {
-  pass(archive, point.first);
-  pass(archive, point.second);
-}
-
-template <class Archive, class T>
-void pass(Archive& archive, std::vector<T>& list) {
-  archive.size_of(list);
-  for (T& item : list) pass(archive, item);
+  pass(archive, point.first, point.second);
 }
 
 template <class Archive>
 void pass(Archive& archive, Position& where) {
-  pass(archive, where.file);
-  pass(archive, where.line);
-  pass(archive, where.column);
+  pass(archive, where.file, where.line, where.column);
 }
 
 template <class Archive>
 void pass(Archive& archive, Finding& finding) {
-  pass(archive, finding.where);
-  pass(archive, finding.what);
+  pass(archive, finding.where, finding.what);
 }
 
 template <class Archive>
 void pass(Archive& archive, Region& region) {
-  pass(archive, region.name);
-  pass(archive, region.material);
+  pass(archive, region.name, region.material);
 }
 
 template <class Archive>
@@ -111,56 +108,44 @@ void pass(Archive& archive, Polygon& polygon) {
 
 template <class Archive>
 void pass(Archive& archive, Shape& shape) {
-  pass(archive, shape.figure.outline);
-  pass(archive, shape.figure.holes);
-  pass(archive, shape.region);
-  pass(archive, shape.where);
+  pass(archive, shape.figure.outline, shape.figure.holes, shape.region, shape.where);
 }
 
 template <class Archive>
 void pass(Archive& archive, NamedLine& line) {
-  pass(archive, line.role);
-  pass(archive, line.name);
-  pass(archive, line.points);
-  pass(archive, line.where);
-  pass(archive, line.from_file);
+  pass(archive, line.role, line.name, line.points, line.where, line.from_file);
 }
 
 template <class Archive>
 void pass(Archive& archive, Cell& cell) {
-  pass(archive, cell.outline);
-  pass(archive, cell.region);
+  pass(archive, cell.outline, cell.region);
 }
 
 template <class Archive>
 void pass(Archive& archive, Cells& cells) {
-  pass(archive, cells.cells);
-  pass(archive, cells.lines);
+  pass(archive, cells.cells, cells.lines);
+}
+
+template <class Archive, class T>
+void pass(Archive& archive, std::vector<T>& list) {
+  archive.size_of(list);
+  for (T& item : list) pass(archive, item);
 }
 
 template <class Archive>
 void pass(Archive& archive, Layout& layout) {
   std::vector<std::pair<std::string, Vec2>> points{layout.points.begin(), layout.points.end()};
-  pass(archive, layout.regions);
-  pass(archive, layout.shapes);
-  pass(archive, layout.lines);
-  pass(archive, points);
-  pass(archive, layout.where);
-  pass(archive, layout.meshing_seconds);
+  pass(archive, layout.regions, layout.shapes, layout.lines, points, layout.where, layout.meshing_seconds);
   layout.points = {points.begin(), points.end()};
 }
 
 template <class Archive>
 void pass(Archive& archive, ElementWish& wish) {
   bool is_refined = wish.refine.has_value();
-  pass(archive, wish.size);
-  pass(archive, wish.quads);
-  pass(archive, is_refined);
+  pass(archive, wish.size, wish.quads, is_refined);
   if (!is_refined) return;
   if (!wish.refine) wish.refine.emplace();
-  pass(archive, wish.refine->curve);
-  pass(archive, wish.refine->size);
-  pass(archive, wish.refine->growth);
+  pass(archive, wish.refine->curve, wish.refine->size, wish.refine->growth);
 }
 
 }  // namespace

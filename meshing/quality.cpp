@@ -49,9 +49,15 @@ Quality assess(const Assembly& assembly) {
 }
 
 std::vector<std::vector<BlockId>> connected_groups(const Assembly& assembly) {
+  return connected_groups(assembly, std::vector<bool>(assembly.sides.size(), true));
+}
+
+std::vector<std::vector<BlockId>> connected_groups(const Assembly& assembly, const std::vector<bool>& holds) {
   std::vector<std::size_t> parent(assembly.num_blocks());
   std::iota(parent.begin(), parent.end(), std::size_t{0});
-  for (const Side& side : assembly.sides) {
+  for (std::size_t s = 0; s < assembly.sides.size(); ++s) {
+    if (!holds[s]) continue;
+    const Side& side = assembly.sides[s];
     const std::size_t a = root(parent, side.first.value()), b = root(parent, side.second.value());
     parent[std::max(a, b)] = std::min(a, b);
   }

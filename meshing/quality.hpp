@@ -25,5 +25,7 @@ Quality assess(const Assembly& assembly);
 /// Blocks that hang together through sides, groups and blocks in order of number; more than one group means
 /// floating parts.
 std::vector<std::vector<BlockId>> connected_groups(const Assembly& assembly);
+/// The same by those sides alone that hold, by their number.
+std::vector<std::vector<BlockId>> connected_groups(const Assembly& assembly, const std::vector<bool>& holds);
 
 }  // namespace dda

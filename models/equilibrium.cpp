@@ -189,28 +189,6 @@ Vec2 Equilibrium::opening(std::size_t p, std::span<const double> d) const {
   return out;
 }
 
-std::vector<BlockId> Equilibrium::watched(const Loading& stage) const {
-  std::vector<bool> is_watched(num_nodes(), false);
-  const auto watch = [&](const Functional& gauge) {
-    for (const auto& [node, row] : gauge.rows) is_watched[node.value()] = true;
-  };
-  for (std::size_t p = 0; p < num_active(); ++p)
-    point(p).for_each_part([&](BlockId node, const Mat26&) { is_watched[node.value()] = true; });
-  watch(stage.load);
-  for (const NamedGauge& gauge : stage.gauges) watch(gauge.functional);
-  for (const auto& [name, reaction] : stage.reactions) watch(reaction);
-  for (const WorkPair& pair : stage.driven) {
-    watch(pair.force);
-    watch(pair.displacement);
-  }
-  for (std::size_t i = 0; i < stage.reference_work.size(); ++i)
-    if (stage.reference_work[i] != 0) is_watched[i / block_unknowns] = true;
-  std::vector<BlockId> out;
-  for (std::size_t node = 0; node < is_watched.size(); ++node)
-    if (is_watched[node]) out.emplace_back(node);
-  return out;
-}
-
 void Equilibrium::add_absolute_products(std::span<const double> d, std::span<double> out) const {
   intact_.multiply_add_absolute(d, out);
   for (const InterfacePoint& point : set_.points) {

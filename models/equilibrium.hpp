@@ -97,6 +97,8 @@ class Equilibrium {
   Vec2 unjoined_stiffness(std::size_t p) const {
     return unjoined_ && point(p).is_separate() ? Vec2::Zero().eval() : point(p).intact_stiffness();
   }
+  /// Whether some bodies only touch.
+  bool has_separate_bodies() const { return unjoined_.has_value(); }
   /// K0 without the perturbation δ of unknown multipliers: singular once for each redundant one.
   BlockMatrix unperturbed() const;
   std::size_t num_unknown_multipliers() const { return num_unknown_multipliers_; }
@@ -132,9 +134,6 @@ class Equilibrium {
   double passive_energy(std::span<const double> d) const;
   /// Energy stored in the weak springs [FL].
   double weak_energy(std::span<const double> d) const;
-  /// Nodes that a step of a stage asks for: those of active points, its gauges, reactions, live loads and driven
-  /// springs.
-  std::vector<BlockId> watched(const Loading& stage) const;
   /// The springs that loads drive.
   const std::vector<Spring>& driven_springs() const { return driven_; }
   /// The springs that hold the structure.

@@ -62,8 +62,9 @@ class Walk {
   }
 
  private:
-  /// Corners a walk may pass, per point and beside: one that passes more wanders.
-  static constexpr std::size_t most_near = 2, most_covered = 4, few = 200;
+  /// Corners a walk may pass, per point and beside: one that passes more wanders. A covered one ends by itself,
+  /// but where strong friction wedges bricks many joints are let go and held again on the way.
+  static constexpr std::size_t most_near = 2, most_covered = 20, few = 200;
 
   std::size_t size() const { return problem_.points.size(); }
   Eigen::Index count() const { return static_cast<Eigen::Index>(size()); }
@@ -73,9 +74,10 @@ class Walk {
   struct Residual {
     double of_law = 1, of_spring = 0;
   };
-  /// ε P (q − w₀) beside (1 − ε) t, w₀ = q₀ − P⁻¹ t₀: nothing of what sticks. From ε = 1 on all of t and
-  /// ε P (q − q₀), more firmly than friction can push; where q has an exact multiplier in it the first, with
-  /// ε/(1 + ε), is a spring ε P against what opens and slides.
+  /// The residual stiffness below ε = 1: ε P (q − w₀) beside (1 − ε) t with w₀ = q₀ − P⁻¹ t₀, which changes
+  /// nothing of what sticks. From ε = 1 on it is ε P (q − q₀) beside all of t, more firm than friction can
+  /// push; where q has an exact multiplier in it the former, with ε/(1 + ε), is a spring ε P against what opens
+  /// and slides.
   Residual residual_of(std::size_t i, double share) const {
     if (share < 1) return {1 - share, share};
     if (!problem_.points[i].is_exact) return {1, share};
@@ -94,7 +96,7 @@ class Walk {
             r.of_law * now.tangent + r.of_spring * trial};
   }
 
-  /// c of all points: w₀ = q₀ − P⁻¹ t₀, or q₀.
+  /// Sets the centres c of all points: w₀ = q₀ − P⁻¹ t₀, or q₀.
   void set_centre(const Vector& start) {
     read_pieces_at(start);
     for (std::size_t i = 0; i < size(); ++i) {
@@ -146,8 +148,8 @@ class Walk {
         pieces_[i] = piece_at(*contact, opening(x, i), problem_.points[i].slides);
   }
 
-  /// Off all corners by next to nothing, so that no two points cross theirs at once: by a small part of what
-  /// is left of F, so that walks that follow each other settle.
+  /// Moves x off all corners by next to nothing, so that no two points cross theirs at once: by a small part of
+  /// what is left of F, so that walks that follow each other settle.
   void disturb(double left) {
     constexpr double little = 1e-6, part = 0.01;
     const double most = little * x_.head(2 * count()).lpNorm<Eigen::Infinity>();
@@ -155,7 +157,7 @@ class Walk {
       x_[i] += std::min(most, part * left) * (tie_breaker(static_cast<std::size_t>(i)) - 1.15);
   }
 
-  /// An overlap at which all joints are closed and held.
+  /// How many times `overlap` closes and holds all joints.
   double covering(const Vector& overlap) const {
     double out = 0, largest = 0;
     for (std::size_t i = 0; i < size(); ++i) {
@@ -170,7 +172,7 @@ class Walk {
     return 1.1 * out + largest;
   }
 
-  /// Along F(x) = τ r to τ = 0, past not more than `most` corners, then corrected until F is met as it is. On
+  /// Follows F(x) = τ r to τ = 0, past not more than `most` corners, and corrects until F is met as it is. On
   /// one set of pieces there is one line of solutions: a set that comes back closes a loop that never ends.
   std::optional<Vector> follow(const Vector& right, std::size_t most) {
     if (!matrix_.move_to(problem_, changes())) return {};

@@ -13,7 +13,7 @@ struct ResidualStiffness {
   bool is_taken_off = true;  ///< by corrections at the end
 };
 
-/// Solves it by walking from piece to piece: with x₀ and F(x₀) = r the solutions of F(x) = τ r are followed
+/// Solves a contact problem by walking from piece to piece: with x₀ and F(x₀) = r the solutions of F(x) = τ r are followed
 /// from τ = 1 to 0, one point crossing one corner at a time (Katzenelson's algorithm; Lemke's pivoting in the
 /// variables of the program). The way turns round in τ where the determinant changes sign.
 ///
@@ -26,12 +26,14 @@ struct ResidualStiffness {
 /// walk to walk.
 std::optional<Eigen::VectorXd> walk_from(const ContactProblem& problem, const Eigen::VectorXd& start,
                                          ContactMatrix& matrix, const ResidualStiffness& residual = {});
-/// Where such a walk wanders, as among the many states in which bricks are wedged by strong friction: with
-/// more residual stiffness it ends soon, and from there with less again, the end of each walk being the
-/// centre of the next (proximal point method). Where less wanders, the same again, twice as often each time
-/// or until what moves is nearly at rest, as in viscous motion.
+/// Solves it by many walks, each centred at the end of the one before (proximal point method), where a single
+/// one wanders, as among the many states in which bricks are wedged by strong friction: with more residual
+/// stiffness a walk ends soon, and from there with less again. Where less wanders, the same again, twice as
+/// often each time or until what moves is nearly at rest, as in viscous motion.
 std::optional<Eigen::VectorXd> walk_proximally(const ContactProblem& problem, Eigen::VectorXd start,
                                                ContactMatrix& matrix, const ResidualStiffness& residual = {});
+/// Solves it by a walk that starts with all joints closed and held, so far overlapping that no ray leads to
+/// infinity.
 std::optional<Eigen::VectorXd> walk_covered(const ContactProblem& problem, ContactMatrix& matrix,
                                             const ResidualStiffness& residual = {});
 

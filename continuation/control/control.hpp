@@ -64,6 +64,8 @@ ControlFamily& controls();
 
 /// The event equation with its exact prediction; to_event.
 Move event_move(const Walker& walker);
+/// The load factor prescribed.
+Move load_move(const Walker& walker, StepKind kind = StepKind::load);
 /// The dissipation equation.
 Move dissipation_move(const Walker& walker);
 

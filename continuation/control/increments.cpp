@@ -38,12 +38,8 @@ Schema<IncrementParameters> schema() {
               {.fallback = "newton", .text = "What finds the equilibrium of an increment."});
 }
 
-std::unique_ptr<Control> make(const IncrementParameters& p, const GaugeBook&) {
-  return std::make_unique<LoadIncrements>(p);
-}
-
 }  // namespace
 
-DDA_REGISTER(controls(), "load_increments", schema(), make);
+DDA_REGISTER(controls(), "load_increments", schema(), make_of<LoadIncrements>);
 
 }  // namespace dda

@@ -62,6 +62,12 @@ Move event_move(const Walker& walker) {
       .kind = StepKind::event, .equation = make_event_equation(walker.system()), .rate = 1, .to_event = true};
 }
 
+Move load_move(const Walker& walker, StepKind kind) {
+  return {.kind = kind,
+          .equation = make_gauge_equation({.rows = {}, .per_load_factor = 1}),
+          .rate = walker.leaving().load_factor};
+}
+
 Move dissipation_move(const Walker& walker) {
   return {.kind = StepKind::dissipation, .equation = make_dissipation_equation(walker.system()), .rate = 1};
 }

@@ -44,11 +44,10 @@ class GaugeControl final : public Control {
   double direction_ = 0;  ///< in which the gauge moves from the start of the stage
 };
 
-struct LoadControlParameters {};
-Schema<LoadControlParameters> load_schema() {
-  return Schema<LoadControlParameters>("The load factor is prescribed; ends at the limit point.");
+Schema<NoParameters> load_schema() {
+  return Schema<NoParameters>("The load factor is prescribed; ends at the limit point.");
 }
-std::unique_ptr<Control> make_load(const LoadControlParameters&, const GaugeBook&) {
+std::unique_ptr<Control> make_load(const NoParameters&, const GaugeBook&) {
   return std::make_unique<GaugeControl>(StepKind::load, "load factor",
                                         Functional{.rows = {}, .per_load_factor = 1});
 }
@@ -139,9 +138,6 @@ Schema<ArcLengthParameters> arc_schema() {
                .bounds = strictly_between(0, 1),
                .text = "Share of the load factor in the squared length of the first, elastic step."});
 }
-std::unique_ptr<Control> make_arc_length(const ArcLengthParameters& p, const GaugeBook&) {
-  return std::make_unique<ArcLengthControl>(p);
-}
 
 }  // namespace
 
@@ -153,6 +149,6 @@ DDA_REGISTER(controls(), "opening",
              gauge_schema("A relative displacement (CMOD, CMSD) is prescribed.",
                           "the first relative displacement"),
              make_opening);
-DDA_REGISTER(controls(), "arc_length", arc_schema(), make_arc_length);
+DDA_REGISTER(controls(), "arc_length", arc_schema(), make_of<ArcLengthControl>);
 
 }  // namespace dda

@@ -3,8 +3,6 @@
 namespace dda {
 namespace {
 
-struct StagedParameters {};
-
 /// Event to the first crack, dissipation while points load, event again where nothing dissipates.
 class Staged final : public Control {
  public:
@@ -14,13 +12,10 @@ class Staged final : public Control {
   bool may_be_rescued() const override { return true; }
 };
 
-Schema<StagedParameters> staged_schema() {
-  return Schema<StagedParameters>(
+Schema<NoParameters> staged_schema() {
+  return Schema<NoParameters>(
       "Event control to the first crack, dissipation control after it, event again where nothing "
       "dissipates.");
-}
-std::unique_ptr<Control> make_staged(const StagedParameters&, const GaugeBook&) {
-  return std::make_unique<Staged>();
 }
 
 /// Dissipation control alone; the elastic branch before it is crossed by the event control.
@@ -32,12 +27,8 @@ class DissipationOnly final : public Control {
   }
 };
 
-struct DissipationParameters {};
-Schema<DissipationParameters> dissipation_schema() {
-  return Schema<DissipationParameters>("The dissipated energy is prescribed (after the first crack).");
-}
-std::unique_ptr<Control> make_dissipation(const DissipationParameters&, const GaugeBook&) {
-  return std::make_unique<DissipationOnly>();
+Schema<NoParameters> dissipation_schema() {
+  return Schema<NoParameters>("The dissipated energy is prescribed (after the first crack).");
 }
 
 /// Event control alone: from initiation to initiation with frozen damage, a sequentially linear analysis.
@@ -47,19 +38,15 @@ class EventOnly final : public Control {
   bool sizes_steps() const override { return false; }
 };
 
-struct EventParameters {};
-Schema<EventParameters> event_schema() {
-  return Schema<EventParameters>(
+Schema<NoParameters> event_schema() {
+  return Schema<NoParameters>(
       "From initiation to initiation with frozen damage (sequentially linear); energy jumps are booked.");
-}
-std::unique_ptr<Control> make_event(const EventParameters&, const GaugeBook&) {
-  return std::make_unique<EventOnly>();
 }
 
 }  // namespace
 
-DDA_REGISTER(controls(), "staged", staged_schema(), make_staged);
-DDA_REGISTER(controls(), "dissipation", dissipation_schema(), make_dissipation);
-DDA_REGISTER(controls(), "event", event_schema(), make_event);
+DDA_REGISTER(controls(), "staged", staged_schema(), make_of<Staged>);
+DDA_REGISTER(controls(), "dissipation", dissipation_schema(), make_of<DissipationOnly>);
+DDA_REGISTER(controls(), "event", event_schema(), make_of<EventOnly>);
 
 }  // namespace dda

@@ -3,16 +3,25 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <variant>
 
 #include "continuation/state/system.hpp"
 
 namespace dda {
 
-/// Where a control is evaluated.
+/// Where a control is evaluated: at a state, or an iterate of all unknowns.
 struct ControlPoint {
-  std::span<const double> d;
+  std::variant<std::span<const double>, const Displacements*> d;
   double load_factor;
   const LawValues& laws;
+
+  static ControlPoint at(const State& state, const LawValues& laws) {
+    return {&state.d, state.load_factor, laws};
+  }
+  double value(const Functional& gauge) const {
+    if (const auto* state = std::get_if<const Displacements*>(&d)) return (*state)->value(gauge, load_factor);
+    return gauge.value(std::get<std::span<const double>>(d), load_factor);
+  }
 };
 
 /// A control in parts, N = (g(d, λ) + Σ W (energy that accepting q spends) − target)/scale.
@@ -53,9 +62,6 @@ class ControlEquation {
   /// Whether nothing is to be met exactly: the control only decides how far the step goes.
   virtual bool only_sizes_step() const { return false; }
 };
-
-/// A state where a control looks at it: at its gauge, or at the active points.
-ControlPoint seen_by(const ControlEquation& control, const State& at, const LawValues& laws);
 
 /// A gauge prescribed, g(d, λ) − g_start = s. Load, displacement and opening control; s in the gauge's unit.
 std::unique_ptr<ControlEquation> make_gauge_equation(Functional gauge);

@@ -25,7 +25,7 @@ class EventEquation final : public ControlEquation {
     const Nearest found = nearest(at);
     if (found.point < 0) return {};
     Functional row = gauge_of(static_cast<std::size_t>(found.point), at);
-    const double here = row.value(at.d, at.load_factor);
+    const double here = at.value(row);
     return WantedGauge{std::move(row), here - residual(at, s)};
   }
 

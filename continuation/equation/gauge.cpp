@@ -8,11 +8,11 @@ class GaugeEquation final : public ControlEquation {
   explicit GaugeEquation(Functional gauge) : gauge_(std::move(gauge)) {}
 
   void start_at(const ControlPoint& start, double scale) override {
-    start_ = gauge_.value(start.d, start.load_factor);
+    start_ = start.value(gauge_);
     scale_ = scale;
   }
   double residual(const ControlPoint& at, double s) const override {
-    return (gauge_.value(at.d, at.load_factor) - start_ - s) / scale_;
+    return (at.value(gauge_) - start_ - s) / scale_;
   }
   double gradient(const ControlPoint&, std::span<double> per_d) const override {
     gauge_.add_gradient(1 / scale_, per_d);
@@ -29,11 +29,6 @@ class GaugeEquation final : public ControlEquation {
 };
 
 }  // namespace
-
-ControlPoint seen_by(const ControlEquation& control, const State& at, const LawValues& laws) {
-  const auto sum = control.as_sum(0);
-  return {sum && sum->gauge ? at.d.asked_by(*sum->gauge) : at.d.watched(), at.load_factor, laws};
-}
 
 std::unique_ptr<ControlEquation> make_gauge_equation(Functional gauge) {
   return std::make_unique<GaugeEquation>(std::move(gauge));

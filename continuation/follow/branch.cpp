@@ -72,6 +72,7 @@ void choose_branch(PathState& path, Point& point) {
   path.walker.turn_to(best.leaving, best.flags);
   if (!point.switched) return;
   path.memory.step = 0;
+  path.memory.before.reset();
   path.report("switched",
               fmt::format("the load changes by {:.6g} per dissipated energy on this branch, by {:.6g} on the "
                           "one left",

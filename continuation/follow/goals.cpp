@@ -57,6 +57,7 @@ void begin_next_leg(PathState& path) {
   ++path.memory.leg;
   path.memory.leg_start = path.walker.effort().accepted;
   path.memory.step = 0;
+  path.memory.before.reset();
   path.walker.unload();
   set_out(path);
   path.report("leg", path.leg().name);
@@ -112,11 +113,28 @@ void settle(PathState& path) {
     path.end(Ending::Kind::goal_reached, fmt::format("{} steps", path.walker.effort().accepted));
 }
 
+namespace {
+
+/// What moves of the structure: openings, gauges, and what the live load works on.
+std::vector<double> movements(const PathState& path) {
+  const System& system = path.walker.system();
+  const State& state = path.walker.state();
+  std::vector<double> out;
+  for (std::size_t p = 0; p < system.equilibrium().num_active(); ++p)
+    for (const double component : system.jump(p, state.d)) out.push_back(component);
+  for (const NamedGauge& gauge : path.travelling)
+    if (gauge.dimension == dimension::length) out.push_back(state.value(gauge.functional));
+  out.push_back(system.movement_of_loads(state));
+  return out;
+}
+
+}  // namespace
+
 void look_for_standstill(PathState& path, const Point& point) {
   const Candidate& here = path.walker.here();
   const bool is_rescue = point.kind == StepKind::sequentially_linear;
   const std::string since =
-      path.standstill.add({here.state.d, here.state.load_factor, here.dissipated, is_rescue});
+      path.standstill.add({movements(path), here.state.load_factor, here.dissipated, is_rescue});
   if (path.ending.kind != Ending::Kind::running || since.empty()) return;
   const auto points = active_points(path.walker.system(), here.state);
   path.end(

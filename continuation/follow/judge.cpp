@@ -36,8 +36,9 @@ double tolerated_work(System& system, const Candidate& at, const std::vector<dou
 /// Why the sum of what the steps leave unaccounted for is too much with this one; "" when it is not.
 std::string energy_objection(const PathState& path, const Candidate& candidate) {
   const double missing = std::abs(path.memory.imbalance + missing_work(path, candidate));
-  const double energy =
-      std::max({std::abs(candidate.work), std::abs(candidate.stored), std::abs(candidate.dissipated)});
+  double energy = 0;  // that of both ends: of an unloaded one the rounding of the other may be all there is
+  for (const Candidate* at : {&path.walker.here(), &candidate})
+    energy = std::max({energy, std::abs(at->work), std::abs(at->stored), std::abs(at->dissipated)});
   if (missing <= path.parameters.stop.energy_error * energy) return {};
   return fmt::format(
       "the energies do not balance: {:.1e} of the work is unaccounted for (at most "

@@ -11,23 +11,6 @@
 #include "continuation/state/reach.hpp"
 
 namespace dda {
-namespace {
-
-State between(const State& a, const State& b, double share) {
-  State out = a;
-  std::vector<double> way(a.d.size(), 0.0);
-  for (std::size_t i = 0; i < way.size(); ++i)
-    if (const std::size_t node = i / block_unknowns; a.d.know(node) && b.d.know(node))
-      way[i] = b.d.watched()[i] - a.d.watched()[i];
-  out.d = a.d.moved(share, way);
-  out.load_factor += share * (b.load_factor - a.load_factor);
-  for (std::size_t p = 0; p < out.multipliers.size(); ++p)
-    out.multipliers[p] += share * (b.multipliers[p] - a.multipliers[p]);
-  return out;
-}
-
-}  // namespace
-
 std::vector<Landing> present_landings(const PathState& path) {
   std::vector<Landing> out = path.route.landings;
   out.insert(out.end(), path.leg().until.begin(), path.leg().until.end());

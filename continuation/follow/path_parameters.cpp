@@ -28,10 +28,13 @@ Schema<StepSizes> with_sizes(Schema<StepSizes> schema) {
               {.fallback = 0.25,
                .bounds = above(0) & below(1),
                .text = "A step that fails is tried again with this share of its length."})
-      .one_of("predictor", &P::predictor,
-              {{"tangent", Predictor::tangent}, {"constant", Predictor::constant}},
-              {.fallback = Predictor::tangent,
-               .text = "Where Newton's method begins: on the tangent, or at the last point."})
+      .one_of(
+          "predictor", &P::predictor,
+          {{"tangent", Predictor::tangent}, {"secant", Predictor::secant}, {"constant", Predictor::constant}},
+          {.fallback = Predictor::tangent,
+           .text = "Where Newton's method begins: on the tangent, on the line through the last two points "
+                   "(on the tangent where what is prescribed has not grown between them), or at the last "
+                   "point."})
       .check([](const P& p, const Position& where, Findings& findings) {
         if (p.aggressiveness && p.sizing != Sizing::iterations)
           findings.add(where, "aggressiveness: only `sizing: iterations` has one");

@@ -19,8 +19,9 @@ enum class Sizing {
 
 /// Where Newton's method begins.
 enum class Predictor {
-  tangent,  ///< as far along the leaving tangent as the step goes
-  constant  ///< at the last point
+  tangent,   ///< as far along the leaving tangent as the step goes
+  secant,    ///< as far beyond the last two points; on the tangent where these do not tell
+  constant,  ///< at the last point
 };
 
 /// Step sizes as multiples of what the path itself suggests, and in units of what the control prescribes.

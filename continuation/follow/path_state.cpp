@@ -20,22 +20,13 @@ Functional find_load(const PathParameters& parameters, const GaugeBook& book, co
   throw InputError(parameters.where, "`load_gauge` names '" + name + "', which is not among the gauges");
 }
 
-/// Sizes of the blocks that a path asks for, 0 of the others: these go along as they are bound to.
-std::vector<double> sizes_of_watched(const System& system) {
-  const Equilibrium& equilibrium = system.equilibrium();
-  std::vector<double> out(equilibrium.num_blocks(), 0.0);
-  for (const BlockId node : equilibrium.watched(system.loading()))
-    if (node.value() < out.size()) out[node.value()] = equilibrium.block_size()[node.value()];
-  return out;
-}
-
 }  // namespace
 
 PathState::PathState(Walker& stands, const PathParameters& wanted, const GaugeBook& gauges, Route way)
     : walker(stands),
       parameters(wanted),
       size(size_of(walker.system().equilibrium())),
-      standstill(sizes_of_watched(walker.system()), size) {
+      standstill(size) {
   look_up({gauges, std::move(way)});
   for (const auto& law : walker.system().equilibrium().interfaces().laws)
     releases_at_once = releases_at_once || law->releases_at_once();

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "continuation/control/step_kind.hpp"
-#include "models/body/functional.hpp"
+#include "continuation/state/system.hpp"
 
 namespace dda {
 
@@ -96,6 +96,9 @@ struct PathMemory {
   int idle_turn_looks = 0;                ///< and for hidden turns of gauges
   bool has_slid = false;                  ///< a contact has changed since the start
   bool is_mechanism = false;              ///< the load has stayed while the structure moved
+  /// The point before the present one, for `Predictor::secant`; none after a jump and where a leg begins.
+  std::optional<State> before = {};
+  double dissipated_before = 0;  ///< there [FL]
 
   template <class Self, class Visit>
   static void visit(Self& self, Visit& visit) {
@@ -117,6 +120,7 @@ struct PathMemory {
     visit("idle_turn_looks", self.idle_turn_looks);
     visit("has_slid", self.has_slid);
     visit("is_mechanism", self.is_mechanism);
+    visit("dissipated_before", self.dissipated_before);
   }
 };
 

@@ -14,10 +14,30 @@
 namespace dda {
 namespace {
 
+/// By how much of the way from the point before to the present one what a move prescribes grows by s again;
+/// nothing where it has not grown on that way.
+std::optional<double> share_of_way(const PathState& path, const Move& move, double s) {
+  const auto sum = move.equation->as_sum(0);
+  if (!sum || !path.memory.before) return {};
+  double grown = sum->spends ? path.walker.here().dissipated - path.memory.dissipated_before : 0;
+  if (sum->gauge) grown += path.walker.value(*sum->gauge) - path.memory.before->value(*sum->gauge);
+  const double share = s / grown;
+  return std::isfinite(share) && share > 0 ? std::optional(share) : std::nullopt;
+}
+
+/// Where Newton's method begins to look for the end of a step.
+State predicted(const PathState& path, const Move& move, double amount) {
+  const Predictor predictor = move.to_event ? Predictor::tangent : path.parameters.step.predictor;
+  if (predictor == Predictor::constant) return path.walker.state();
+  if (predictor == Predictor::secant)
+    if (const auto share = share_of_way(path, move, amount * move.rate))
+      return between(*path.memory.before, path.walker.state(), 1 + *share);
+  return path.walker.ahead(amount);
+}
+
 Attempt attempt(PathState& path, const Move& move, double amount, Thoroughness thoroughness) {
-  const bool is_constant = path.parameters.step.predictor == Predictor::constant && !move.to_event;
   return path.walker.attempt(*move.equation, move.to_event ? 1.0 : amount * move.rate,
-                             is_constant ? path.walker.state() : path.walker.ahead(amount), thoroughness);
+                             predicted(path, move, amount), thoroughness);
 }
 
 /// Whether the load has gone back on the way to an event although nothing cracks.
@@ -30,6 +50,15 @@ bool lies_behind(const PathState& path, const Candidate& candidate, const Move& 
 }
 
 }  // namespace
+
+State between(const State& a, const State& b, double share) {
+  State out = a;
+  out.d = a.d.combined(1 - share, share, b.d);
+  out.load_factor += share * (b.load_factor - a.load_factor);
+  for (std::size_t p = 0; p < out.multipliers.size(); ++p)
+    out.multipliers[p] += share * (b.multipliers[p] - a.multipliers[p]);
+  return out;
+}
 
 std::optional<Candidate> try_step(PathState& path, const Move& move, double amount,
                                   Thoroughness thoroughness) {
@@ -101,6 +130,10 @@ Point keep(PathState& path, Candidate candidate, StepKind kind) {
   path.memory.imbalance += missing_work(path, candidate);
   if (const double quantum = candidate.dissipated - path.walker.here().dissipated; quantum > 0)
     path.memory.last_quantum = quantum;
+  if (path.parameters.step.predictor == Predictor::secant) {
+    path.memory.before = path.walker.state();
+    path.memory.dissipated_before = path.walker.here().dissipated;
+  }
   path.walker.accept(std::move(candidate));
   return arrived(path, std::move(out));
 }
@@ -134,6 +167,7 @@ std::optional<Point> jump_to(PathState& path, Candidate beyond, StepKind kind, d
   point.jump_energy = path.walker.jump(std::move(beyond));
   path.memory.jump_energy += point.jump_energy;
   path.memory.step = 0;
+  path.memory.before.reset();
   return arrived(path, std::move(point));
 }
 

@@ -4,6 +4,9 @@
 
 namespace dda {
 
+/// On the straight way from one state to another, or, with shares beyond 0 and 1, beyond them.
+State between(const State& a, const State& b, double share);
+
 // Trying a step, and what is done with its end.
 
 /// Tries a step of this length along the leaving tangent; nothing when it is rejected.

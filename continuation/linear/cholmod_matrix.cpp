@@ -255,29 +255,6 @@ void CholmodMatrix::complete(std::span<double> sums, int columns) const {
   for (int c = 0; c < columns; ++c) to_blocks(sums.subspan(count(c) * factor_->n, factor_->n));
 }
 
-std::optional<EliminationOrder> CholmodMatrix::narrow_way(std::span<const BlockId> blocks) const {
-  std::vector<int> parents;
-  std::vector<double> work(factor_->nsuper, 0.0);
-  for (int s = 0; s < static_cast<int>(factor_->nsuper); ++s) parents.push_back(parent_of(s));
-  for (const int s : way_of(blocks)) work[count(s)] = entries_of(s);
-  EliminationOrder way(parents, work);
-  constexpr double narrow = 0.5;
-  if (way.work() > narrow * static_cast<double>(factor_->xsize)) return {};
-  return way;
-}
-
-std::vector<double> CholmodMatrix::complete_at(std::span<const BlockId> blocks, const EliminationOrder& way,
-                                               std::span<double> sum) const {
-  Eigen::Map<Eigen::MatrixXd> x(sum.data(), static_cast<Eigen::Index>(sum.size()), 1);
-  way.from_the_root([&](int s) { complete_supernode(s, x); });
-  std::vector<double> out;
-  out.reserve(block_unknowns * blocks.size());
-  for (const BlockId block : blocks)
-    for (std::size_t i = 0; i < block_unknowns; ++i)
-      out.push_back(sum[count(position_[block_unknowns * block.value() + i])]);
-  return out;
-}
-
 void CholmodMatrix::complete_supernode(int s, Eigen::Map<Eigen::MatrixXd>& x) const {
   const Supernode node = supernode(s);
   const Entries l(node.values, node.rows, node.size, Eigen::OuterStride<>(node.rows));

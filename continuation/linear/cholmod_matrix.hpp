@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "continuation/linear/elimination_order.hpp"
 #include "continuation/linear/half_solver.hpp"
 #include "models/body/block_matrix.hpp"
 
@@ -41,9 +42,6 @@ class CholmodMatrix final : public HalfSolver {
   void add(const HalfSolution& y, Eigen::Index first, const Eigen::VectorXd& s,
            std::span<double> sum) const override;
   void complete(std::span<double> sums, int columns) const override;
-  std::optional<EliminationOrder> narrow_way(std::span<const BlockId> blocks) const override;
-  std::vector<double> complete_at(std::span<const BlockId> blocks, const EliminationOrder& way,
-                                  std::span<double> sum) const override;
 
  private:
   /// One supernode of L: `size` columns from `first` on, `rows` of them below one another in `values`.

@@ -1,11 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <optional>
 #include <span>
 #include <vector>
 
-#include "continuation/linear/elimination_order.hpp"
 #include "framework/base/index.hpp"
 #include "models/kinematics/first_order.hpp"
 
@@ -41,12 +39,6 @@ class HalfSolver {
                    std::span<double> sum) const = 0;
   /// Overwrites each column of a sum Σ y s by A⁻¹ Σ u s.
   virtual void complete(std::span<double> sums, int columns) const = 0;
-
-  /// The ways of these blocks to the root; nothing when they are more than half of L.
-  virtual std::optional<EliminationOrder> narrow_way(std::span<const BlockId> blocks) const = 0;
-  /// A⁻¹ Σ u s of a sum Σ y s, which is overwritten, at some blocks one after another; their way is given.
-  virtual std::vector<double> complete_at(std::span<const BlockId> blocks, const EliminationOrder& way,
-                                          std::span<double> sum) const = 0;
 };
 
 }  // namespace dda

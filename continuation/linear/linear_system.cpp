@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
 #include <utility>
 
 #include "framework/base/threads.hpp"
@@ -38,14 +39,13 @@ LinearSystem::LinearSystem(const Equilibrium& equilibrium, std::unique_ptr<Direc
 void LinearSystem::begin_anew() {
   slot_.assign(equilibrium_.num_active(), -1);
   base_.clear();
-  watched_.clear();
   for (std::size_t p = 0; p < equilibrium_.num_active(); ++p)
     base_.emplace_back(equilibrium_.point(p).intact_stiffness().asDiagonal());
   if (!factor_base()) throw InputError({}, "the stiffness matrix is singular; check supports and materials");
   updates_softening_ = update_ == Update::low_rank && solver_->halves();
 }
 
-LinearSystem::~LinearSystem() { complete_pending(); }
+LinearSystem::~LinearSystem() { settle_pending(); }
 
 BlockMatrix LinearSystem::matrix_with(std::span<const Mat2> tangents) const {
   BlockMatrix a = equilibrium_.intact();
@@ -62,6 +62,7 @@ BlockMatrix LinearSystem::matrix_with(std::span<const Mat2> tangents) const {
 }
 
 bool LinearSystem::rebase(std::span<const Mat2> tangents) {
+  settle_pending();
   const std::vector<Mat2> before = base_;
   const double stiff = reference_size();
   const auto is_good = [&](std::vector<Mat2> base) {
@@ -106,21 +107,16 @@ bool LinearSystem::takes_friction(std::size_t columns) const {
   return update_ == Update::refactorise || columns > (general_ ? most_whole_columns : most_columns());
 }
 
-void LinearSystem::make_update_columns() {
-  columns_ = update_columns(equilibrium_, *solver_, batch_);
-  columns_->watch(watched_);
-}
+void LinearSystem::make_update_columns() { columns_ = update_columns(equilibrium_, *solver_, batch_); }
 
 bool LinearSystem::factor_base() {
-  complete_pending();
   const auto scope = timings_->measure("factorisation");
   tangent_ = base_;
   updated_.clear();
   active_.clear();
   gauges_.clear();
   std::ranges::fill(slot_, -1);
-  reference_.solution.clear();
-  dead_.solution.clear();
+  for (Kept* kept : {&reference_, &dead_}) *kept = {std::move(kept->right)};
   ++num_factorisations_;
   if (columns_) num_solves_ += columns_->num_solves();
   columns_.reset();
@@ -131,9 +127,10 @@ bool LinearSystem::factor_base() {
   }
   general_.reset();
   if (!solver_->factor(matrix_with(base_))) return false;
-  constexpr std::size_t of_side = 2, of_many = 4, of_few = 16;  // points of a side mostly crack together
-  const std::size_t of_more = solver_->halves() ? of_side : of_many;
-  batch_ = 2 * equilibrium_.num_active() <= most_columns() ? of_few : of_more;
+  constexpr std::size_t of_side = 2, of_many = 4;  // points of a side mostly crack together
+  batch_ = solver_->halves() ? of_side : of_many;
+  takes_all_ = solver_->halves() && !equilibrium_.has_separate_bodies() &&
+               2 * equilibrium_.num_active() <= most_columns();
   make_update_columns();
   return true;
 }
@@ -147,6 +144,7 @@ void LinearSystem::solve_with_base(std::span<double> x) {
 }
 
 bool LinearSystem::restore(std::span<const Mat2> base, std::span<const std::size_t> updated) {
+  settle_pending();
   base_.assign(base.begin(), base.end());
   if (!factor_base()) return false;
   add_columns(updated);
@@ -154,8 +152,11 @@ bool LinearSystem::restore(std::span<const Mat2> base, std::span<const std::size
 }
 
 bool LinearSystem::start_from(std::span<const Mat2> base) {
-  if (!std::ranges::equal(base, base_)) return restore(base, {});
-  complete_pending();
+  const bool is_new = !std::ranges::equal(base, base_);
+  const bool is_good = !is_new || restore(base, {});
+  takes_all_ = false;
+  if (is_new) return is_good;
+  settle_pending();
   gauges_.clear();
   updated_.clear();
   active_.clear();
@@ -246,6 +247,12 @@ std::vector<std::size_t> LinearSystem::places_of(std::span<const std::size_t> po
 /// Computes Z for the batches of the points that have none, and their couplings in G with every point before.
 void LinearSystem::add_columns(std::span<const std::size_t> points) {
   const std::size_t first = updated_.size();
+  std::vector<std::size_t> all;
+  if (takes_all_ && !points.empty()) {
+    all.resize(equilibrium_.num_active());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    points = all;
+  }
   for (const std::size_t point : points) {
     if (slot_[point] >= 0) continue;
     const std::size_t begin = point / batch_ * batch_;
@@ -326,13 +333,6 @@ bool LinearSystem::solve_base_residual(const Iterate& at, std::span<double> y) {
 void LinearSystem::solve(std::span<const double> b, std::span<double> x) {
   solve_base(b, x);
   correct(std::span<const std::span<double>>(&x, 1));
-}
-
-void LinearSystem::solve_watched(std::span<const double> b, std::span<double> x) {
-  solve_base(b, x);
-  if (active_.empty()) return;
-  const auto scope = timings_->measure("products");
-  columns_->subtract_watched(places_of(active_), shares_of(std::span<const std::span<double>>(&x, 1)), x);
 }
 
 void LinearSystem::correct(std::span<const std::span<double>> solutions) {

@@ -46,13 +46,12 @@ class LinearSystem {
     std::span<const Vec2> traction;
   };
 
-  /// d = origin + λ K_base⁻¹ f_ref − Z z.
+  /// d = s d₀ + λ K_base⁻¹ f_ref − Z z.
   struct Combination {
-    std::shared_ptr<const std::vector<double>> origin;  ///< none: K_base⁻¹ f_dead
+    std::shared_ptr<const std::vector<double>> origin = nullptr;  ///< d₀; none: K_base⁻¹ f_dead
+    double share = 1;                                             ///< s
     double load_factor = 0;
-    std::vector<std::size_t> points;       ///< with columns, those of z
-    Eigen::VectorXd z;                     ///< 2 per point
-    std::optional<double> dead_work = {};  ///< f_dead · d [FL]
+    Eigen::VectorXd z = {};  ///< 2 per updated point, the first of them
   };
 
   /// Factorises; the solver may have analysed the intact stiffness before. Throws InputError where that is
@@ -65,8 +64,8 @@ class LinearSystem {
   ~LinearSystem();
   /// Begins anew with the unknowns and points that its equilibrium has been given; before that `let_go`.
   void begin_anew();
-  /// Completes whatever of earlier displacements is computed only when it is asked for.
-  void let_go() { complete_pending(); }
+  /// Makes displacements that are sums of its solutions what they are without these.
+  void let_go() { settle_pending(); }
   /// Times its phases there from now on.
   void measure_with(Timings& timings) { timings_ = &timings; }
 
@@ -74,8 +73,8 @@ class LinearSystem {
   bool set_tangent(std::span<const Mat2> tangents);
   /// x = K⁻¹ b, both of size n.
   void solve(std::span<const double> b, std::span<double> x);
-  /// x = K⁻¹ b at the nodes that the stage watches; elsewhere it may be zero.
-  void solve_watched(std::span<const double> b, std::span<double> x);
+  /// K⁻¹ f_ref of the stage.
+  Displacements reference_direction();
   /// y = K_base⁻¹ b.
   void solve_base(std::span<const double> b, std::span<double> y);
   /// Turns solutions with K_base into solutions with K, all at once.
@@ -100,8 +99,7 @@ class LinearSystem {
   /// symmetric part. Of an unsymmetric saddle point the symmetric part alone is known.
   NegativeEigenvalues negative_eigenvalues();
 
-  /// K_base⁻¹ of the loads of a stage (and of their negatives) is computed once per base, and its steps ask for
-  /// what it watches.
+  /// K_base⁻¹ of the loads of a stage (and of their negatives) is computed once per base.
   void begin_stage(const Loading& stage);
 
   /// Whether cracked points are updates of the base.
@@ -119,13 +117,17 @@ class LinearSystem {
   /// x −= Z s for each x, s in the columns of `shares`, 2 rows per point.
   void subtract_columns(std::span<const std::size_t> points, const Eigen::MatrixXd& shares,
                         std::span<const std::span<double>> solutions);
-  /// Known at the watched nodes where their way is narrow, with its dead work, else everywhere. The rest is
-  /// computed when it is asked for, at the latest when K_base changes.
+  /// As a sum where every active point has columns, by which all that a step asks for is told; else, and at the
+  /// latest when K_base changes, at all nodes.
   Displacements combined(Combination of);
+  /// What displacements are a sum of; nothing where they are known at all nodes and no more.
+  static std::optional<Combination> combination_of(const Displacements& d);
   /// Zᵀ ∂g/∂d of a gauge, 2 per updated point.
-  Eigen::VectorXd along_columns(const Functional& gauge);
+  const Eigen::VectorXd& along_columns(const Functional& gauge);
   /// G, in the order of updated_points(); rows and columns beyond them are spare.
   const Eigen::MatrixXd& couplings() const { return g_; }
+  /// G z, z of the first updated points.
+  Eigen::VectorXd coupled(const Eigen::VectorXd& z) const;
   /// K_base⁻¹ of the loads that are kept.
   const std::vector<double>& reference_solution() { return solution_of(reference_); }
   const std::vector<double>& dead_solution() { return solution_of(dead_); }
@@ -141,13 +143,20 @@ class LinearSystem {
 
  private:
   class Combined;
+  /// A load of the stage. What follows from it is empty until it is asked for.
   struct Kept {
-    std::vector<double> right, solution;  ///< solution empty until asked for
+    std::vector<double> right, solution = {};
+    std::vector<Vec2> openings = {};       ///< of the solution, at every active point
+    std::optional<double> dead_work = {};  ///< f_dead times the solution
   };
 
   std::vector<double> combined_everywhere(const Combination& of);
-  /// What Z is needed for while it is there.
-  void complete_pending();
+  const std::vector<Vec2>& openings_of(Kept& kept);
+  double dead_work_of(Kept& kept);
+  /// Whether every active point has columns, and is to keep them.
+  bool has_all_columns() const { return takes_all_ && updated_.size() == slot_.size(); }
+  /// Makes what hangs on Z independent of it.
+  void settle_pending();
   /// Makes K_base the stiffness with these D. False when singular; then the base stays what it was.
   bool rebase(std::span<const Mat2> tangents);
   double reference_size();
@@ -205,19 +214,18 @@ class LinearSystem {
   Update update_;
   bool updates_softening_ = false;  ///< beside a base that is stiff, and has halves
   std::vector<Mat2> base_, tangent_;
-  std::size_t batch_ = 1;             ///< points that get their columns together
-  std::vector<std::size_t> updated_;  ///< points with columns, in order
-  std::vector<int> slot_;             ///< point → index in updated_, −1 when none
-  std::vector<BlockId> watched_;
+  std::size_t batch_ = 1;                   ///< points that get their columns together
+  std::vector<std::size_t> updated_;        ///< points with columns, in order
+  std::vector<int> slot_;                   ///< point → index in updated_, −1 when none
+  bool takes_all_ = false;                  ///< the active points get their columns together: they are few
   std::unique_ptr<UpdateColumns> columns_;  ///< Z; none beside an unsymmetric base
   Eigen::MatrixXd g_;                       ///< U K_base⁻¹ Uᵀ, at least 2 · updated square
   std::vector<std::size_t> active_;         ///< updated points with E ≠ 0 now
   DenseLu small_;                           ///< of 1 + E G
   Kept reference_, dead_;
-  /// What along_columns has solved for.
   struct KeptGauge {
     std::vector<std::pair<BlockId, Vec6>> rows;
-    std::vector<double> solution;
+    Eigen::VectorXd along;
   };
   std::vector<KeptGauge> gauges_;
   std::vector<Displacements::Pending> pending_;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <vector>
 
 #include "continuation/linear/half_solver.hpp"
@@ -48,6 +47,22 @@ class WholeColumns final : public UpdateColumns {
     solve(product, solutions.size());
     for (std::size_t c = 0; c < solutions.size(); ++c)
       for (std::size_t i = 0; i < n(); ++i) solutions[c][i] -= product[c * n() + i];
+  }
+
+  Eigen::VectorXd along(const Functional& gauge) override {
+    Eigen::VectorXd out(2 * std::ssize(points_));
+    std::vector<double> solution;  // K is symmetric: Zᵀ g = U K⁻¹ g
+    if (!keeps_z_) {
+      solution.assign(n(), 0.0);
+      gauge.add_gradient(1, solution);
+      solve(solution, 1);
+    }
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      for (std::size_t c = 0; c < 2; ++c)
+        out[row_of(i) + static_cast<Eigen::Index>(c)] =
+            keeps_z_ ? gauge.value({z_[i] + c * n(), n()}, 0) - gauge.constant
+                     : equilibrium_.opening(points_[i], solution)[static_cast<Eigen::Index>(c)];
+    return out;
   }
 
   bool product_is_cheap() const override { return keeps_z_; }
@@ -135,16 +150,6 @@ class HalfColumns final : public UpdateColumns {
   HalfColumns(const Equilibrium& equilibrium, const HalfSolver& solver, std::size_t batch)
       : equilibrium_(equilibrium), solver_(solver), group_size_(std::min(batch, largest_group)) {}
 
-  void watch(std::span<const BlockId> nodes) override {
-    watched_.assign(nodes.begin(), nodes.end());
-    way_ = solver_.narrow_way(watched_);
-    narrow_nodes_.reset();
-    if (!way_) return;
-    auto narrow = std::make_shared<std::vector<bool>>(equilibrium_.num_nodes(), false);
-    for (const BlockId node : watched_) (*narrow)[node.value()] = true;
-    narrow_nodes_ = std::move(narrow);
-  }
-
   void add(std::span<const std::size_t> points, Matrix& g) override {
     const std::size_t first = groups_.size();
     const auto new_groups = neighbours(points, group_size_);
@@ -172,21 +177,22 @@ class HalfColumns final : public UpdateColumns {
       for (std::size_t i = 0; i < n; ++i) solutions[c][i] -= sums[c * n + i];
   }
 
-  void subtract_watched(std::span<const std::size_t> places, const Matrix& shares,
-                        std::span<double> solution) override {
-    if (!way_) return UpdateColumns::subtract_watched(places, shares, solution);
-    std::vector<double> sum(solution.size(), 0.0);
-    add_up(places, shares.col(0), sum);
-    std::vector<double> out(solution.size(), 0.0);
-    const std::vector<double> watched = solver_.complete_at(watched_, *way_, sum);
-    for (std::size_t i = 0; i < watched.size(); ++i) {
-      const std::size_t at = block_unknowns * watched_[i / block_unknowns].value() + i % block_unknowns;
-      out[at] = solution[at] - watched[i];
+  Eigen::VectorXd along(const Functional& gauge) override {
+    std::vector<HalfSolver::Entry> entries;
+    for (const auto& [block, row] : gauge.rows) {
+      entries.push_back({block, Mat62::Zero()});
+      entries.back().rows.col(0) = row;
     }
-    std::ranges::copy(out, solution.begin());
+    Eigen::VectorXd out = Eigen::VectorXd::Zero(2 * std::ssize(places_));
+    if (entries.empty()) return out;
+    const HalfSolution of_gauge = solver_.half_solve(entries);
+    parallel_for(groups_.size(), couplings_at_once, [&](std::size_t g) {
+      const Matrix common = solver_.product(groups_[g].y, of_gauge);
+      out.segment(row_of(groups_[g].first), common.rows()) = common.col(0);
+    });
+    return out;
   }
 
-  Displacements::Nodes narrow_nodes() const override { return narrow_nodes_; }
   bool product_is_cheap() const override { return true; }
   std::size_t most_at_once() const override { return std::numeric_limits<std::size_t>::max(); }
 
@@ -237,9 +243,6 @@ class HalfColumns final : public UpdateColumns {
   /// Points whose columns are made together: their ways are the same but for the beginning, and L is read once
   /// for all of them. No more than are always added together, or last digits would hang on what was added when.
   const std::size_t group_size_;
-  std::vector<BlockId> watched_;
-  std::optional<EliminationOrder> way_;  ///< of the watched ones, where it is narrow
-  Displacements::Nodes narrow_nodes_;
   std::vector<Group> groups_;
   std::vector<Place> places_;
 };

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "continuation/linear/direct_solver.hpp"
-#include "continuation/linear/displacements.hpp"
+#include "models/body/functional.hpp"
 #include "models/equilibrium.hpp"
 
 namespace dda {
@@ -32,16 +32,8 @@ class UpdateColumns {
   /// x −= Z s for each x, s in the columns of `shares`, which has 2 rows for each of the places.
   virtual void subtract(std::span<const std::size_t> places, const Eigen::MatrixXd& shares,
                         std::span<const std::span<double>> solutions) = 0;
-  /// Nodes that steps ask for.
-  virtual void watch(std::span<const BlockId>) {}
-  /// The same for one x, of which only what stands at the watched nodes is asked for: there it is right, and
-  /// elsewhere it may be zero.
-  virtual void subtract_watched(std::span<const std::size_t> places, const Eigen::MatrixXd& shares,
-                                std::span<double> solution) {
-    subtract(places, shares, std::span<const std::span<double>>(&solution, 1));
-  }
-  /// The watched nodes where what is asked for there alone costs less than all; else nothing.
-  virtual Displacements::Nodes narrow_nodes() const { return nullptr; }
+  /// Zᵀ ∂g/∂d of a gauge, 2 for every point that was added.
+  virtual Eigen::VectorXd along(const Functional& gauge) = 0;
   /// Whether a product with Z costs less than a solution with K.
   virtual bool product_is_cheap() const = 0;
   /// Columns that are worth making at once; for more, a new K is cheaper.

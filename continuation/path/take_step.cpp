@@ -7,13 +7,7 @@
 
 #include "continuation/detour/release.hpp"
 #include "continuation/follow/advice.hpp"
-#include "continuation/step/controlled_step.hpp"
-#include "continuation/step/event_step.hpp"
-#include "continuation/step/growth_step.hpp"
-#include "continuation/step/increment_step.hpp"
-#include "continuation/step/release_step.hpp"
-#include "continuation/step/rescue_step.hpp"
-#include "continuation/step/unload_step.hpp"
+#include "continuation/step/steps.hpp"
 
 namespace dda {
 

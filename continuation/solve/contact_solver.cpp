@@ -45,7 +45,10 @@ void ContactSolver::prepare(const State& guess) {
 std::optional<Reduced> ContactSolver::solve(const StepGoal& goal) {
   if (has_offsets(system_) || !system_.has_contacts()) return {};
   if (const auto sum = goal.control.as_sum(goal.step)) return solve_sum(*sum, goal, goal.guess);
-  return solve_tangents(goal);
+  return solve_tangents(system_, goal, [&](const ControlSum& sum, const State& guess) {
+    points_.reset();
+    return solve_sum(sum, goal, guess);
+  });
 }
 
 /// Under a control that is a sum, taking points in until none is left out.
@@ -69,27 +72,6 @@ std::optional<Reduced> ContactSolver::solve_sum(const ControlSum& sum, const Ste
       return out;
     }
     linear.add_points(added);
-  }
-  return {};
-}
-
-/// Under a control that looks at every point: its tangent is a gauge, taken anew at each state found.
-std::optional<Reduced> ContactSolver::solve_tangents(const StepGoal& goal) {
-  Reduced out{.state = goal.guess, .x = {}};
-  constexpr int most = 20;
-  for (int i = 0; i < most; ++i) {
-    const auto laws = system_.laws_at(out.state);
-    const ControlPoint at{out.state.d, out.state.load_factor, *laws};
-    constexpr double good = 1e-10;
-    if (i > 0 && std::abs(goal.control.residual(at, goal.step)) <= good) return out;
-    const auto tangent = goal.control.tangent_gauge(at, goal.step);
-    if (!tangent) return {};
-    const ControlSum sum{.gauge = &tangent->gauge, .spends = false, .target = tangent->value, .scale = 1};
-    points_.reset();
-    auto found = solve_sum(sum, goal, out.state);
-    if (!found) return {};
-    found->iterations += out.iterations;
-    out = *std::move(found);
   }
   return {};
 }

@@ -35,7 +35,6 @@ class ContactSolver {
  private:
   void prepare(const State& near);
   std::optional<Reduced> solve_sum(const ControlSum& sum, const StepGoal& goal, const State& guess);
-  std::optional<Reduced> solve_tangents(const StepGoal& goal);
   std::optional<Reduced> iterate(const StepGoal& goal, const State& guess);
   std::optional<Reduced> solve_from(const Iterate& at, double step, Method method);
   void refine(Reduced& found, double step);

@@ -13,7 +13,7 @@ namespace {
 /// Why a state does not end a step; "" when it does.
 std::string missed(System& system, const StepGoal& goal, const State& at, double tolerance) {
   const auto laws = system.laws_at(at);
-  const double miss = goal.control.residual({at.d, at.load_factor, *laws}, goal.step);
+  const double miss = goal.control.residual(ControlPoint::at(at, *laws), goal.step);
   const double residual = system.excess_residual(at);
   if (std::abs(miss) <= control_tolerance && residual <= tolerance) return {};
   if (residual <= tolerance) return fmt::format("the control was met to {:.1e} only", std::abs(miss));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <utility>
 
 #include "framework/base/threads.hpp"
@@ -45,13 +46,12 @@ Iterate CrackedEquations::begin_walks(const State& guess, const Rule& rule) {
 
 Iterate CrackedEquations::start_at(const State& guess, const Rule& rule, bool walks) {
   origin_.reset();
-  dead_of_origin_.reset();
   const std::vector<double>& dead = linear_.dead_solution();
   z_origin_ = Vector::Zero(length());
   q_.resize(length());
   for (std::size_t i = 0; i < points_.size(); ++i) {
     pair(dead_, i) = system_.equilibrium().opening(points_[i], dead) + multiplier(i);
-    pair(q_, i) = system_.equilibrium().opening(points_[i], guess.d.watched()) + multiplier(i);
+    pair(q_, i) = system_.jump(points_[i], guess.d) + multiplier(i);
   }
   if (control_.gauge) gauge_dead_ = control_.gauge->value(dead, 0);
   load_factor_ = guess.load_factor;
@@ -184,14 +184,12 @@ void CrackedEquations::refine() {
     linear_.solve_base(change, change);
     for (std::size_t k = 0; k < change.size(); ++k) origin[k] -= change[k] + load_factor_ * live[k];
     origin_ = std::make_shared<const std::vector<double>>(std::move(origin));
-    dead_of_origin_.reset();
     z_origin_ = z_;
     difference_.setZero();
   }
   const State at = state_here();
   for (std::size_t i = 0; i < points_.size(); ++i)
-    pair(dead_, i) = system_.equilibrium().opening(points_[i], at.d.watched()) + multiplier(i) -
-                     load_factor_ * pair(live_, i);
+    pair(dead_, i) = system_.jump(points_[i], at.d) + multiplier(i) - load_factor_ * pair(live_, i);
   if (control_.gauge) gauge_dead_ = at.value(*control_.gauge) - load_factor_ * gauge_live_;
 }
 
@@ -220,40 +218,25 @@ State CrackedEquations::state(const Iterate& at) {
 
 double CrackedEquations::residual_norm(const State& at) const {
   const Equilibrium& equilibrium = system_.equilibrium();
-  std::vector<double> out(at.d.size(), 0.0), missed(2 * equilibrium.num_active(), 0.0);
+  std::map<BlockId, Vec6> forces;
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const std::size_t p = points_[i];
-    const Vec2 jump = equilibrium.opening(p, at.d.watched());
-    Eigen::Map<Vec2> here(&missed[2 * p]);
-    here = system_.respond(p, jump + multiplier(i)).traction - linear_.base()[p] * jump -
-           pair(z_, i) / equilibrium.point(p).weight;
+    const InterfacePoint& point = equilibrium.point(p);
+    const Vec2 jump = system_.jump(p, at.d);
+    const Vec2 missed =
+        point.weight * (system_.respond(p, jump + multiplier(i)).traction - linear_.base()[p] * jump) -
+        pair(z_, i);
+    point.for_each_part([&](BlockId node, const Mat26& rows) {
+      forces.try_emplace(node, Vec6::Zero()).first->second += rows.transpose() * missed;
+    });
   }
-  equilibrium.scatter_add(missed, out);
-  return system_.residual_norm(out);
+  double sum = 0;
+  for (const auto& [node, force] : forces) sum += system_.square_of_residual(node, force);
+  return std::sqrt(sum);
 }
 
 State CrackedEquations::state_here() {
-  std::vector<std::size_t> points;
-  std::vector<double> z;
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    if (pair(difference_, i).isZero(0)) continue;
-    points.push_back(points_[i]);
-    for (const double component : pair(difference_, i)) z.push_back(component);
-  }
-  const Vector forces = Eigen::Map<const Vector>(z.data(), std::ssize(z));
-  const double work = dead_work(points, forces);
-  return {linear_.combined({origin_, load_factor_, std::move(points), forces, work}), load_factor_};
-}
-
-/// f_dead · d, Zᵀ f_dead being the openings of K_base⁻¹ f_dead.
-double CrackedEquations::dead_work(std::span<const std::size_t> points, const Vector& z) {
-  const std::vector<double>& dead = linear_.dead_solution();
-  if (!dead_of_origin_) dead_of_origin_ = system_.dead_product(origin_ ? *origin_ : dead);
-  if (!dead_of_live_) dead_of_live_ = system_.dead_product(linear_.reference_solution());
-  double out = *dead_of_origin_ + load_factor_ * *dead_of_live_;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    out -= pair(z, i).dot(system_.equilibrium().opening(points[i], dead));
-  return out;
+  return {linear_.combined({.origin = origin_, .load_factor = load_factor_, .z = difference_}), load_factor_};
 }
 
 double CrackedEquations::opening_scale() const {
@@ -329,15 +312,7 @@ std::size_t CrackedEquations::pieces() const {
 
 /// q − q_dead − λ q_ref + G (z − z₀).
 Eigen::VectorXd CrackedEquations::gap() const {
-  constexpr std::size_t rows_at_once = 500;
-  Vector out = q_ - dead_ - load_factor_ * live_;
-  parallel_pieces(static_cast<std::size_t>(length()), rows_at_once, [&](std::size_t begin, std::size_t end) {
-    const auto first = static_cast<Eigen::Index>(begin), rows = static_cast<Eigen::Index>(end - begin);
-    for (std::size_t i = 0; i < points_.size(); ++i)
-      if (!pair(difference_, i).isZero(0))
-        out.segment(first, rows).noalias() += couplings(i).middleRows(first, rows) * pair(difference_, i);
-  });
-  return out;
+  return q_ - dead_ - load_factor_ * live_ + linear_.coupled(difference_).head(length());
 }
 
 /// Gauge and energy spent, as the control adds them.

@@ -20,11 +20,11 @@ namespace dda {
 /// iteration costs a dense solve of the size of the cracked components.
 class CrackedEquations final : public WalkedEquations {
  public:
-  /// How well q is wanted: against the openings, or against what the points carry, t/(E/h), by which
+  /// What the error of q is measured by: the openings, or what the points carry, t/(E/h), by which
   /// equilibrium is judged: joints may open much further than they are pressed together.
   enum class Accuracy { of_openings, of_what_is_carried };
-  /// When an iteration ends. That of Newton's method counts only iterations that bring no new set of pieces; a
-  /// set that comes back ends it at once where something else can be tried.
+  /// When an iteration ends. Newton's method counts only iterations that bring no new set of pieces of the laws;
+  /// a set that comes back ends it at once where something else can be tried.
   struct Rule {
     int max_iterations = 15;
     bool may_settle = false;  ///< of Newton's method: sets may come back
@@ -89,7 +89,6 @@ class CrackedEquations final : public WalkedEquations {
   Vector gap() const;
   std::vector<double> unbalanced(const State& at) const;
   State state_here();
-  double dead_work(std::span<const std::size_t> points, const Vector& z);
   void solve_in_place(Matrix& x) const;
   double value() const;
   double rounding_of_value() const;
@@ -107,9 +106,8 @@ class CrackedEquations final : public WalkedEquations {
   Vector along_;        ///< Zᵀ ∂g/∂d
   double gauge_dead_ = 0, gauge_live_ = 0;
   bool only_touch_ = false;
-  std::shared_ptr<const std::vector<double>> origin_;    ///< d_dead once it is refined
-  std::optional<double> dead_of_origin_, dead_of_live_;  ///< f_dead · d_dead, f_dead · d_ref
-  Vector z_origin_;                                      ///< z₀
+  std::shared_ptr<const std::vector<double>> origin_;  ///< d_dead once it is refined
+  Vector z_origin_;                                    ///< z₀
 
   // at the last iterate
   Vector q_, z_, difference_, spending_;

@@ -15,7 +15,7 @@ std::optional<State> HeldEquilibrium::solve(const State& at) {
   System& system = stepper_.system();
   const double now = at.value(held_);
   system.set_multipliers(at.multipliers);
-  control_->start_at({at.d, at.load_factor, *system.laws_at(at)},
+  control_->start_at(ControlPoint::at(at, *system.laws_at(at)),
                      now == 0 && value_ == 0 ? 1 : std::max(std::abs(now), std::abs(value_)));
   const StepGoal goal{at, *control_, value_ - now, at};
   auto found = taken(whole_step(stepper_, {at, *control_, goal.step, on_gauge(goal)}, Method::line_search));

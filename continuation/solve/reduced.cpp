@@ -69,19 +69,22 @@ std::optional<Reduced> solve_sum(Stepper& stepper, const ControlSum& sum, const 
   return {};
 }
 
-/// Under a control that looks at every point: its tangent is a gauge, taken anew at each state found.
-std::optional<Reduced> solve_tangents(Stepper& stepper, const StepGoal& goal, int max_iterations) {
+}  // namespace
+
+std::optional<Reduced> solve_tangents(
+    System& system, const StepGoal& goal,
+    const std::function<std::optional<Reduced>(const ControlSum& sum, const State& guess)>& solve) {
   constexpr int most = 20;
   constexpr double good = 1e-10;
   Reduced out{.state = goal.guess, .x = {}};
   for (int i = 0; i < most; ++i) {
-    const auto laws = stepper.system().laws_at(out.state);
-    const ControlPoint at = seen_by(goal.control, out.state, *laws);
+    const auto laws = system.laws_at(out.state);
+    const ControlPoint at = ControlPoint::at(out.state, *laws);
     if (i > 0 && std::abs(goal.control.residual(at, goal.step)) <= good) return out;
     const auto tangent = goal.control.tangent_gauge(at, goal.step);
     if (!tangent) return {};
     const ControlSum sum{.gauge = &tangent->gauge, .spends = false, .target = tangent->value, .scale = 1};
-    auto found = solve_sum(stepper, sum, {goal.start, goal.control, goal.step, out.state}, max_iterations);
+    auto found = solve(sum, out.state);
     if (!found) return {};
     found->iterations += out.iterations;
     out = *std::move(found);
@@ -89,13 +92,13 @@ std::optional<Reduced> solve_tangents(Stepper& stepper, const StepGoal& goal, in
   return {};
 }
 
-}  // namespace
-
 std::optional<Reduced> solve_reduced(Stepper& stepper, const StepGoal& goal, int max_iterations) {
-  const System& system = stepper.system();
+  System& system = stepper.system();
   if (!system.linear().updates() || system.iterates_multipliers() || has_offsets(system)) return {};
   if (const auto sum = goal.control.as_sum(goal.step)) return solve_sum(stepper, *sum, goal, max_iterations);
-  return solve_tangents(stepper, goal, max_iterations);
+  return solve_tangents(system, goal, [&](const ControlSum& sum, const State& guess) {
+    return solve_sum(stepper, sum, {goal.start, goal.control, goal.step, guess}, max_iterations);
+  });
 }
 
 std::size_t num_changed(System& system, const State& at) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "continuation/solve/stepper.hpp"
@@ -20,6 +21,12 @@ struct Reduced {
 /// judged by the full residual. Nothing where no base is kept, with initial stress or iterated multipliers,
 /// and where the iteration does not converge.
 std::optional<Reduced> solve_reduced(Stepper& stepper, const StepGoal& goal, int max_iterations);
+
+/// Under a control that looks at every point: its tangent is a gauge, taken anew at each state that `solve` has found
+/// with the one before prescribed, from where the last has ended.
+std::optional<Reduced> solve_tangents(
+    System& system, const StepGoal& goal,
+    const std::function<std::optional<Reduced>(const ControlSum& sum, const State& guess)>& solve);
 
 /// Whether loads leave openings of their own, which the equations of some points leave out.
 bool has_offsets(const System& system);

@@ -33,7 +33,7 @@ std::optional<Attempt> finished(System& system, const StepGoal& goal, const Redu
                                 double tolerance) {
   if (system.iterates_multipliers()) return {};
   const State& at = found.state;
-  const double miss = goal.control.residual(seen_by(goal.control, at, *system.laws_at(at)), goal.step);
+  const double miss = goal.control.residual(ControlPoint::at(at, *system.laws_at(at)), goal.step);
   if (!(std::abs(miss) <= control_tolerance)) return {};
   const double residual = relative_residual(system, goal, found, tolerance);
   if (!(residual <= tolerance)) return {};

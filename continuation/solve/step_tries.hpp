@@ -16,7 +16,6 @@ class StepTries {
  private:
   bool are_few() const;
   bool only_touches() const { return touches_ && num_cracked_ == 0 && are_few(); }
-  void by_cracked_points(State& foreseen);
   void by_contacts();
   void by_all(const State& guess);
 
@@ -26,7 +25,6 @@ class StepTries {
   Thoroughness thoroughness_;
   bool touches_ = false;
   std::size_t num_cracked_ = 0;
-  int reduced_iterations_ = 0;
   Attempt out_;
   std::string of_contacts_;
 };

@@ -59,7 +59,7 @@ Attempt Stepper::find(const StepGoal& goal, Thoroughness thoroughness) {
   const State& start = goal.start;
   const FrozenDamage frozen(system_, goal.control.freezes_damage());
   system_.set_multipliers(start.multipliers);
-  goal.control.start_at(seen_by(goal.control, start, *system_.laws_at(start)), std::abs(goal.step));
+  goal.control.start_at(ControlPoint::at(start, *system_.laws_at(start)), std::abs(goal.step));
   return StepTries(*this, goal, thoroughness).find();
 }
 

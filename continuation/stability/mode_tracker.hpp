@@ -8,6 +8,12 @@ namespace dda {
 struct TrackedModes {
   std::vector<double> first_values;         ///< μ₀, of the intact structure
   std::vector<std::vector<double>> shapes;  ///< where each was seen last
+
+  template <class Self, class Visit>
+  static void visit(Self& self, Visit& visit) {
+    visit("first_values", self.first_values);
+    visit("shapes", self.shapes);
+  }
 };
 
 /// Follows modes through crossings by the modal assurance criterion: of all pairs of a tracked and a present

@@ -14,17 +14,6 @@ namespace {
 
 using Translation = Eigen::Map<const Vec2>;
 
-double sum_of_forces(const Loading& loading, const State& at, std::size_t blocks) {
-  const auto part = [](const std::vector<double>& work, std::size_t b) -> Vec2 {
-    return work.empty() ? Vec2::Zero() : Vec2(Translation(work.data() + block_unknowns * b));
-  };
-  double sum = 0;
-  for (std::size_t b = 0; b < blocks; ++b)
-    sum += (part(loading.dead_work, b) + at.load_factor * part(loading.reference_work, b)).norm();
-  for (const WorkPair& pair : loading.driven) sum += std::abs(at.value(pair.force));
-  return sum;
-}
-
 /// Where a block is, from the points of its sides.
 Vec2 place_of(const Equilibrium& equilibrium, std::size_t block) {
   Vec2 sum = Vec2::Zero();
@@ -77,16 +66,15 @@ Holding bound_of_holding(const System& system, const State& at) {
   constexpr double beyond = 10;
   const Equilibrium& equilibrium = system.equilibrium();
   Holding out{.load = load_on(system, at), .blocks = {}};
-  for (std::size_t b = 0; b < equilibrium.num_blocks(); ++b)
-    if (at.d.know(b))
-      out.movement =
-          std::max(out.movement, beyond * Translation(at.d.watched().data() + block_unknowns * b).norm());
+  for (std::size_t p = 0; p < equilibrium.num_active(); ++p)
+    out.movement = std::max(out.movement, beyond * system.jump(p, at.d).norm());
+  out.movement = std::max(out.movement, beyond * system.movement_of_loads(at));
   out.weak = equilibrium.weak_stiffness() * static_cast<double>(equilibrium.num_blocks()) * out.movement;
   return out;
 }
 
 double load_on(const System& system, const State& at) {
-  const double forces = sum_of_forces(system.loading(), at, system.equilibrium().num_blocks());
+  const double forces = system.sum_of_forces(at);
   return forces == 0 ? system.force_level(at.d) : forces;  // initial stress is no force
 }
 

@@ -25,7 +25,8 @@ struct Holding {
 };
 
 Holding holding_of(const System& system, const State& at);
-/// No less than that, without blocks: all are taken to move ten times as far as the watched ones at most.
+/// No less than that, without blocks: none is taken to move more than ten times as far as the loads do, or as
+/// points open.
 Holding bound_of_holding(const System& system, const State& at);
 /// Σ |force| of loads and driven springs; the force level where there is none [F].
 double load_on(const System& system, const State& at);

@@ -70,6 +70,14 @@ bool System::use_path_tangent(const LawValues& laws) {
   return physical_->set_tangent(path_tangent_);
 }
 
+Displacements System::load_direction(const LawValues& laws) {
+  if (loading_->reference_offset.empty()) return path_linear().reference_direction();
+  std::vector<double> force(equilibrium_.num_unknowns()), out(force.size());
+  load_derivative(laws, force);
+  path_linear().solve(force, out);
+  return Displacements(std::move(out)).scaled(-1);
+}
+
 BlockMatrix System::physical_stiffness(const LawValues& laws) const {
   BlockMatrix out = block_stiffness(equilibrium_, all_tangents(laws, true));
   for (std::size_t p = 0; p < laws.tangent.size(); ++p)
@@ -103,9 +111,9 @@ std::vector<Vec2> System::opened_by(std::size_t p, const Vec2& t) {
   std::vector<double> tractions(2 * equilibrium_.num_active(), 0.0), d(equilibrium_.num_unknowns(), 0.0);
   Eigen::Map<Vec2>(tractions.data() + 2 * p) = -carried;
   equilibrium_.scatter_add(tractions, d);
-  path_linear().solve_watched(std::vector<double>(d), d);
+  path_linear().solve(std::vector<double>(d), d);
   std::vector<Vec2> out(equilibrium_.num_active());
-  for (std::size_t i = 0; i < out.size(); ++i) out[i] = opening_rate(i, d);
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = with_multiplier(i, equilibrium_.opening(i, d));
   if (is_iterated) out[p] += opened(carried);
   return out;
 }
@@ -115,9 +123,9 @@ std::optional<Eigen::MatrixXd> System::flexibility(std::span<const std::size_t> 
   return path_linear().flexibility(points);
 }
 
-std::vector<Vec2> System::multiplier_rates(std::span<const double> d) const {
+std::vector<Vec2> System::multiplier_rates(const Displacements& d) const {
   std::vector<Vec2> out(multipliers_.size());
-  for (std::size_t p = 0; p < out.size(); ++p) out[p] = opening_rate(p, d) - equilibrium_.opening(p, d);
+  for (std::size_t p = 0; p < out.size(); ++p) out[p] = opening_rate(p, d) - jump(p, d);
   return out;
 }
 

@@ -8,27 +8,25 @@
 
 namespace dda {
 
-Standstill::Standstill(std::vector<double> block_size, double size)
-    : block_size_(std::move(block_size)), smallest_(1e-13 * size) {}
+namespace {
 
-/// Largest difference of two displacements, rotations and strains times the size of their block [L].
-double Standstill::distance(const Displacements& a, const Displacements& b) const {
-  const std::vector<double>&to = a.watched(), &from = b.watched();
+double largest(const std::vector<double>& movements) {
   double out = 0;
-  for (std::size_t block = 0; block < block_size_.size(); ++block) {
-    const double size = block_size_[block];
-    if (size == 0) continue;
-    for (std::size_t i = 0; i < block_unknowns; ++i) {
-      const std::size_t at = block_unknowns * block + i;
-      out = std::max(out, (i < 2 ? 1 : size) * std::abs(to[at] - (from.empty() ? 0 : from[at])));
-    }
-  }
+  for (const double movement : movements) out = std::max(out, std::abs(movement));
   return out;
 }
 
+double distance(const std::vector<double>& a, const std::vector<double>& b) {
+  double out = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) out = std::max(out, std::abs(a[i] - b[i]));
+  return out;
+}
+
+}  // namespace
+
 bool Standstill::has_moved(const Watch& watch, const Station& now) const {
   if (watch.of_rescues && !now.is_rescue) return true;
-  const double moved = distance(now.d, watch.from.d);
+  const double moved = distance(now.movements, watch.from.movements);
   if (moved > std::max(watch.share * largest_movement_, smallest_)) return true;
   if (largest_movement_ <= smallest_) return false;
   return std::abs(now.load_factor - watch.from.load_factor) > watch.share * largest_load_factor_ ||
@@ -36,12 +34,13 @@ bool Standstill::has_moved(const Watch& watch, const Station& now) const {
 }
 
 std::string Standstill::add(const Station& now) {
-  largest_movement_ = std::max(largest_movement_, distance(now.d, {}));
+  largest_movement_ = std::max(largest_movement_, largest(now.movements));
   largest_load_factor_ = std::max(largest_load_factor_, std::abs(now.load_factor));
   largest_dissipated_ = std::max(largest_dissipated_, std::abs(now.dissipated));
   std::string out;
   for (Watch& watch : watches_) {
-    if (watch.from.d.empty() || has_moved(watch, now)) {
+    if (!watch.has_begun || has_moved(watch, now)) {
+      watch.has_begun = true;
       watch.from = now;
       watch.count = 0;
     } else if (++watch.count >= watch.most && out.empty()) {

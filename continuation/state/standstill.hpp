@@ -10,20 +10,19 @@ namespace dda {
 
 /// What of an accepted equilibrium tells whether a path gets anywhere.
 struct Station {
-  Displacements d;
+  std::vector<double> movements;  ///< openings of points and displacements [L]
   double load_factor = 0;
   double dissipated = 0;   ///< [FL]
   bool is_rescue = false;  ///< no control led to it
 };
 
-/// Watches a path for standing still: displacements, load factor and dissipated energy all stay within a
+/// Watches a path for standing still: movements, load factor and dissipated energy all stay within a
 /// share of their largest so far, for a number of accepted steps in a row; the more steps, the larger the
 /// share. A structure that has not moved by 1e-13 of its size has not moved, whatever its load factor.
 class Standstill {
  public:
-  /// `block_size` makes rotations and strains comparable with translations, and is 0 of blocks that are not
-  /// looked at; `size` is the structure's [L].
-  Standstill(std::vector<double> block_size, double size);
+  /// `size` is the structure's [L].
+  explicit Standstill(double size) : smallest_(1e-13 * size) {}
 
   /// Takes in the next accepted equilibrium; how long the path has stood still, "" while it moves.
   std::string add(const Station& now);
@@ -34,13 +33,12 @@ class Standstill {
     int most;
     bool of_rescues;  ///< counts these alone
     int count = 0;
+    bool has_begun = false;
     Station from = {};
   };
 
-  double distance(const Displacements& a, const Displacements& b) const;
   bool has_moved(const Watch& watch, const Station& now) const;
 
-  std::vector<double> block_size_;
   double smallest_;  ///< movement that counts [L]
   double largest_movement_ = 0, largest_load_factor_ = 0, largest_dissipated_ = 0;
   std::array<Watch, 3> watches_{Watch{1e-10, 8, false}, Watch{1e-6, 50, false}, Watch{1e-4, 25, true}};

@@ -78,6 +78,14 @@ void System::set_stage(std::size_t stage) {
   reference_.add_rows(1, loading_->reference);
   reference_work_.add_rows(1, loading_->reference_work);
   dead_springs_.add_rows(1, springs);
+  forces_.clear();
+  const auto part = [](const std::vector<double>& work, std::size_t b) -> Vec2 {
+    return work.empty() ? Vec2::Zero() : Vec2(Eigen::Map<const Vec2>(work.data() + block_unknowns * b));
+  };
+  for (std::size_t b = 0; b < equilibrium_.num_blocks(); ++b)
+    if (const std::pair both{part(loading_->dead_work, b), part(loading_->reference_work, b)};
+        !both.first.isZero(0) || !both.second.isZero(0))
+      forces_.push_back(both);
   linear_.begin_stage(*loading_);
   for (LinearSystem* other : {physical_.get(), contact_.get()})
     if (other) other->begin_stage(*loading_);
@@ -135,6 +143,16 @@ std::vector<Vec2> System::openings(std::span<const double> d, double load_factor
   return out;
 }
 
+std::vector<Vec2> System::openings(const Displacements& d, double load_factor) const {
+  if (!d.sum()) return openings(std::span<const double>(d.all()), load_factor);
+  std::vector<Vec2> out = d.sum()->openings();
+  for (std::size_t p = 0; p < out.size(); ++p) {
+    out[p] += loading_->dead_opening(p) + load_factor * loading_->reference_opening(p);
+    if (!multipliers_.empty()) out[p] += multipliers_[p];
+  }
+  return out;
+}
+
 void System::set_history(std::vector<History> history) {
   history_ = std::move(history);
   remembered_.laws.reset();
@@ -146,9 +164,8 @@ void System::screen_intact_points() {
   parallel_for(screen_.size(), points_at_once, [&](std::size_t p) {
     const InterfacePoint& point = equilibrium_.point(p);
     const History& h = history_[p];
-    const bool is_intact = !h.loading && !h.sliding && h.phase == 0 && h.slip == 0 && h.dissipated == 0 &&
-                           point.law->kappa(h, point.stiffness) <= point.law->initial_kappa(point.stiffness);
-    const double bound = is_intact ? inside * point.law->intact_bound(point.stiffness) : 0;
+    const bool is_idle = !h.loading && !h.sliding && h.dissipated == 0;
+    const double bound = is_idle ? inside * point.law->intact_bound(h, point.stiffness) : 0;
     screen_[p].bound = bound * bound;
   });
 }
@@ -165,8 +182,8 @@ bool System::use_tangent(std::size_t stamp, std::span<const Mat2> tangents) {
 }
 
 std::shared_ptr<const LawValues> System::laws_at(std::span<const double> d, double load_factor) {
-  if (!remembered_.laws || remembered_.at.load_factor != load_factor ||
-      !std::ranges::equal(remembered_.at.d.watched(), d)) {
+  if (!remembered_.laws || remembered_.at.load_factor != load_factor || remembered_.at.d.sum() ||
+      !std::ranges::equal(remembered_.at.d.all(), d)) {
     remembered_.laws = std::make_shared<const LawValues>(laws(d, load_factor));
     remembered_.at = {std::vector<double>(d.begin(), d.end()), load_factor};
   }
@@ -175,15 +192,20 @@ std::shared_ptr<const LawValues> System::laws_at(std::span<const double> d, doub
 
 std::shared_ptr<const LawValues> System::laws_at(const State& at) {
   if (!remembered_.laws || remembered_.at.load_factor != at.load_factor ||
-      (!remembered_.at.d.is_same_as(at.d) && remembered_.at.d.watched() != at.d.watched()))
+      (!remembered_.at.d.is_same_as(at.d) &&
+       (remembered_.at.d.sum() || at.d.sum() || remembered_.at.d.all() != at.d.all())))
     remembered_ = {at, std::make_shared<const LawValues>(laws(at))};
   return remembered_.laws;
 }
 
 LawValues System::laws(std::span<const double> d, double load_factor) const {
+  return laws_of(openings(d, load_factor));
+}
+
+LawValues System::laws_of(std::vector<Vec2> openings) const {
   const auto scope = timings_->measure("laws");
   const std::size_t n = equilibrium_.num_active();
-  LawValues out{openings(d, load_factor), std::vector<Vec2>(n), std::vector<Mat2>(n)};
+  LawValues out{std::move(openings), std::vector<Vec2>(n), std::vector<Mat2>(n)};
   std::atomic<std::int64_t> num_screened = 0;
   parallel_pieces(n, points_at_once, [&](std::size_t begin, std::size_t end) {
     std::int64_t screened = 0;
@@ -264,15 +286,16 @@ void System::apply_metric(Metric metric, std::span<double> v) const {
   std::ranges::fill(v.subspan(of_blocks), 0.0);
 }
 
+double System::square_of_residual(BlockId node, const Vec6& r) const {
+  if (node.value() >= equilibrium_.num_blocks()) return r.squaredNorm();
+  const double size = equilibrium_.block_size()[node.value()];
+  return r.head<2>().squaredNorm() + r.tail<4>().squaredNorm() / (size * size);
+}
+
 double System::residual_norm(std::span<const double> r) const {
-  const std::size_t blocks = equilibrium_.num_blocks();
-  double sum = parallel_sum(blocks, blocks_at_once, [&](std::size_t b) {
-    const Eigen::Map<const Vec6> at(r.data() + 6 * b);
-    const double size = equilibrium_.block_size()[b];
-    return at.head<2>().squaredNorm() + at.tail<4>().squaredNorm() / (size * size);
-  });
-  for (std::size_t i = block_unknowns * blocks; i < r.size(); ++i) sum += r[i] * r[i];
-  return std::sqrt(sum);
+  return std::sqrt(parallel_sum(equilibrium_.num_nodes(), blocks_at_once, [&](std::size_t b) {
+    return square_of_residual(BlockId{b}, Eigen::Map<const Vec6>(r.data() + block_unknowns * b));
+  }));
 }
 
 std::vector<double> System::rounding_of_forces(std::span<const double> d, double load_factor) const {
@@ -347,7 +370,7 @@ bool System::is_broken(std::size_t p) const {
 }
 
 std::vector<History> System::next_history(const State& at) const {
-  const std::vector<Vec2> q = openings(at.d.watched(), at.load_factor);
+  const std::vector<Vec2> q = openings(at.d, at.load_factor);
   std::vector<History> out = history_;
   parallel_for(q.size(), points_at_once, [&](std::size_t p) {
     const InterfacePoint& point = equilibrium_.point(p);

@@ -18,7 +18,7 @@ struct State {
   double load_factor = 0;
   std::vector<Vec2> multipliers = {};  ///< m of every active point when some are iterated, else empty [L]
 
-  double value(const Functional& gauge) const { return gauge.value(d.asked_by(gauge), load_factor); }
+  double value(const Functional& gauge) const { return d.value(gauge, load_factor); }
 };
 
 /// An equilibrium with the history that belongs to it.
@@ -34,7 +34,7 @@ struct LawValues {
   std::vector<Vec2> traction;  ///< t
   std::vector<Mat2> tangent;   ///< D
 
-  /// Whether nothing is left of a point: no traction, and none that would answer.
+  /// Whether a point has nothing left: it bears no traction, and would bear none if it opened further.
   bool is_released(std::size_t p) const { return traction[p].isZero(0) && tangent[p].isZero(0); }
 };
 
@@ -42,13 +42,13 @@ struct LawValues {
 /// times the block's size, or the openings of the points that can crack, Σ W q·q.
 enum class Metric { natural, openings };
 
-/// Equilibrium with its memory: what every LOCA group of a run shares.
+/// The equilibrium of a stage with what it remembers, history and multipliers: one for all equations of a run.
 ///
 ///     R(d, λ) = K0 d + Bᵀ W (t(q; h) − D0 B d) − f(λ),      K = K0 + Bᵀ W (D − D0) B
 ///
 /// Iterated multipliers m enter as q = B d + q0(λ) + m and stay during a solve (`set_multipliers`).
-/// The history changes only in `commit`; groups are cloned freely and hold no memory of their own.
-/// With `frozen` damage the laws answer with their secant at the committed history (event control).
+/// The history changes only by `set_history`, between solves; what is solved keeps no memory of its own.
+/// With `frozen` damage the laws answer with their secant at that history (event control).
 class System {
  public:
   /// Factorises the intact stiffness. Throws InputError where that is singular, or needs more memory than there
@@ -94,8 +94,8 @@ class System {
   bool use_path_tangent(const LawValues& laws);
   /// Tangents of all points, bonds among them, symmetric; with each joint's own stiffness p̄ on request.
   std::vector<Mat2> all_tangents(const LawValues& laws, bool is_physical) const;
-  /// K*, of the blocks alone: the joints' own stiffness, and nothing left of released points, neither what
-  /// consistent ones subtract.
+  /// The stiffness K* of the structure without devices of the method: joints with their own stiffness, released
+  /// points with none, and without what consistent joints subtract there.
   BlockMatrix physical_stiffness(const LawValues& laws) const;
   /// Whether the path's tangent is that matrix.
   bool is_path_physical(const LawValues& laws) const;
@@ -108,6 +108,11 @@ class System {
   Vec2 opening_rate(std::size_t p, std::span<const double> d) const {
     return with_multiplier(p, equilibrium_.opening(p, d));
   }
+  Vec2 opening_rate(std::size_t p, const Displacements& d) const { return with_multiplier(p, jump(p, d)); }
+  /// B d of an active point.
+  Vec2 jump(std::size_t p, const Displacements& d) const {
+    return d.sum() ? d.sum()->openings()[p] : equilibrium_.opening(p, d.all());
+  }
   /// q̇ of all points where one of them carries a traction `t` more than its tangent says, under the path
   /// tangent in use.
   std::vector<Vec2> opened_by(std::size_t p, const Vec2& t);
@@ -115,7 +120,7 @@ class System {
   /// solutions (`opened_by`): beside iterated multipliers and where the linear system has no columns for them.
   std::optional<Eigen::MatrixXd> flexibility(std::span<const std::size_t> points);
   /// Rates of the multipliers for the same movement; empty when none is iterated.
-  std::vector<Vec2> multiplier_rates(std::span<const double> d) const;
+  std::vector<Vec2> multiplier_rates(const Displacements& d) const;
   /// What the finite p̄ leaves open when d moves by `d` and the joints by `carried` beside: P̄⁻¹ D̄ (g +
   /// carried) of the iterated points, none of the others and of those whose stiffness p̄ is their own (δ > 0).
   std::vector<Vec2> left_open(std::span<const double> d, std::span<const Vec2> carried) const;
@@ -124,11 +129,11 @@ class System {
 
   /// Laws at (d, λ) with the committed history, or the given one.
   LawValues laws(std::span<const double> d, double load_factor) const;
-  LawValues laws(const State& at) const { return laws(at.d.watched(), at.load_factor); }
-  /// The same, remembered: the groups and the control of one Newton iteration ask at the same place.
+  LawValues laws(const State& at) const { return laws_of(openings(at.d, at.load_factor)); }
+  /// The same, remembered: equations and control of one Newton iteration ask at the same place.
   std::shared_ptr<const LawValues> laws_at(std::span<const double> d, double load_factor);
   std::shared_ptr<const LawValues> laws_at(const State& at);
-  /// R, size n; also counts as an evaluation.
+  /// The residual R, size n.
   void residual(std::span<const double> d, double load_factor, const LawValues& laws,
                 std::span<double> out) const;
   /// K_base⁻¹ R by what is kept of earlier solves; false when that is not enough
@@ -137,6 +142,8 @@ class System {
                            std::span<double> y);
   /// ∂R/∂λ, size n.
   void load_derivative(const LawValues& laws, std::span<double> out) const;
+  /// −K⁻¹ ∂R/∂λ with the path tangent in use.
+  Displacements load_direction(const LawValues& laws);
 
   /// Answers of intact points for which no law was asked, so far.
   std::int64_t num_screened() const { return num_screened_; }
@@ -156,6 +163,8 @@ class System {
 
   /// ‖R‖ with moments and stress resultants divided by the blocks' size [F].
   double residual_norm(std::span<const double> r) const;
+  /// What a node adds to its square.
+  double square_of_residual(BlockId node, const Vec6& r) const;
   /// What is left of R beyond rounding, over the force level: each row may keep (4 + √n) ε of the absolute
   /// products that it sums up (Equilibrium::add_absolute_products, |f|), by which they cannot cancel better.
   /// Stiff joints and supports of blocks that move far make that large. The smaller of two: with the weak
@@ -173,7 +182,7 @@ class System {
   /// The force level that a residual is compared with: ‖V C ε / size‖ over the blocks, at least a tenth of
   /// the largest that was accepted so far, so that an unloaded end of the path can still be reached [F].
   double force_level(std::span<const double> d) const;
-  /// What it is at least, whatever the state [F].
+  /// The least that the force level is at any state [F].
   double least_force_level() const { return force_level_floor * highest_level_; }
   void remember_force_level(std::span<const double> d) {
     highest_level_ = std::max(highest_level_, block_forces(d));
@@ -188,7 +197,7 @@ class System {
   double kappa(std::size_t p, const History& h) const;
   bool is_broken(std::size_t p) const;
 
-  /// A fingerprint of which points load, are closed or ruptured at these openings.
+  /// A number that tells apart which points load, are closed or ruptured at these openings.
   std::size_t active_set(const LawValues& laws) const;
 
   /// Σ W h.dissipated [FL].
@@ -196,6 +205,11 @@ class System {
   /// Energy stored in blocks, joints, supports and, but where bodies only touch, whose equilibrium is without them,
   /// weak springs; without the driven springs' own [FL].
   double stored(const State& state, const LawValues& laws) const;
+  /// Σ |force| of loads and driven springs [F].
+  double sum_of_forces(const State& at) const;
+  /// How far the live and the dead loads have moved, each as one: |f · d| / Σ |f|; the farthest of these and of
+  /// the driven ends of springs [L].
+  double movement_of_loads(const State& at) const;
   /// f_ref · d of the forces that do work.
   const Functional& reference_work() const { return reference_work_; }
   /// f_dead · d of the forces that do work, without the far ends of driven springs [FL].
@@ -214,12 +228,15 @@ class System {
   std::vector<Mat2> path_tangents(const LawValues& laws) const;
   double block_forces(std::span<const double> d) const;
   std::vector<Vec2> openings(std::span<const double> d, double load_factor) const;
+  std::vector<Vec2> openings(const Displacements& d, double load_factor) const;
+  LawValues laws_of(std::vector<Vec2> openings) const;
 
   const Equilibrium& equilibrium_;
   const Loading* loading_;
   bool has_dead_ = false;
-  Functional reference_, reference_work_;  ///< f_ref · d, and of the forces that do work
-  Functional dead_springs_;                ///< what the far ends of driven springs add to f_dead · d
+  Functional reference_, reference_work_;      ///< f_ref · d, and of the forces that do work
+  std::vector<std::pair<Vec2, Vec2>> forces_;  ///< dead and live, of the blocks that are loaded [F]
+  Functional dead_springs_;                    ///< what the far ends of driven springs add to f_dead · d
   LinearSystem linear_;
   std::unique_ptr<LinearSystem> physical_;  ///< only when multipliers are iterated
   DirectSolverChoice solver_;

@@ -29,20 +29,21 @@ double System::stored(const State& state, const LawValues& laws) const {
   return passive_energy(state, laws) + of_joints;
 }
 
-/// Where the displacements are put together from kept solutions, by the work of all forces on them, which
+/// Where the displacements are a sum of kept solutions, by the work of all forces on them, which
 /// equilibrium makes twice the energies of the parts, without a look at every block:
 ///
 ///     ½ (f · d − Σ W t · q − Σ k (c · d)²),     k, c of the driven springs
 double System::passive_energy(const State& state, const LawValues& laws) const {
-  if (!state.d.dead_work())
+  if (!state.d.sum())
     return equilibrium_.passive_energy(state.d) +
            (joins_by_contact_ ? 0.0 : equilibrium_.weak_energy(state.d));
-  double twice = *state.d.dead_work() + state.load_factor * reference_.value(state.d.asked_by(reference_), 0);
+  const Displacements::Sum& d = *state.d.sum();
+  double twice = d.dead_work() + state.load_factor * d.product(reference_);
   twice -= parallel_sum(laws.opening.size(), points_at_once, [&](std::size_t p) {
-    return equilibrium_.point(p).weight * laws.traction[p].dot(equilibrium_.opening(p, state.d.watched()));
+    return equilibrium_.point(p).weight * laws.traction[p].dot(d.openings()[p]);
   });
   for (const Spring& spring : equilibrium_.driven_springs()) {
-    const double u = spring.displacement.value(state.d.asked_by(spring.displacement), 0);
+    const double u = d.product(spring.displacement);
     twice -= spring.stiffness * u * u;
   }
   return twice / 2;
@@ -55,8 +56,28 @@ double System::dead_product(std::span<const double> d) const {
 
 double System::dead_work(const State& state) const {
   if (!has_dead_) return 0;
-  const double all = state.d.dead_work() ? *state.d.dead_work() : dead_product(state.d);
-  return all - dead_springs_.value(state.d.asked_by(dead_springs_), 0);
+  const double all = state.d.sum() ? state.d.sum()->dead_work() : dead_product(state.d);
+  return all - state.d.value(dead_springs_, 0);
+}
+
+double System::sum_of_forces(const State& at) const {
+  double sum = 0;
+  for (const auto& [dead, live] : forces_) sum += (dead + at.load_factor * live).norm();
+  for (const WorkPair& pair : loading_->driven) sum += std::abs(at.value(pair.force));
+  return sum;
+}
+
+double System::movement_of_loads(const State& at) const {
+  double dead_sum = 0, live_sum = 0, out = 0;
+  for (const auto& [dead, live] : forces_) {
+    dead_sum += dead.norm();
+    live_sum += live.norm();
+  }
+  if (dead_sum > 0) out = std::abs(dead_work(at)) / dead_sum;
+  if (live_sum > 0) out = std::max(out, std::abs(at.d.value(reference_work_, 0)) / live_sum);
+  for (const WorkPair& pair : loading_->driven)
+    out = std::max(out, std::abs(at.d.value(pair.displacement, 0)));
+  return out;
 }
 
 }  // namespace dda

@@ -1,5 +1,3 @@
-#include "continuation/step/arrive.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include "continuation/follow/landings.hpp"
 #include "continuation/follow/pace.hpp"
 #include "continuation/follow/trial.hpp"
+#include "continuation/step/rungs.hpp"
 
 namespace dda {
 namespace {

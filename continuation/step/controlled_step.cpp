@@ -1,27 +1,16 @@
-#include "continuation/step/controlled_step.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "continuation/follow/advice.hpp"
 #include "continuation/follow/pace.hpp"
 #include "continuation/follow/trial.hpp"
-#include "continuation/step/arrive.hpp"
-#include "continuation/step/refine.hpp"
-#include "continuation/step/rescue_step.hpp"
-#include "continuation/step/rupture.hpp"
-#include "continuation/step/turn.hpp"
+#include "continuation/step/rungs.hpp"
+#include "continuation/step/steps.hpp"
 
 namespace dda {
 namespace {
-
-/// What is asked of a converged try, one after another; the first that has a say decides.
-constexpr std::array<Rung, 9> rungs{refuse_stray,  bracket_peak,     bracket_turn,
-                                    look_between,  refine_coarse,    stop_at_branch,
-                                    land_on_value, land_at_strength, go_on};
 
 Outcome climb(PathState& path, const Candidate& candidate, Stride& stride) {
   for (const Rung rung : rungs)

@@ -1,14 +1,11 @@
-#include "continuation/step/event_step.hpp"
-
 #include <cmath>
 
 #include "continuation/follow/judge.hpp"
 #include "continuation/follow/landings.hpp"
 #include "continuation/follow/mechanism.hpp"
 #include "continuation/follow/trial.hpp"
-#include "continuation/step/rescue_step.hpp"
-#include "continuation/step/sliding_step.hpp"
-#include "continuation/step/stride.hpp"
+#include "continuation/step/rungs.hpp"
+#include "continuation/step/steps.hpp"
 
 namespace dda {
 namespace {
@@ -16,9 +13,7 @@ namespace {
 /// A part of the way to an event that cannot be reached in one step, or not without losing track of the
 /// energy, because contacts change on the way.
 std::optional<Point> approach(PathState& path, double amount) {
-  const Move move{.kind = StepKind::load,
-                  .equation = make_gauge_equation({.rows = {}, .per_load_factor = 1}),
-                  .rate = path.walker.leaving().load_factor};
+  const Move move = load_move(path.walker);
   constexpr double resolved = 0.02;  // of the way: a kink of friction or contact need not be cut finer
   for (double share = 0.5; share > smallest_share; share *= 0.5) {
     const auto candidate = try_step(path, move, share * amount);
@@ -75,9 +70,7 @@ std::optional<Point> linear_step(PathState& path) {
     return path.end(Ending::Kind::stopped_early, "no interface can crack any further under this load");
   if (rest <= round_off)
     return path.end(Ending::Kind::goal_reached, "nothing can crack; the full reference load is applied");
-  const Move move{.kind = StepKind::load,
-                  .equation = make_gauge_equation({.rows = {}, .per_load_factor = 1}),
-                  .rate = path.walker.leaving().load_factor};
+  const Move move = load_move(path.walker);
   const auto candidate = try_step(path, move, rest / path.walker.leaving().load_factor);
   const std::string why = path.refusal;
   if (!candidate || is_coarse(path, *candidate)) {

@@ -1,10 +1,9 @@
-#include "continuation/step/growth_step.hpp"
-
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "continuation/follow/trial.hpp"
+#include "continuation/step/steps.hpp"
 
 namespace dda {
 namespace {

@@ -1,5 +1,3 @@
-#include "continuation/step/increment_step.hpp"
-
 #include <fmt/format.h>
 
 #include <cmath>
@@ -7,14 +5,14 @@
 #include "continuation/detour/increment/load_increment.hpp"
 #include "continuation/follow/mechanism.hpp"
 #include "continuation/follow/trial.hpp"
-#include "continuation/step/event_step.hpp"
+#include "continuation/step/rungs.hpp"
+#include "continuation/step/steps.hpp"
 
 namespace dda {
 
 std::optional<Point> increment_step(PathState& path) {
   if (path.memory.step == 0) path.memory.step = path.control->load_increment() * next_event(path.walker);
   if (!std::isfinite(path.memory.step)) return linear_step(path);
-  constexpr double smallest_share = 1e-4;
   const double first = path.memory.step;
   const double smallest = smallest_share * std::max(first, std::abs(path.walker.state().load_factor));
   std::string why = fmt::format("the increments have fallen below {:g} of it", smallest_share);

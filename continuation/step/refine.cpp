@@ -1,11 +1,9 @@
-#include "continuation/step/refine.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include "continuation/follow/judge.hpp"
 #include "continuation/follow/trial.hpp"
-#include "continuation/step/snap.hpp"
+#include "continuation/step/rungs.hpp"
 
 namespace dda {
 namespace {

@@ -1,5 +1,3 @@
-#include "continuation/step/release_step.hpp"
-
 #include <fmt/format.h>
 
 #include <cmath>
@@ -10,8 +8,8 @@
 #include "continuation/follow/landings.hpp"
 #include "continuation/follow/mechanism.hpp"
 #include "continuation/follow/trial.hpp"
-#include "continuation/step/rescue_step.hpp"
-#include "continuation/step/stride.hpp"
+#include "continuation/step/rungs.hpp"
+#include "continuation/step/steps.hpp"
 
 namespace dda {
 namespace {

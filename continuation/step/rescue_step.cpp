@@ -1,5 +1,3 @@
-#include "continuation/step/rescue_step.hpp"
-
 #include <fmt/format.h>
 
 #include <cmath>
@@ -8,7 +6,8 @@
 #include "continuation/detour/rescue.hpp"
 #include "continuation/follow/mechanism.hpp"
 #include "continuation/follow/trial.hpp"
-#include "continuation/step/stride.hpp"
+#include "continuation/step/rungs.hpp"
+#include "continuation/step/steps.hpp"
 
 namespace dda {
 std::optional<Point> sequential_step(PathState& path, StepKind kind, double quantum) {

@@ -1,7 +1,6 @@
-#include "continuation/step/rupture.hpp"
-
 #include "continuation/follow/landings.hpp"
 #include "continuation/follow/trial.hpp"
+#include "continuation/step/steps.hpp"
 
 namespace dda {
 namespace {

@@ -1,5 +1,3 @@
-#include "continuation/step/sliding_step.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,8 +8,7 @@
 #include "continuation/follow/mechanism.hpp"
 #include "continuation/follow/pace.hpp"
 #include "continuation/follow/trial.hpp"
-#include "continuation/step/controlled_step.hpp"
-#include "continuation/step/event_step.hpp"
+#include "continuation/step/steps.hpp"
 
 namespace dda {
 namespace {
@@ -53,9 +50,7 @@ Move sliding_move(PathState& path) {
 /// Exactly to where the first joint begins to slide, or opens or closes.
 std::optional<Point> first_slip(PathState& path, double change) {
   if (auto point = land_ahead(path, change)) return point;
-  const Move move{.kind = StepKind::event,
-                  .equation = make_gauge_equation({.rows = {}, .per_load_factor = 1}),
-                  .rate = path.walker.leaving().load_factor};
+  const Move move = load_move(path.walker, StepKind::event);
   const auto candidate = try_step(path, move, change);
   if (!candidate) return {};
   path.memory.has_slid = true;

@@ -1,5 +1,3 @@
-#include "continuation/step/snap.hpp"
-
 #include <fmt/format.h>
 
 #include <utility>
@@ -7,6 +5,7 @@
 #include "continuation/follow/judge.hpp"
 #include "continuation/follow/pace.hpp"
 #include "continuation/follow/trial.hpp"
+#include "continuation/step/rungs.hpp"
 
 namespace dda {
 

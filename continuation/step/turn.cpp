@@ -1,5 +1,3 @@
-#include "continuation/step/turn.hpp"
-
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -7,6 +5,7 @@
 #include "continuation/follow/judge.hpp"
 #include "continuation/follow/landings.hpp"
 #include "continuation/follow/trial.hpp"
+#include "continuation/step/rungs.hpp"
 
 namespace dda {
 

@@ -1,10 +1,10 @@
-#include "continuation/step/unload_step.hpp"
-
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "continuation/follow/trial.hpp"
+#include "continuation/step/rungs.hpp"
+#include "continuation/step/steps.hpp"
 
 namespace dda {
 
@@ -19,7 +19,7 @@ std::optional<Point> unload_step(PathState& path) {
   if (!(rate * rest > 0))
     return path.end(Ending::Kind::stopped_early,
                     fmt::format("unloading does not lead to {} = {:g}", goal.name, goal.value));
-  constexpr double parts = 10, smallest_share = 1e-4, cut = 0.25;
+  constexpr double parts = 10;
   if (path.memory.step == 0) path.memory.step = std::abs(rest) / parts;
   const Move move{.kind = StepKind::unloading, .equation = make_gauge_equation(goal.gauge), .rate = rate};
   for (double length = path.memory.step; length > smallest_share * path.memory.step; length *= cut) {

@@ -12,12 +12,8 @@ namespace {
 Tangent direction(System& system, const State& state) {
   Tangent out;
   const auto laws = system.laws_at(state);
-  std::vector<double> force(state.d.size());
-  system.load_derivative(*laws, force);
   if (!system.use_path_tangent(*laws)) return out;
-  out.d.resize(state.d.size());
-  system.path_linear().solve_watched(force, out.d);
-  for (double& value : out.d) value = -value;
+  out.d = system.load_direction(*laws);
   out.load_factor = 1;
   out.multipliers = system.multiplier_rates(out.d);
   out.opening.resize(laws->opening.size());
@@ -66,7 +62,7 @@ void scale(double factor, std::vector<Vec2>& v) {
 
 void reverse(Tangent& along) {
   along.load_factor *= -1;
-  for (double& value : along.d) value *= -1;
+  along.d = along.d.scaled(-1);
   scale(-1, along.opening);
   scale(-1, along.multipliers);
 }
@@ -84,7 +80,7 @@ Tangent oriented(System& system, const State& state) {
     if (power.of_forces < 0) reverse(out);
     return out;
   }
-  for (double& value : out.d) value /= rate;
+  out.d = out.d.scaled(1 / rate);
   scale(1 / rate, out.opening);
   scale(1 / rate, out.multipliers);
   out.load_factor = 1 / rate;

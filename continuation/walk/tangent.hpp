@@ -13,7 +13,7 @@ namespace dda {
 /// Per unit of dissipated energy, that of friction included, when points load, so that its orientation is the
 /// one that dissipates; per unit of load factor when nothing does, in the direction of the live forces.
 struct Tangent {
-  std::vector<double> d;  ///< at the watched nodes; of the others it may be zero
+  Displacements d;
   double load_factor = 0;
   bool dissipates = false;  ///< a crack grows
   /// False where no rates were found that keep the equilibrium, whichever points grow, unload, slide and
@@ -23,11 +23,10 @@ struct Tangent {
   std::vector<Vec2> opening;      ///< q̇ of every active point
 
   /// Rate of a gauge along the direction.
-  double rate(const Functional& gauge) const { return gauge.value(d, load_factor) - gauge.constant; }
+  double rate(const Functional& gauge) const { return d.value(gauge, load_factor) - gauge.constant; }
 
   template <class Self, class Visit>
   static void visit(Self& self, Visit& visit) {
-    visit("d", self.d);
     visit("load_factor", self.load_factor);
     visit("dissipates", self.dissipates);
     visit("keeps_equilibrium", self.keeps_equilibrium);

@@ -114,7 +114,7 @@ bool Walker::confirm(Candidate& candidate) {
   system_.set_history(candidate.history);
   system_.set_multipliers(at.multipliers);
   const auto load = make_gauge_equation({.rows = {}, .per_load_factor = 1});
-  load->start_at({at.d, at.load_factor, *system_.laws_at(at)}, 1);
+  load->start_at(ControlPoint::at(at, *system_.laws_at(at)), 1);
   WholeEquations equations(system_, *load, 0, parameters().newton);
   const Solved found = stepper_.solve({equations, {at.d, at.load_factor}});
   count_iterations();
@@ -151,7 +151,7 @@ void Walker::unload() {
 
 void Walker::turn_back() {
   leaving_.load_factor *= -1;
-  for (double& value : leaving_.d) value *= -1;
+  leaving_.d = leaving_.d.scaled(-1);
   for (auto* rates : {&leaving_.opening, &leaving_.multipliers})
     for (Vec2& rate : *rates) rate *= -1;
 }
@@ -172,10 +172,9 @@ Growth Walker::follow(const std::function<Growth()>& remake) {
   return growth;
 }
 
-void Walker::restore(Candidate at, std::vector<History> history, const Effort& effort, Tangent leaving) {
+void Walker::restore(Candidate at, const Effort& effort, Tangent leaving) {
   here_ = std::move(at);
-  here_.history = history;
-  system_.set_history(std::move(history));
+  system_.set_history(here_.history);
   system_.set_multipliers(here_.state.multipliers);
   effort_ = effort;
   leaving_ = std::move(leaving);

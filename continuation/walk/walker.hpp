@@ -68,6 +68,19 @@ struct Candidate {
     if (!num_negative) return {};
     return std::abs(*num_negative - (arriving.load_factor < 0 ? 1 : 0));
   }
+
+  /// The numbers that a walker which stands here needs of how it came; state and history are kept by themselves.
+  template <class Self, class Visit>
+  static void visit(Self& self, Visit& visit) {
+    visit("dissipated", self.dissipated);
+    visit("stored", self.stored);
+    visit("work", self.work);
+    visit("load", self.load);
+    visit("residual", self.residual);
+    visit("arriving_load_factor", self.arriving.load_factor);
+    visit("num_negative", self.num_negative);
+    visit("num_negative_work", self.num_negative_work);
+  }
 };
 
 /// Stands on an equilibrium of the path, tries steps from it, and moves when one is kept.
@@ -120,7 +133,7 @@ class Walker {
   void begin_stage(std::size_t stage);
   /// Puts the walker on a stored equilibrium with the tangent by which it was about to leave: computed anew,
   /// with another base of the linear system, it would differ in its last digits.
-  void restore(Candidate at, std::vector<History> history, const Effort& effort, Tangent leaving);
+  void restore(Candidate at, const Effort& effort, Tangent leaving);
 
  private:
   void take(const Solution& solution);

@@ -116,7 +116,23 @@ class Family : public FamilyBase {
   std::optional<Selected> read(const Node& node, const Reading& reading) const;
 };
 
-/// Registers a member of a family in its .cpp: DDA_REGISTER(interface_laws(), "bonded", schema(), make)
+/// The maker of a member that is one class: with its parameters and the family's context, as far as its
+/// constructor takes them.
+template <class Member>
+inline constexpr auto make_of =
+    []<class Parameters, class... Context>(const Parameters& p, Context&&... context) {
+      if constexpr (std::is_constructible_v<Member, const Parameters&, Context...>)
+        return std::make_unique<Member>(p, std::forward<Context>(context)...);
+      else if constexpr (std::is_constructible_v<Member, const Parameters&>)
+        return std::make_unique<Member>(p);
+      else
+        return std::make_unique<Member>();
+    };
+
+/// Of members that have none.
+struct NoParameters {};
+
+/// Registers a member of a family in its .cpp: DDA_REGISTER(treatments(), "penalty", schema(), make_of<Penalty>)
 #define DDA_REGISTER(family, name, schema, make) DDA_REGISTER_AT(family, name, schema, make, __COUNTER__)
 #define DDA_REGISTER_AT(family, name, schema, make, number) \
   DDA_REGISTER_AS(family, name, schema, make, number)

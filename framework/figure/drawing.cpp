@@ -14,16 +14,15 @@ constexpr double small = 10, normal = 11.5, large = 14;  // font sizes [px]
 constexpr double margin = 16, bar_width = 14;
 constexpr double least_height = 120;  // a colour bar needs that much
 
-/// Values and what they look like.
+/// Values of strokes and what they look like.
 struct Scale {
-  ColourMap map;
   Range range;
   std::string label;
 
   bool shown() const { return !label.empty() && !range.empty; }
   std::string colour_of(double value) const {
     const Range wide = range.widened(0);
-    return colour(map, (value - wide.low) / (wide.high - wide.low));
+    return colour(ColourMap::crack, (value - wide.low) / (wide.high - wide.low));
   }
 };
 
@@ -70,47 +69,35 @@ View view_of(const Drawing& drawing) {
   return {x, y, drawing};
 }
 
-template <class Shape>
-Scale scale_of(const std::vector<Shape>& shapes, const std::string& label, ColourMap map) {
+Scale scale_of(const Drawing& drawing) {
   Range range;
-  for (const Shape& shape : shapes) range.include(shape.value);
-  return {map, range, label};
+  for (const Stroke& stroke : drawing.strokes) range.include(stroke.value);
+  return {range, drawing.stroke_label};
 }
 
 bool finite(const Vec2& point) { return point.allFinite(); }
 
-/// Polygons of one paint are one path.
-void paint_polygons(Canvas& canvas, const View& view, const Drawing& drawing, const Scale& scale) {
+/// An outline as a path; "" where there is none to draw.
+std::string path_of(const View& view, const Fill& fill) {
+  if (fill.outline.empty() || !std::all_of(fill.outline.begin(), fill.outline.end(), finite)) return {};
+  std::string data;
+  for (const Vec2& vertex : fill.outline) data += (data.empty() ? "M" : "L") + view.place(vertex);
+  return data + 'Z';
+}
+
+/// All polygons are one path.
+void paint_polygons(Canvas& canvas, const View& view, const Drawing& drawing) {
   std::string all;
-  for (const Fill& fill : drawing.polygons) {
-    if (fill.outline.empty() || !std::all_of(fill.outline.begin(), fill.outline.end(), finite)) continue;
-    std::string data;
-    for (const Vec2& vertex : fill.outline) data += (data.empty() ? "M" : "L") + view.place(vertex);
-    data += 'Z';
-    if (scale.shown())
-      canvas.path(data, scale.colour_of(fill.value), {"#00000040", 0.4});
-    else
-      all += data;
-  }
+  for (const Fill& fill : drawing.polygons) all += path_of(view, fill);
   canvas.path(all, block_fill, {"#a0a0a0", 0.4});
 }
 
 void paint_marks(Canvas& canvas, const View& view, const Drawing& drawing) {
-  for (const Fill& fill : drawing.polygons) {
-    if (!fill.is_marked || !std::all_of(fill.outline.begin(), fill.outline.end(), finite)) continue;
-    std::string data;
-    for (const Vec2& vertex : fill.outline) data += (data.empty() ? "M" : "L") + view.place(vertex);
-    canvas.path(data + 'Z', "none", {mark_outline, 2});
-  }
+  for (const Fill& fill : drawing.polygons)
+    if (fill.is_marked) canvas.path(path_of(view, fill), "none", {mark_outline, 2});
 }
 
 void paint_strokes(Canvas& canvas, const View& view, const Drawing& drawing, const Scale& scale) {
-  for (const Stroke& stroke : drawing.strokes) {
-    if (!finite(stroke.start) || !finite(stroke.end)) continue;
-    const std::string data = "M" + view.place(stroke.start) + "L" + view.place(stroke.end);
-    // A pale edge keeps the stroke visible on polygons of its own colour.
-    if (!drawing.polygon_label.empty()) canvas.path(data, "none", {"#ffffffb0", stroke.width + 1.6});
-  }
   for (const Stroke& stroke : drawing.strokes) {
     if (!finite(stroke.start) || !finite(stroke.end)) continue;
     const std::string paint = scale.shown() ? scale.colour_of(stroke.value) : "#8b0000";
@@ -125,7 +112,7 @@ double paint_bar(Canvas& canvas, const Scale& scale, const Box& room) {
   for (int i = 0; i < colour_steps; ++i) {
     // Each slice reaches a little under the one above, against hairlines.
     const Box slice{room.x, room.bottom() - (i + 1) * height, bar_width, height + (i == 0 ? 0 : 0.6)};
-    canvas.rectangle(slice, colour(scale.map, (i + 0.5) / colour_steps), "none");
+    canvas.rectangle(slice, colour(ColourMap::crack, (i + 0.5) / colour_steps), "none");
   }
   canvas.rectangle({room.x, room.y, bar_width, room.height}, "none", ink);
   double widest = 0;
@@ -171,19 +158,16 @@ double paint_caption(Canvas& canvas, const std::string& caption, const Box& room
 std::string to_svg(const Drawing& drawing) {
   Canvas canvas;
   View view = view_of(drawing);
-  const Scale fill = scale_of(drawing.polygons, drawing.polygon_label, ColourMap::viridis);
-  const Scale line = scale_of(drawing.strokes, drawing.stroke_label, ColourMap::crack);
-  view.move_down((drawing.title.empty() ? 0 : large + 10) + (fill.shown() || line.shown() ? 14 : 0) +
+  const Scale scale = scale_of(drawing);
+  view.move_down((drawing.title.empty() ? 0 : large + 10) + (scale.shown() ? 14 : 0) +
                  (drawing.notes.empty() ? 0 : 2 * small));
   const Box& frame = view.frame();
   double right = frame.right();
-  for (const Scale* scale : {&fill, &line}) {
-    if (scale->shown()) right += 20 + paint_bar(canvas, *scale, {right + 20, frame.y, 0, frame.height});
-  }
+  if (scale.shown()) right += 20 + paint_bar(canvas, scale, {right + 20, frame.y, 0, frame.height});
   canvas.text(margin, margin + large, fitted(drawing.title, large, right - margin),
               {large, Anchor::start, true});
-  paint_polygons(canvas, view, drawing, fill);
-  paint_strokes(canvas, view, drawing, line);
+  paint_polygons(canvas, view, drawing);
+  paint_strokes(canvas, view, drawing, scale);
   paint_marks(canvas, view, drawing);
   for (const Note& note : drawing.notes)
     canvas.text(view.across(note.at), view.down(note.at), note.text, {small, Anchor::middle});

@@ -7,14 +7,13 @@
 
 namespace dda::svg {
 
-/// A polygon filled by the colour of its value; NaN is drawn light grey.
+/// A polygon in pale grey.
 struct Fill {
-  std::vector<Vec2> outline;
-  double value = 0;
+  std::vector<Vec2> outline = {};
   bool is_marked = false;  ///< gets a red outline, above everything
 };
 
-/// A segment coloured by its value; width in points.
+/// A segment coloured by its value; NaN is drawn light grey. Width in points.
 struct Stroke {
   Vec2 start, end;
   double value = 0;
@@ -28,18 +27,17 @@ struct Note {
 };
 
 /// A plane picture at equal scale in x and y: filled polygons below, coloured segments above.
-/// An empty label means no colour bar: polygons are then pale grey, strokes dark red.
+/// Without a label there is no colour bar, and strokes are dark red.
 struct Drawing {
-  std::string title, caption;
-  std::vector<Fill> polygons;
-  std::string polygon_label;  ///< quantity and unit, such as "σ_xx [MPa]"
-  std::vector<Stroke> strokes;
-  std::string stroke_label;
+  std::string title = {}, caption = {};
+  std::vector<Fill> polygons = {};
+  std::vector<Stroke> strokes = {};
+  std::string stroke_label = {};  ///< quantity and unit, such as "opening [mm]"
   std::vector<Note> notes = {};
   double width = 680, height = 460;  ///< room for the picture [px]
 };
 
-/// The drawing as a self-contained SVG text on white: polygons in viridis, strokes from dark red to yellow.
+/// The drawing as a self-contained SVG text on white, strokes from dark red to yellow.
 std::string to_svg(const Drawing& drawing);
 
 }  // namespace dda::svg

@@ -9,8 +9,8 @@ namespace dda::svg {
 /// Points that are not finite interrupt the line. colour: number in the palette, −1 = next one. A series
 /// without points stands in the legend alone.
 struct Series {
-  std::string name;  ///< legend; "" = none
-  std::vector<double> x, y;
+  std::string name = {};  ///< legend; "" = none
+  std::vector<double> x = {}, y = {};
   bool dashed = false;
   int colour = -1;
   bool dotted = false;
@@ -24,16 +24,16 @@ struct Marker {
 
 /// One pair of axes. Labels include their unit: "deflection [mm]".
 struct Panel {
-  std::string title;
-  std::string x_label, y_label;
-  std::vector<Series> series;
-  std::vector<Marker> markers;
+  std::string title = {};
+  std::string x_label = {}, y_label = {};
+  std::vector<Series> series = {};
+  std::vector<Marker> markers = {};
 };
 
 /// Several panels side by side, at most three in a row; series of one name share a colour and one legend.
 struct Figure {
-  std::string title;
-  std::vector<Panel> panels;
+  std::string title = {};
+  std::vector<Panel> panels = {};
 };
 
 /// The figure as a self-contained SVG text on white, in the colour-blind-safe palette.

@@ -21,7 +21,8 @@ class Hdf5Error : public std::runtime_error {
 /// Arrays have `width` columns; width 1 makes them one-dimensional. Every method throws Hdf5Error.
 class Hdf5File {
  public:
-  /// A file of the disk, for reading.
+  /// A file of the disk, for reading; like `from_bytes` only if its checksum fits (seal.hpp). Throws
+  /// InputError as well, when it is no file that can be read.
   static Hdf5File open(const std::filesystem::path& path);
   /// A file in memory: empty, or from the bytes of one.
   static Hdf5File in_memory();
@@ -52,7 +53,7 @@ class Hdf5File {
   std::string text_attribute(const std::string& object, const std::string& name) const;
   bool has_attribute(const std::string& object, const std::string& name) const;
 
-  /// The whole file as bytes.
+  /// The whole file as bytes, sealed with its checksum.
   std::string bytes() const;
 
  private:

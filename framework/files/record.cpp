@@ -38,6 +38,12 @@ void RecordWriter::operator()(const char* member, const std::vector<Vec2>& value
   for (const Vec2& v : value) flat.insert(flat.end(), {v.x(), v.y()});
 }
 
+void RecordWriter::operator()(const char* member, const std::vector<std::vector<double>>& values) {
+  (*this)(member, static_cast<double>(values.size()));
+  std::vector<double>& flat = data_.numbers[name_ + "." + member] = {};
+  for (const auto& array : values) flat.insert(flat.end(), array.begin(), array.end());
+}
+
 RecordReader::RecordReader(const RestartData& data, std::string name)
     : data_(data),
       name_(std::move(name)),
@@ -78,6 +84,17 @@ void RecordReader::operator()(const char* member, std::vector<Vec2>& value) {
   const auto& flat = array(data_.numbers, std::string(".") + member);
   value.clear();
   for (std::size_t i = 0; i + 1 < flat.size(); i += 2) value.emplace_back(flat[i], flat[i + 1]);
+}
+
+void RecordReader::operator()(const char* member, std::vector<std::vector<double>>& values) {
+  values.resize(static_cast<std::size_t>(next(member)));
+  const auto& flat = array(data_.numbers, std::string(".") + member);
+  auto at = flat.begin();
+  for (auto& one : values) {
+    const auto end = at + std::ssize(flat) / std::ssize(values);
+    one.assign(at, end);
+    at = end;
+  }
 }
 
 }  // namespace dda

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -37,9 +38,15 @@ class RecordWriter {
     (*this)(member, value ? double(*value) : std::numeric_limits<double>::quiet_NaN());
   }
   void operator()(const char* member, const Vec2& value);
+  template <std::size_t size>
+  void operator()(const char* member, const std::array<double, size>& values) {
+    for (const double value : values) (*this)(member, value);
+  }
   void operator()(const char* member, const std::string& value);
   void operator()(const char* member, const std::vector<double>& value);
   void operator()(const char* member, const std::vector<Vec2>& value);
+  /// Arrays of one length.
+  void operator()(const char* member, const std::vector<std::vector<double>>& values);
 
   /// What follows is the next of many records, whose members have their names by now.
   void begin_next() { names_ = nullptr; }
@@ -67,9 +74,14 @@ class RecordReader {
     value = std::isnan(number) ? std::nullopt : std::optional(static_cast<Number>(number));
   }
   void operator()(const char* member, Vec2& value);
+  template <std::size_t size>
+  void operator()(const char* member, std::array<double, size>& values) {
+    for (double& value : values) value = next(member);
+  }
   void operator()(const char* member, std::string& value);
   void operator()(const char* member, std::vector<double>& value);
   void operator()(const char* member, std::vector<Vec2>& value);
+  void operator()(const char* member, std::vector<std::vector<double>>& values);
 
  private:
   double next(const char* member);

@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdint>
-#include <string_view>
 
 #include "framework/base/errors.hpp"
 #include "framework/files/hdf5_file.hpp"
@@ -14,33 +12,7 @@ namespace dda {
 namespace {
 
 constexpr const char* format_name = "ddapath restart";
-constexpr std::int64_t format_version = 5;
-
-/// 64-bit FNV-1a. Source: Fowler, Noll, Vo, RFC draft-eastlake-fnv.
-std::uint64_t checksum(std::string_view bytes) {
-  std::uint64_t value = 14695981039346656037u;
-  for (const char byte : bytes) value = (value ^ static_cast<unsigned char>(byte)) * 1099511628211u;
-  return value;
-}
-
-/// Behind the end of the HDF5 file, which HDF5 does not mind: a damaged file must not even be opened.
-constexpr std::string_view trailer_name = "ddapath restart ";
-constexpr std::size_t trailer_size = trailer_name.size() + 16;
-
-std::string trailer(std::string_view bytes) {
-  return fmt::format("{}{:016x}", trailer_name, checksum(bytes));
-}
-
-/// The bytes of the HDF5 file.
-std::string without_trailer(std::string bytes) {
-  const std::string_view all = bytes;
-  const std::size_t size = std::max(all.size(), trailer_size) - trailer_size;
-  if (!all.substr(size).starts_with(trailer_name)) throw Hdf5Error("it is cut short, or of another kind");
-  if (all.substr(size) != trailer(all.substr(0, size)))
-    throw Hdf5Error("its checksum does not fit its content");
-  bytes.resize(size);
-  return bytes;
-}
+constexpr std::int64_t format_version = 6;
 
 template <class Value>
 void write_group(Hdf5File& file, const std::string& group,
@@ -56,8 +28,7 @@ std::string bytes_of(const RestartData& data) {
   write_group(file, "/texts", data.texts);
   file.set_attribute("/", "format", std::string(format_name));
   file.set_attribute("/", "format_version", format_version);
-  std::string bytes = file.bytes();
-  return bytes + trailer(bytes);
+  return file.bytes();
 }
 
 RestartData data_of(const Hdf5File& file) {
@@ -87,7 +58,7 @@ void write_restart(const std::filesystem::path& path, const RestartData& data, F
 RestartData read_restart(const std::filesystem::path& path) {
   const std::string bytes = read_whole(path);
   try {
-    return checked_data(Hdf5File::from_bytes(without_trailer(bytes)));
+    return checked_data(Hdf5File::from_bytes(bytes));
   } catch (const Hdf5Error& error) {
     throw InputError(Position{path.string()}, fmt::format("is not a whole restart file: {}", error.what()));
   }

@@ -21,7 +21,8 @@ namespace dda {
 ///     fields/000034.h5   /displacement [n,3]   a dataset per field, its unit as attribute;
 ///                        /segments/damage [m]  those of segments; step, time and numbers at the root
 ///
-/// A file appears whole, through a renaming, and is never written to again: readers need no lock.
+/// A file appears whole, through a renaming, and is never written to again: readers need no lock. Behind its
+/// bytes stands their checksum (seal.hpp), without which none of them is opened.
 inline constexpr const char* fields_folder = "fields";
 inline constexpr const char* mesh_file = "fields/mesh.h5";
 std::string step_file(int step);

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <new>
-#include <stdexcept>
 
 #include "framework/base/errors.hpp"
 #include "framework/files/hdf5_file.hpp"
@@ -40,10 +38,6 @@ auto reading(const fs::path& path, const Read& read) {
     return read(Hdf5File::open(path));
   } catch (const Hdf5Error& error) {
     throw InputError(Position{path.string()}, fmt::format("cannot be read: {}", error.what()));
-  } catch (const std::bad_alloc&) {
-    throw InputError(Position{path.string()}, "cannot be read: it claims more values than fit into memory");
-  } catch (const std::length_error&) {
-    throw InputError(Position{path.string()}, "cannot be read: it claims more values than there can be");
   }
 }
 

@@ -199,7 +199,7 @@ void write_whole(const fs::path& path, std::string_view text, Flush flush) {
   throw OutputError(fmt::format("cannot write '{}': {}", path.string(), reason));
 }
 
-std::string read_whole(const fs::path& path) {
+std::ifstream open_for_reading(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (fs::exists(status) && !fs::is_regular_file(status))
@@ -209,6 +209,11 @@ std::string read_whole(const fs::path& path) {
   std::ifstream stream(path, std::ios::binary);
   if (!stream)
     throw InputError(Position{path.string()}, fmt::format("cannot be read: {}", std::strerror(errno)));
+  return stream;
+}
+
+std::string read_whole(const fs::path& path) {
+  std::ifstream stream = open_for_reading(path);
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 

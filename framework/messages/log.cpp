@@ -6,7 +6,6 @@ namespace dda {
 
 Log::Log(const std::filesystem::path& path, FileWriter::Mode mode) : file_(FileWriter(path, mode)) {}
 
-void Log::debug(std::string_view event, const Fields& fields) { write("debug", event, fields); }
 void Log::info(std::string_view event, const Fields& fields) { write("info", event, fields); }
 void Log::warning(std::string_view event, const Fields& fields) { write("warning", event, fields); }
 void Log::error(std::string_view event, const Fields& fields) { write("error", event, fields); }

@@ -22,7 +22,6 @@ class Log {
   explicit Log(const std::filesystem::path& path, FileWriter::Mode mode = FileWriter::Mode::create);
 
   /// `fields` is an object; its keys stand behind time, level and event and do not replace them.
-  void debug(std::string_view event, const Fields& fields = Fields::object());
   void info(std::string_view event, const Fields& fields = Fields::object());
   void warning(std::string_view event, const Fields& fields = Fields::object());
   void error(std::string_view event, const Fields& fields = Fields::object());

@@ -4,8 +4,6 @@
 namespace dda {
 namespace {
 
-struct GivenParameters {};
-
 /// A polygon of the deck is a block; a geometry file is meshed as it says, a mesh file taken as it is.
 class Given final : public Subdivision {
  public:
@@ -17,15 +15,13 @@ class Given final : public Subdivision {
   }
 };
 
-Schema<GivenParameters> schema() {
-  return Schema<GivenParameters>(
+Schema<NoParameters> schema() {
+  return Schema<NoParameters>(
       "Each polygon is one block; elements of a .msh file and of a .geo file meshed as it says likewise.");
 }
 
-std::unique_ptr<Subdivision> make(const GivenParameters&) { return std::make_unique<Given>(); }
-
 }  // namespace
 
-DDA_REGISTER(subdivisions(), "given", schema(), make);
+DDA_REGISTER(subdivisions(), "given", schema(), make_of<Given>);
 
 }  // namespace dda

@@ -70,12 +70,8 @@ Schema<GridParameters> schema() {
               {.fallback = GridShape::quads, .text = "Triangles halve each quadrilateral."});
 }
 
-std::unique_ptr<Subdivision> make(const GridParameters& parameters) {
-  return std::make_unique<Grid>(parameters);
-}
-
 }  // namespace
 
-DDA_REGISTER(subdivisions(), "grid", schema(), make);
+DDA_REGISTER(subdivisions(), "grid", schema(), make_of<Grid>);
 
 }  // namespace dda

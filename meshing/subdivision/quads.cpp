@@ -15,14 +15,10 @@ class Quads final : public Subdivision {
   ElementParameters parameters_;
 };
 
-std::unique_ptr<Subdivision> make(const ElementParameters& parameters) {
-  return std::make_unique<Quads>(parameters);
-}
-
 }  // namespace
 
 DDA_REGISTER(subdivisions(), "quads",
              element_schema("Quadrilaterals recombined from triangles by gmsh; some triangles may remain."),
-             make);
+             make_of<Quads>);
 
 }  // namespace dda

@@ -15,12 +15,8 @@ class Triangles final : public Subdivision {
   ElementParameters parameters_;
 };
 
-std::unique_ptr<Subdivision> make(const ElementParameters& parameters) {
-  return std::make_unique<Triangles>(parameters);
-}
-
 }  // namespace
 
-DDA_REGISTER(subdivisions(), "triangles", element_schema("Triangles by gmsh."), make);
+DDA_REGISTER(subdivisions(), "triangles", element_schema("Triangles by gmsh."), make_of<Triangles>);
 
 }  // namespace dda

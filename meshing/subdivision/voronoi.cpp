@@ -105,12 +105,8 @@ Schema<VoronoiParameters> schema() {
       });
 }
 
-std::unique_ptr<Subdivision> make(const VoronoiParameters& parameters) {
-  return std::make_unique<Voronoi>(parameters);
-}
-
 }  // namespace
 
-DDA_REGISTER(subdivisions(), "voronoi", schema(), make);
+DDA_REGISTER(subdivisions(), "voronoi", schema(), make_of<Voronoi>);
 
 }  // namespace dda

@@ -31,10 +31,8 @@ Schema<DisplacementParameters> schema() {
                  {.dimension = dimension::none, .text = "Direction (lx, ly), any length."});
 }
 
-std::unique_ptr<Gauge> make(const DisplacementParameters& p) { return std::make_unique<Displacement>(p); }
-
 }  // namespace
 
-DDA_REGISTER(gauges(), "displacement", schema(), make);
+DDA_REGISTER(gauges(), "displacement", schema(), make_of<Displacement>);
 
 }  // namespace dda

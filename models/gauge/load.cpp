@@ -26,10 +26,8 @@ Schema<LoadParameters> schema() {
       .number("scale", &P::scale, {.dimension = dimension::force, .text = "Load at load factor 1."});
 }
 
-std::unique_ptr<Gauge> make(const LoadParameters& p) { return std::make_unique<LoadGauge>(p); }
-
 }  // namespace
 
-DDA_REGISTER(gauges(), "load", schema(), make);
+DDA_REGISTER(gauges(), "load", schema(), make_of<LoadGauge>);
 
 }  // namespace dda

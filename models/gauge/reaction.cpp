@@ -39,10 +39,8 @@ Schema<ReactionParameters> schema() {
       .number("scale", &P::scale, {.fallback = 1.0, .text = "Factor, -1 to turn its sign."});
 }
 
-std::unique_ptr<Gauge> make(const ReactionParameters& p) { return std::make_unique<Reaction>(p); }
-
 }  // namespace
 
-DDA_REGISTER(gauges(), "reaction", schema(), make);
+DDA_REGISTER(gauges(), "reaction", schema(), make_of<Reaction>);
 
 }  // namespace dda

@@ -44,12 +44,8 @@ Schema<RelativeDisplacementParameters> schema() {
               .text = "Direction (lx, ly), any length; from `from` to `to` if absent."});
 }
 
-std::unique_ptr<Gauge> make(const RelativeDisplacementParameters& p) {
-  return std::make_unique<RelativeDisplacement>(p);
-}
-
 }  // namespace
 
-DDA_REGISTER(gauges(), "relative_displacement", schema(), make);
+DDA_REGISTER(gauges(), "relative_displacement", schema(), make_of<RelativeDisplacement>);
 
 }  // namespace dda

@@ -10,6 +10,23 @@ namespace {
 /// flagged there as loading must load.
 constexpr double on_surface = 1e-10;
 
+struct Memory {
+  double kappa = 0;    ///< κ, largest equivalent trial opening reached so far [L]
+  double mixity = 0;   ///< M when the damage grew last
+  double slip = 0;     ///< s [L]
+  Vec2 opening{0, 0};  ///< q at the last accepted step, of joints with friction [L]
+
+  template <class Self, class Visit>
+  static void visit(Self& self, Visit& visit) {
+    visit("kappa", dimension::length, self.kappa);
+    visit("mixity", dimension::none, self.mixity);
+    visit("slip", dimension::length, self.slip);
+    visit("opening", dimension::length, self.opening);
+  }
+};
+
+Memory memory_of(const History& h) { return h.memory.as<Memory>(); }
+
 /// dy/dω of the compliance y = ω/g; infinite where the traction has vanished.
 double compliance_slope(const SofteningShape& shape, double omega) {
   const double g = shape.value(omega);
@@ -23,6 +40,12 @@ DamageLaw::DamageLaw(const SofteningNumbers& numbers, std::unique_ptr<SofteningS
       shape_(std::move(shape)),
       scale_(numbers.fracture_energy / numbers.strength),
       m_(numbers.friction / (numbers.shear_weight * numbers.shear_weight)) {}
+
+std::vector<Remembered> DamageLaw::memory() const { return declared<Memory>(); }
+
+double DamageLaw::kappa(const History& h, double k) const {
+  return std::max(memory_of(h).kappa, initial_kappa(k));
+}
 
 double DamageLaw::steepest_slope() const {
   return shape_->steepest() * n_.strength * n_.strength /
@@ -108,7 +131,7 @@ double DamageLaw::secant_slope_at(double kappa, double k) const {
 }
 
 Friction DamageLaw::friction(const Vec2& q, const History& h) const {
-  return coulomb_friction(q, h.slip, h.sliding, m_);
+  return coulomb_friction(q, memory_of(h).slip, h.sliding, m_);
 }
 
 Vec2 DamageLaw::slip_gradient(const Vec2& q, const History& h, double k) const {
@@ -177,7 +200,7 @@ double DamageLaw::growth_energy(const Growth& kappa, double mixity, const Histor
   const auto [from, to] = kappa;
   const auto at = [&](double mode) { return spent(to, mode, k).value - spent(from, mode, k).value; };
   if (!has_modes() || from <= initial_kappa(k)) return at(mixity);
-  return 0.5 * (at(h.mixity) + at(mixity));
+  return 0.5 * (at(memory_of(h).mixity) + at(mixity));
 }
 
 Spending DamageLaw::spending(const Vec2& q, const History& h, double k) const {
@@ -189,7 +212,7 @@ Spending DamageLaw::spending(const Vec2& q, const History& h, double k) const {
   if (loads) {
     const Spent here = spent(now, at.mixity, k);
     const bool averaged = has_modes() && reached > kappa0;
-    const double old_mode = averaged ? spent(now, h.mixity, k).per_kappa : here.per_kappa;
+    const double old_mode = averaged ? spent(now, memory_of(h).mixity, k).per_kappa : here.per_kappa;
     const double of_mixity = has_modes() ? here.per_mixity - spent(reached, at.mixity, k).per_mixity : 0;
     out.gradient = 0.5 * (here.per_kappa + old_mode) * at.gradient +
                    (averaged ? 0.5 : 1) * of_mixity * at.mixity_gradient;
@@ -206,13 +229,14 @@ void DamageLaw::add_friction_work(const Vec2& q, const History& h, double k, Spe
   const double reached = kappa(h, k), now = std::max(reached, at.kappa);
   const double stiffness = n_.shear_weight * n_.shear_weight * k;
   const Friction held = friction(q, h);
-  const LineSlide slid = slide_along(h.opening, q, h.slip, m_);
-  const double before = friction(h.opening, h).elastic;
+  const Memory start = memory_of(h);
+  const LineSlide slid = slide_along(start.opening, q, start.slip, m_);
+  const double before = friction(start.opening, h).elastic;
   const double mean = slid.energy > 0 ? slid.mean : 0.5 * (before + held.elastic);
   const Vec2 mean_gradient = slid.energy > 0 ? slid.mean_gradient : Vec2(0.5 * held.gradient);
   const double damaged = damage_at(now, k), slip = q.y() - held.elastic;
-  const bool starts = q == h.opening;
-  const double slipped = starts ? 0 : damaged * slip - damage_at(reached, k) * h.slip;
+  const bool starts = q == start.opening;
+  const double slipped = starts ? 0 : damaged * slip - damage_at(reached, k) * start.slip;
   const double onward = held.slides ? held.elastic : slip;
   if (mean * (starts ? onward : slipped) <= 0) return;
   out.value += stiffness * mean * slipped;
@@ -226,18 +250,19 @@ History DamageLaw::accept(const Vec2& q, const History& h, double k) const {
   const Equivalent at = equivalent(q, k);
   const double reached = kappa(h, k);
   History out = h;
+  Memory next = memory_of(h);
   out.dissipated += spending(q, h, k).value;
   out.loading = at.kappa >= reached * (1 - on_surface);
-  if (at.kappa > reached) {
-    out.kappa = at.kappa;
+  if (at.kappa > reached) next.kappa = at.kappa;
+  if (at.kappa > 0) next.mixity = at.mixity;
+  if (m_ > 0) {
+    const Friction held = friction(q, h);
+    const bool damaged = next.kappa > initial_kappa(k);
+    next.opening = q;
+    next.slip = damaged ? q.y() - held.elastic : 0;
+    out.sliding = damaged && held.at_limit;
   }
-  if (at.kappa > 0) out.mixity = at.mixity;
-  if (m_ == 0) return out;
-  const Friction held = friction(q, h);
-  const bool damaged = kappa(out, k) > initial_kappa(k);
-  out.opening = q;
-  out.slip = damaged ? q.y() - held.elastic : 0;
-  out.sliding = damaged && held.at_limit;
+  out.memory.keep(next);
   return out;
 }
 
@@ -259,14 +284,16 @@ std::optional<Contact> DamageLaw::contact(const History& h, double k) const {
                  .shear = beta2 * r,
                  .friction = m_ > 0 ? beta2 * (k - r) : 0,
                  .coefficient = m_,
-                 .slip = h.slip};
+                 .slip = memory_of(h).slip};
 }
 
 History DamageLaw::grown(const History& h, double k, double factor) const {
   History out = h;
+  Memory next = memory_of(h);
   const double from = kappa(h, k);
-  out.kappa = std::min(factor * from, rupture_kappa(k));
-  out.dissipated += growth_energy({from, out.kappa}, h.mixity, h, k);
+  next.kappa = std::min(factor * from, rupture_kappa(k));
+  out.memory.keep(next);
+  out.dissipated += growth_energy({from, next.kappa}, next.mixity, h, k);
   return out;
 }
 

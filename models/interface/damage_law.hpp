@@ -41,11 +41,15 @@ class DamageLaw final : public InterfaceLaw {
  public:
   DamageLaw(const SofteningNumbers& numbers, std::unique_ptr<SofteningShape> shape);
 
+  std::vector<Remembered> memory() const override;
   double shear_weight() const override { return n_.shear_weight; }
   double steepest_slope() const override;
   bool can_crack() const override { return true; }
   double initial_kappa(double k) const override { return n_.strength / k; }
-  double intact_bound(double k) const override { return initial_kappa(k); }
+  double intact_bound(const History& h, double k) const override {
+    return kappa(h, k) > initial_kappa(k) ? 0 : initial_kappa(k);
+  }
+  double kappa(const History& h, double k) const override;
   double rupture_kappa(double) const override { return scale_ * shape_->end(); }
   double next_corner(const History& h, double k) const override;
   double equivalent_opening(const Vec2& q, const History& h, double k) const override;

@@ -36,10 +36,8 @@ Schema<ElasticParameters> schema() {
                .text = "Shear traction per sliding displacement."});
 }
 
-std::unique_ptr<InterfaceLaw> make(const ElasticParameters& p) { return std::make_unique<Elastic>(p); }
-
 }  // namespace
 
-DDA_REGISTER(interface_laws(), "elastic", schema(), make);
+DDA_REGISTER(interface_laws(), "elastic", schema(), make_of<Elastic>);
 
 }  // namespace dda

@@ -12,6 +12,17 @@ struct FrictionParameters {
   double friction_angle = 0;
 };
 
+struct Memory {
+  double slip = 0;     ///< s [L]
+  Vec2 opening{0, 0};  ///< q at the last accepted step [L]
+
+  template <class Self, class Visit>
+  static void visit(Self& self, Visit& visit) {
+    visit("slip", dimension::length, self.slip);
+    visit("opening", dimension::length, self.opening);
+  }
+};
+
 /// Contact of separate bodies: no tension, Coulomb friction under pressure, closed again whenever it meets.
 ///
 ///     t_n = k min(q_n, 0),   t_s = k e,   e = clip(q_s − s, ± tan φ ⟨−q_n⟩)
@@ -21,6 +32,7 @@ class ContactFriction final : public InterfaceLaw {
  public:
   explicit ContactFriction(double m) : m_(m) {}
 
+  std::vector<Remembered> memory() const override { return declared<Memory>(); }
   bool can_crack() const override { return true; }
   double initial_kappa(double) const override { return std::numeric_limits<double>::infinity(); }
   double rupture_kappa(double) const override { return std::numeric_limits<double>::infinity(); }
@@ -44,21 +56,20 @@ class ContactFriction final : public InterfaceLaw {
   }
 
   Spending spending(const Vec2& q, const History& h, double k) const override {
-    const LineSlide slid =
-        h.sliding && q == h.opening ? slide_on(q, h.slip, m_) : slide_along(h.opening, q, h.slip, m_);
+    const auto [slip, from] = h.memory.as<Memory>();
+    const LineSlide slid = h.sliding && q == from ? slide_on(q, slip, m_) : slide_along(from, q, slip, m_);
     return {k * slid.energy, k * slid.gradient};
   }
   History accept(const Vec2& q, const History& h, double k) const override {
     const Friction held = friction(q, h);
     History out = h;
     out.dissipated += spending(q, h, k).value;
-    out.slip = q.y() - held.elastic;
-    out.opening = q;
+    out.memory.keep(Memory{.slip = q.y() - held.elastic, .opening = q});
     out.sliding = held.at_limit;
     return out;
   }
   std::optional<Contact> contact(const History& h, double k) const override {
-    return Contact{.closed = k, .friction = k, .coefficient = m_, .slip = h.slip};
+    return Contact{.closed = k, .friction = k, .coefficient = m_, .slip = h.memory.as<Memory>().slip};
   }
   double stored(const Vec2& q, const History& h, double k) const override {
     return q.x() >= 0 ? 0 : 0.5 * k * (q.x() * q.x() + std::pow(friction(q, h).elastic, 2));
@@ -73,7 +84,7 @@ class ContactFriction final : public InterfaceLaw {
 
  private:
   Friction friction(const Vec2& q, const History& h) const {
-    return coulomb_friction(q, h.slip, h.sliding, m_);
+    return coulomb_friction(q, h.memory.as<Memory>().slip, h.sliding, m_);
   }
   double m_;
 };

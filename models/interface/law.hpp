@@ -1,45 +1,30 @@
 #pragma once
 
-#include <algorithm>
 #include <memory>
 #include <optional>
 
 #include "framework/deck/family.hpp"
+#include "models/interface/law_memory.hpp"
 #include "models/kinematics/first_order.hpp"
 
 namespace dda {
 
-/// What an interface point remembers of the last accepted step.
+/// What an interface point remembers of the last accepted step: what a path must know of every law, and what
+/// the point's own law alone can read.
 struct History {
-  double kappa = 0;       ///< κ, largest equivalent trial opening reached so far [L]
   bool loading = false;   ///< the point sits on its damage surface and the path leaves it by loading
   bool sliding = false;   ///< its friction is exhausted and the path leaves it by sliding
-  int phase = 0;          ///< what a law that releases at once has released: 0 nothing, 1 cohesion, 2 all
   double share = 0;       ///< of what is being released that is still carried, from 1 down to 0
-  double slip = 0;        ///< s, slip of the part that only friction holds [L]
-  double mixity = 0;      ///< share of mode II when the damage grew last
   double dissipated = 0;  ///< energy spent so far per area [F/L]
-  Vec2 opening{0, 0};     ///< q at the last accepted step, kept by laws with friction [L]
-  Vec2 traction{0, 0};    ///< t at the last accepted step, likewise [F/L²]
-  Vec2 held{0, 0};        ///< traction at the beginning of a release [F/L²]
-  Vec2 limit{0, 0};       ///< what t is limited to at the last accepted step while it is released [F/L²]
-  double opened = 0;      ///< opening of what is torn but not yet released in full [L]
+  LawMemory memory;       ///< the law's own
 
   template <class Self, class Visit>
   static void visit(Self& self, Visit& visit) {
-    visit("kappa", self.kappa);
     visit("loading", self.loading);
     visit("sliding", self.sliding);
-    visit("phase", self.phase);
     visit("share", self.share);
-    visit("slip", self.slip);
-    visit("mixity", self.mixity);
     visit("dissipated", self.dissipated);
-    visit("opening", self.opening);
-    visit("traction", self.traction);
-    visit("held", self.held);
-    visit("limit", self.limit);
-    visit("opened", self.opened);
+    visit("memory", self.memory.numbers());
   }
 };
 
@@ -82,6 +67,9 @@ class InterfaceLaw {
  public:
   virtual ~InterfaceLaw() = default;
 
+  /// What it remembers of a point beside what a path must know: `declared<Memory>()` of the law's record.
+  virtual std::vector<Remembered> memory() const { return {}; }
+
   /// β, ratio of the shear to the normal trial stiffness: P = k diag(1, β²).
   virtual double shear_weight() const { return 1; }
   /// Diagonal of D0 [F/L³].
@@ -93,19 +81,20 @@ class InterfaceLaw {
 
   /// κ at which an intact point of stiffness k reaches its strength [L]; infinite when it never does.
   virtual double initial_kappa(double k) const = 0;
-  /// A bound below which an intact point stays intact, so that it need not be asked [L]:
+  /// A bound below which a point that has spent nothing answers as an intact one, so that it need not be
+  /// asked [L]:
   ///
   ///     ⟨q_n⟩² + β² q_s² < bound²   ⇒   t = D0 q, nothing spent
   ///
-  /// 0 where a law has none.
-  virtual double intact_bound(double) const { return 0; }
+  /// 0 where a law has none, or none any more.
+  virtual double intact_bound(const History&, double) const { return 0; }
   /// κ at which the traction has vanished [L]; infinite when that is nowhere.
   virtual double rupture_kappa(double k) const = 0;
   /// κ of the next corner of the softening curve beyond the history's, at the latest that of rupture [L].
   virtual double next_corner(const History&, double k) const { return rupture_kappa(k); }
   /// κ of a history, at least that of initiation: what the equivalent opening must reach for more to crack
   /// [L].
-  virtual double kappa(const History& h, double k) const { return std::max(h.kappa, initial_kappa(k)); }
+  virtual double kappa(const History&, double k) const { return initial_kappa(k); }
   /// Whether nothing is left that could crack.
   virtual bool is_broken(const History& h, double k) const { return kappa(h, k) >= rupture_kappa(k); }
   /// Equivalent trial opening [L], to be compared with κ.

@@ -17,6 +17,30 @@ struct MohrCoulombParameters {
   std::optional<double> residual_friction_angle;
 };
 
+/// What has been released of a point: nothing, its cohesion, all of it.
+enum Phase : int { bonded, sheared, torn };
+
+struct Memory {
+  int phase = bonded;
+  double slip = 0;     ///< s [L]
+  double opened = 0;   ///< w [L]
+  Vec2 opening{0, 0};  ///< q at the last accepted step [L]
+  Vec2 held{0, 0};     ///< traction at the beginning of a release [F/L²]
+  Vec2 limit{0, 0};    ///< what t is limited to at the last accepted step while it is released [F/L²]
+
+  template <class Self, class Visit>
+  static void visit(Self& self, Visit& visit) {
+    visit("phase", dimension::none, self.phase);
+    visit("slip", dimension::length, self.slip);
+    visit("opened", dimension::length, self.opened);
+    visit("opening", dimension::length, self.opening);
+    visit("held", dimension::stress, self.held);
+    visit("limit", dimension::stress, self.limit);
+  }
+};
+
+Memory memory_of(const History& h) { return h.memory.as<Memory>(); }
+
 double tangent_of(double degrees) { return std::tan(degrees * std::numbers::pi / 180); }
 
 /// Mohr-Coulomb with tension cut-off and instantaneous release, in terms of the point's stress resultants.
@@ -47,14 +71,16 @@ class MohrCoulomb final : public InterfaceLaw {
         tan_(tangent_of(p.friction_angle)),
         residual_(tangent_of(p.residual_friction_angle.value_or(p.friction_angle))) {}
 
+  std::vector<Remembered> memory() const override { return declared<Memory>(); }
   bool can_crack() const override { return true; }
   bool releases_at_once() const override { return true; }
   double initial_kappa(double k) const override { return ft_ / k; }
   /// |q_s| + q_n tan φ ≤ √(q_n² + q_s²)/cos φ.
-  double intact_bound(double k) const override { return std::min(ft_, c_ / std::hypot(1, tan_)) / k; }
+  double intact_bound(const History& h, double k) const override {
+    return memory_of(h).phase == bonded ? std::min(ft_, c_ / std::hypot(1, tan_)) / k : 0;
+  }
   double rupture_kappa(double) const override { return std::numeric_limits<double>::infinity(); }
-  double kappa(const History&, double k) const override { return initial_kappa(k); }
-  bool is_broken(const History& h, double) const override { return h.phase == 2; }
+  bool is_broken(const History& h, double) const override { return memory_of(h).phase == torn; }
   double equivalent_opening(const Vec2& q, const History& h, double) const override {
     return std::max(0.0, nearest(q, h).opening);
   }
@@ -63,13 +89,13 @@ class MohrCoulomb final : public InterfaceLaw {
     return at.opening > 0 ? at.gradient : Vec2(Vec2::Zero());
   }
   Vec2 slip_gradient(const Vec2& q, const History& h, double) const override {
-    if (h.phase == 0 || h.share > 0) return Vec2::Zero();
+    if (memory_of(h).phase == bonded || h.share > 0) return Vec2::Zero();
     const Friction held = friction(q, h);
     return held.at_limit ? Vec2(residual_, held.direction) : Vec2(Vec2::Zero());
   }
 
   Response respond(const Vec2& q, const History& h, double k) const override {
-    if (h.phase == 0) return {k * q, k * Mat2::Identity()};
+    if (memory_of(h).phase == bonded) return {k * q, k * Mat2::Identity()};
     return h.share > 0 ? releasing(q, h, k) : released(q, h, k);
   }
   Response respond_frozen(const Vec2& q, const History& h, double k) const override {
@@ -77,56 +103,59 @@ class MohrCoulomb final : public InterfaceLaw {
   }
 
   Spending spending(const Vec2& q, const History& h, double k) const override {
-    if (h.phase == 0) return {};
-    if (h.share == 0 && h.limit.isZero(0)) {
-      const LineSlide slid = h.sliding && q == h.opening ? slide_on(q, h.slip, residual_)
-                                                         : slide_along(h.opening, q, h.slip, residual_);
+    const Memory start = memory_of(h);
+    if (start.phase == bonded) return {};
+    if (h.share == 0 && start.limit.isZero(0)) {
+      const LineSlide slid = h.sliding && q == start.opening
+                                 ? slide_on(q, start.slip, residual_)
+                                 : slide_along(start.opening, q, start.slip, residual_);
       return {k * slid.energy, k * slid.gradient};
     }
     const Limits now = limits(q, h, k);
-    const LimitedSlide slid =
-        slide_under({h.limit.y(), now.shear}, {k * (h.opening.y() - h.slip), k * (q.y() - h.slip)});
+    const LimitedSlide slid = slide_under({start.limit.y(), now.shear},
+                                          {k * (start.opening.y() - start.slip), k * (q.y() - start.slip)});
     Spending out{slid.energy / k, Vec2(slid.per_limit * now.per_normal / k, slid.per_trial)};
-    const Course opening{k * (h.opening.x() - h.opened), k * (q.x() - h.opened)};
-    if (h.phase == 1 || opening.to <= 0) return out;
-    const LimitedSlide torn = slide_under({h.limit.x(), now.tension}, opening);
-    out.value += torn.energy / k;
-    out.gradient.x() += torn.per_trial;
+    const Course opening{k * (start.opening.x() - start.opened), k * (q.x() - start.opened)};
+    if (start.phase == sheared || opening.to <= 0) return out;
+    const LimitedSlide tearing = slide_under({start.limit.x(), now.tension}, opening);
+    out.value += tearing.energy / k;
+    out.gradient.x() += tearing.per_trial;
     return out;
   }
   History accept(const Vec2& q, const History& h, double k) const override {
     constexpr double round_off = 1e-10;
+    Memory next = memory_of(h);
     History out = h;
     out.dissipated += spending(q, h, k).value;
-    out.opening = q;
-    out.traction = respond(q, h, k).traction;
-    out.loading = h.phase < 2 && equivalent_opening(q, h, k) >= initial_kappa(k) * (1 - round_off);
-    if (h.phase == 0) return out;
-    if (h.share > 0) {
-      const Limits now = limits(q, h, k);
-      out.limit = {now.tension, now.shear};
-      out.slip = q.y() - out.traction.y() / k;
-      if (h.phase == 2) out.opened = std::max(h.opened, q.x() - out.traction.x() / k);
-      return out;
+    out.loading = next.phase != torn && equivalent_opening(q, h, k) >= initial_kappa(k) * (1 - round_off);
+    next.opening = q;
+    if (next.phase != bonded && h.share > 0)
+      move_limits(q, h, k, next);
+    else if (next.phase != bonded) {
+      const Friction held = friction(q, h);
+      next.limit.setZero();
+      next.slip = q.y() - held.elastic;
+      out.sliding = held.at_limit;
     }
-    const Friction held = friction(q, h);
-    out.limit.setZero();
-    out.slip = q.y() - held.elastic;
-    out.sliding = held.at_limit;
+    out.memory.keep(next);
     return out;
   }
   /// Of what is released: tension up to ft while only cohesion is lost, none afterwards.
   std::optional<Contact> contact(const History& h, double k) const override {
-    if (h.phase == 0 || h.share > 0) return {};
-    return Contact{
-        .closed = k, .open = h.phase == 1 ? k : 0, .friction = k, .coefficient = residual_, .slip = h.slip};
+    const Memory own = memory_of(h);
+    if (own.phase == bonded || h.share > 0) return {};
+    return Contact{.closed = k,
+                   .open = own.phase == sheared ? k : 0,
+                   .friction = k,
+                   .coefficient = residual_,
+                   .slip = own.slip};
   }
   double stored(const Vec2& q, const History& h, double k) const override {
     return respond(q, h, k).traction.squaredNorm() / (2 * k);
   }
-  double damage(const History& h, double) const override { return 0.5 * h.phase; }
+  double damage(const History& h, double) const override { return 0.5 * memory_of(h).phase; }
   unsigned piece(const Vec2& q, const History& h, double) const override {
-    if (h.phase == 0) return 0;
+    if (memory_of(h).phase == bonded) return 0;
     const Friction held = friction(q, h);
     return (q.x() < 0 ? 1u : 2u) + (!held.slides ? 0u : held.direction < 0 ? 8u : 4u);
   }
@@ -134,18 +163,22 @@ class MohrCoulomb final : public InterfaceLaw {
   History release(const Vec2& q, const History& h, double k, double share) const override {
     History out = h;
     if (h.share == 0 || h.loading) {
-      out.held = respond(q, h, k).traction;
-      out.phase = fails_in_tension(q, h) ? 2 : 1;
+      Memory next = memory_of(h);
+      next.held = respond(q, h, k).traction;
+      next.phase = fails_in_tension(q, h) ? torn : sheared;
       out.share = 1;
+      out.memory.keep(next);
       const Limits now = limits(q, out, k);
-      out.limit = {now.tension, std::max(now.shear, std::abs(out.held.y()))};
+      next.limit = {now.tension, std::max(now.shear, std::abs(next.held.y()))};
+      out.memory.keep(next);
     }
     out.share = share;
     out.loading = out.sliding = false;
     return out;
   }
   Vec2 held_direction(const Vec2& q, const History& h) const override {
-    return h.phase == 1 && h.share > 0 ? Vec2(0, q.y() < h.slip ? -1 : 1) : Vec2(1, 0);
+    const Memory own = memory_of(h);
+    return own.phase == sheared && h.share > 0 ? Vec2(0, q.y() < own.slip ? -1 : 1) : Vec2(1, 0);
   }
 
  private:
@@ -155,40 +188,51 @@ class MohrCoulomb final : public InterfaceLaw {
   };
   /// ft/k times the larger of t_n/ft and (|t_s| + t_n tan φ)/c.
   Nearest nearest(const Vec2& q, const History& h) const {
-    if (h.phase == 2) return {0, Vec2::Zero()};
+    const int phase = memory_of(h).phase;
+    if (phase == torn) return {0, Vec2::Zero()};
     const Nearest tension{q.x(), Vec2(1, 0)};
-    if (h.phase == 1) return tension;
+    if (phase == sheared) return tension;
     const double scale = ft_ / c_, sign = q.y() < 0 ? -1 : 1;
     const Nearest shear{scale * (std::abs(q.y()) + tan_ * q.x()), scale * Vec2(tan_, sign)};
     return shear.opening > tension.opening ? shear : tension;
   }
   bool fails_in_tension(const Vec2& q, const History& h) const {
-    return h.phase == 1 || ft_ / c_ * (std::abs(q.y()) + tan_ * q.x()) <= q.x();
+    return memory_of(h).phase == sheared || ft_ / c_ * (std::abs(q.y()) + tan_ * q.x()) <= q.x();
   }
   Friction friction(const Vec2& q, const History& h) const {
-    return coulomb_friction(q, h.slip, h.sliding, residual_);
+    return coulomb_friction(q, memory_of(h).slip, h.sliding, residual_);
   }
   /// Of the tractions of what is released, and the derivative of the second one with respect to q_n.
   struct Limits {
     double tension, shear, per_normal;
   };
   Limits limits(const Vec2& q, const History& h, double k) const {
+    const Memory own = memory_of(h);
     const double a = h.share, bond = c_ - tan_ * k * q.x(), pressure = k * std::max(-q.x(), 0.0);
-    const bool bonds = h.phase == 1 && bond > 0;
-    const double lost = h.phase == 2 ? std::abs(h.held.y()) : std::max(bond, 0.0);
+    const bool bonds = own.phase == sheared && bond > 0;
+    const double lost = own.phase == torn ? std::abs(own.held.y()) : std::max(bond, 0.0);
     const double per_pressure = q.x() < 0 ? -(1 - a) * residual_ * k : 0;
-    return {h.phase == 2 ? a * std::max(h.held.x(), 0.0) : ft_, a * lost + (1 - a) * residual_ * pressure,
-            per_pressure - (bonds ? a * tan_ * k : 0)};
+    return {own.phase == torn ? a * std::max(own.held.x(), 0.0) : ft_,
+            a * lost + (1 - a) * residual_ * pressure, per_pressure - (bonds ? a * tan_ * k : 0)};
+  }
+  /// What a point that is being released remembers after q: its limits, and what has slid and opened.
+  void move_limits(const Vec2& q, const History& h, double k, Memory& next) const {
+    const Limits now = limits(q, h, k);
+    const Vec2 traction = respond(q, h, k).traction;
+    next.limit = {now.tension, now.shear};
+    next.slip = q.y() - traction.y() / k;
+    if (next.phase == torn) next.opened = std::max(next.opened, q.x() - traction.x() / k);
   }
   Response releasing(const Vec2& q, const History& h, double k) const {
     Response out{Vec2(k * q.x(), 0), Vec2(k, 0).asDiagonal()};
+    const Memory own = memory_of(h);
     const Limits most = limits(q, h, k);
-    if (h.phase == 2 && q.x() > 0) {
-      const double trial = k * (q.x() - h.opened);
+    if (own.phase == torn && q.x() > 0) {
+      const double trial = k * (q.x() - own.opened);
       out.traction.x() = std::clamp(trial, 0.0, most.tension);
       out.tangent(0, 0) = trial > 0 && trial < most.tension ? k : 0;
     }
-    const double trial = k * (q.y() - h.slip), sign = trial < 0 ? -1 : 1;
+    const double trial = k * (q.y() - own.slip), sign = trial < 0 ? -1 : 1;
     if (std::abs(trial) <= most.shear) {
       out.traction.y() = trial;
       out.tangent(1, 1) = k;
@@ -201,7 +245,7 @@ class MohrCoulomb final : public InterfaceLaw {
   Response released(const Vec2& q, const History& h, double k) const {
     Response out;
     if (q.x() > 0) {
-      if (h.phase == 1) out = {Vec2(k * q.x(), 0), Vec2(k, 0).asDiagonal()};
+      if (memory_of(h).phase == sheared) out = {Vec2(k * q.x(), 0), Vec2(k, 0).asDiagonal()};
       return out;
     }
     const Friction held = friction(q, h);
@@ -239,12 +283,8 @@ Schema<MohrCoulombParameters> schema() {
       });
 }
 
-std::unique_ptr<InterfaceLaw> make(const MohrCoulombParameters& p) {
-  return std::make_unique<MohrCoulomb>(p);
-}
-
 }  // namespace
 
-DDA_REGISTER(interface_laws(), "mohr_coulomb", schema(), make);
+DDA_REGISTER(interface_laws(), "mohr_coulomb", schema(), make_of<MohrCoulomb>);
 
 }  // namespace dda

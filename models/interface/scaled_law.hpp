@@ -20,13 +20,16 @@ class ScaledLaw final : public InterfaceLaw {
   ScaledLaw(std::shared_ptr<const InterfaceLaw> law, double traction, double opening)
       : law_(std::move(law)), a_(traction), b_(opening) {}
 
+  std::vector<Remembered> memory() const override { return law_->memory(); }
   double shear_weight() const override { return law_->shear_weight(); }
   Vec2 intact_stiffness(double k) const override { return a_ / b_ * law_->intact_stiffness(own(k)); }
   double steepest_slope() const override { return a_ / b_ * law_->steepest_slope(); }
   bool can_crack() const override { return law_->can_crack(); }
 
   double initial_kappa(double k) const override { return b_ * law_->initial_kappa(own(k)); }
-  double intact_bound(double k) const override { return b_ * law_->intact_bound(own(k)); }
+  double intact_bound(const History& h, double k) const override {
+    return b_ * law_->intact_bound(h, own(k));
+  }
   /// Rounded up: what reaches it is broken.
   double rupture_kappa(double k) const override {
     return b_ * law_->rupture_kappa(own(k)) * (1 + 4 * std::numeric_limits<double>::epsilon());

@@ -63,10 +63,8 @@ Schema<BodyForceParameters> schema() {
              {.fallback = std::vector<std::string>{}, .text = "Materials it acts on; all when empty."});
 }
 
-std::unique_ptr<Load> make(const BodyForceParameters& p) { return std::make_unique<BodyForce>(p); }
-
 }  // namespace
 
-DDA_REGISTER(loads(), "body_force", schema(), make);
+DDA_REGISTER(loads(), "body_force", schema(), make_of<BodyForce>);
 
 }  // namespace dda

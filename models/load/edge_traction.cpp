@@ -40,10 +40,8 @@ Schema<EdgeTractionParameters> schema() {
           {.fallback = 0.0, .dimension = dimension::stress, .text = "Pressure against the outward normal."});
 }
 
-std::unique_ptr<Load> make(const EdgeTractionParameters& p) { return std::make_unique<EdgeTraction>(p); }
-
 }  // namespace
 
-DDA_REGISTER(loads(), "edge_traction", schema(), make);
+DDA_REGISTER(loads(), "edge_traction", schema(), make_of<EdgeTraction>);
 
 }  // namespace dda

@@ -42,10 +42,8 @@ Schema<InitialStressParameters> schema() {
           {.fallback = std::vector<std::string>{}, .text = "Names of the regions it is in; all when empty."});
 }
 
-std::unique_ptr<Load> make(const InitialStressParameters& p) { return std::make_unique<InitialStress>(p); }
-
 }  // namespace
 
-DDA_REGISTER(loads(), "initial_stress", schema(), make);
+DDA_REGISTER(loads(), "initial_stress", schema(), make_of<InitialStress>);
 
 }  // namespace dda

@@ -34,10 +34,8 @@ Schema<PointLoadParameters> schema() {
   return s.point("force", &P::force, {.dimension = dimension::force, .text = "Force (Fx, Fy)."});
 }
 
-std::unique_ptr<Load> make(const PointLoadParameters& p) { return std::make_unique<PointLoad>(p); }
-
 }  // namespace
 
-DDA_REGISTER(loads(), "point_load", schema(), make);
+DDA_REGISTER(loads(), "point_load", schema(), make_of<PointLoad>);
 
 }  // namespace dda

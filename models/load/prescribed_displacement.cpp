@@ -46,12 +46,8 @@ Schema<PrescribedDisplacementParameters> schema() {
               {.fallback = 1.0, .dimension = dimension::length, .text = "Displacement δ at load factor 1."});
 }
 
-std::unique_ptr<Load> make(const PrescribedDisplacementParameters& p) {
-  return std::make_unique<PrescribedDisplacement>(p);
-}
-
 }  // namespace
 
-DDA_REGISTER(loads(), "prescribed_displacement", schema(), make);
+DDA_REGISTER(loads(), "prescribed_displacement", schema(), make_of<PrescribedDisplacement>);
 
 }  // namespace dda

@@ -40,12 +40,8 @@ Schema<LinearElasticParameters> schema() {
               {.fallback = 0.2, .bounds = strictly_between(-1, 0.5), .text = "Poisson's ratio ν."});
 }
 
-std::unique_ptr<Material> make(const LinearElasticParameters& p, Plane plane) {
-  return std::make_unique<LinearElastic>(p, plane);
-}
-
 }  // namespace
 
-DDA_REGISTER(materials(), "linear_elastic", schema(), make);
+DDA_REGISTER(materials(), "linear_elastic", schema(), make_of<LinearElastic>);
 
 }  // namespace dda

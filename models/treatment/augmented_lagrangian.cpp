@@ -66,12 +66,8 @@ Schema<AugmentedLagrangianParameters> schema() {
                    "p_c, in the same units: rigid ones may be wedged by strong friction."});
 }
 
-std::unique_ptr<Treatment> make(const AugmentedLagrangianParameters& p) {
-  return std::make_unique<AugmentedLagrangian>(p);
-}
-
 }  // namespace
 
-DDA_REGISTER(treatments(), "augmented_lagrangian", schema(), make);
+DDA_REGISTER(treatments(), "augmented_lagrangian", schema(), make_of<AugmentedLagrangian>);
 
 }  // namespace dda

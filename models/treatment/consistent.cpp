@@ -57,10 +57,8 @@ Schema<ConsistentParameters> schema() {
            .text = "Stiffness in units of the blocks' trace constant; above 0.5 every assembly is stable."});
 }
 
-std::unique_ptr<Treatment> make(const ConsistentParameters& p) { return std::make_unique<Consistent>(p); }
-
 }  // namespace
 
-DDA_REGISTER(treatments(), "consistent", schema(), make);
+DDA_REGISTER(treatments(), "consistent", schema(), make_of<Consistent>);
 
 }  // namespace dda

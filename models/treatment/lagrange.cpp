@@ -63,10 +63,8 @@ Schema<LagrangeParameters> schema() {
                        "together may be wedged by strong friction."});
 }
 
-std::unique_ptr<Treatment> make(const LagrangeParameters& p) { return std::make_unique<Lagrange>(p); }
-
 }  // namespace
 
-DDA_REGISTER(treatments(), "lagrange", schema(), make);
+DDA_REGISTER(treatments(), "lagrange", schema(), make_of<Lagrange>);
 
 }  // namespace dda

@@ -42,10 +42,8 @@ Schema<PenaltyParameters> schema() {
                .text = "Absolute stiffness k; when given, `factor` is not used."});
 }
 
-std::unique_ptr<Treatment> make(const PenaltyParameters& p) { return std::make_unique<Penalty>(p); }
-
 }  // namespace
 
-DDA_REGISTER(treatments(), "penalty", schema(), make);
+DDA_REGISTER(treatments(), "penalty", schema(), make_of<Penalty>);
 
 }  // namespace dda

@@ -3,6 +3,7 @@
 import io
 import json
 import re
+import zlib
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -22,10 +23,23 @@ def whole_lines(file):
     return text[:text.rfind("\n") + 1]
 
 
+def sealed(content):
+    """The bytes of an HDF5 file with the line behind them that holds their checksum."""
+    return content + b"ddapath checksum %08x\n" % zlib.crc32(content)
+
+
+def check_seal(file):
+    """Throws NothingStored for a damaged file, which must not even be opened: HDF5 may loop for ever in it."""
+    stored = file.read_bytes()
+    if stored != sealed(stored[:-len(sealed(b""))]):
+        raise NothingStored(f"{file}: cannot be read: its checksum does not fit its content")
+
+
 @contextmanager
 def opened(file):
     """A file of the fields for reading; it is whole as soon as it is there."""
     try:
+        check_seal(file)
         store = h5py.File(file, "r")
     except OSError as error:
         raise NothingStored(f"{file}: cannot be read: {error}") from error

@@ -37,6 +37,7 @@ LIBRARIES = (
     Library("SuiteSparse", r"(suitesparse/)?(cholmod|umfpack|klu)\.h", "continuation"),
     Library("MPI", r"mpi\.h", "continuation"),
     Library("HDF5", r"(hdf5/\w+/)?(hdf5|hdf5_hl|H5\w*)\.h", "framework", only_cpp=True),
+    Library("zlib", r"zlib\.h", "framework", only_cpp=True),
     Library("libyaml", r"yaml\.h", "framework", only_cpp=True),
     Library("CLI11", r"CLI/", "studies"),
 )

@@ -51,6 +51,7 @@ class Libraries(unittest.TestCase):
         ("geos_c.h", "meshing/a.cpp"),
         ("hdf5.h", "framework/files/a.cpp"),
         ("yaml.h", "framework/a.cpp"),
+        ("zlib.h", "framework/a.cpp"),
         ("NOX_Utils.H", "continuation/a.hpp"),
         ("LOCA_Stepper.H", "continuation/a.hpp"),
         ("LOCA.H", "continuation/a.cpp"),
@@ -77,7 +78,7 @@ class Libraries(unittest.TestCase):
                     self.assertEqual(len(found), 1, (header, folder))
 
     def test_headers_hide_what_belongs_into_cpp_files(self):
-        for header in ("gmsh.h", "geos_c.h", "hdf5.h", "yaml.h"):
+        for header in ("gmsh.h", "geos_c.h", "hdf5.h", "yaml.h", "zlib.h"):
             home = dict(self.HEADERS)[header].replace(".cpp", ".hpp")
             self.assertIn(".cpp files only", messages(home, f"#include <{header}>")[0])
 

@@ -18,7 +18,7 @@ from processes import Program
 
 # Phases of a profile that belong to following the path.
 FOLLOWING = ("tangents", "laws", "solutions", "path", "LOCA", "residuals", "columns", "products", "energies",
-             "reduced iterations")
+             "reduced iterations", "openings")
 # Sides of the triangles of the beam of studies/scaling that give 2000 and 20 000 blocks [mm].
 ITERATED = {2000: (2.70, 21.6), 20_000: (0.81, 6.48)}
 

@@ -32,7 +32,7 @@ GROUPS = {
     "meshing": ("meshing",),
     "assembly and factorisation": ("equilibrium", "factorisation"),
     "columns of cracked points, products with them": ("columns", "products", "solutions"),
-    "iterations": ("reduced iterations", "LOCA", "contact", "tangents"),
+    "iterations": ("reduced iterations", "LOCA", "contact", "tangents", "openings"),
     "laws, residuals, energies, stability": ("laws", "residuals", "energies", "stability"),
     "output": ("output", "fields", "restart file", "figures"),
     "start-up": ("start_up", "outside"),

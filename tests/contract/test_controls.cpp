@@ -7,9 +7,7 @@ namespace dda {
 namespace {
 
 /// Sets the system's laws as a step under the control would.
-ControlPoint point_at(const State& state, const LawValues& laws) {
-  return {state.d, state.load_factor, laws};
-}
+ControlPoint point_at(const State& state, const LawValues& laws) { return ControlPoint::at(state, laws); }
 
 /// Gradients and per_path against central differences of the residual at the system's cracked state.
 void expect_gradients(ControlEquation& control, CrackedSystem& cracked) {

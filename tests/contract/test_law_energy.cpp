@@ -126,15 +126,11 @@ TEST_P(LawEnergy, WorkOfLoadingIsThatOfAPotential) {
   }
 }
 
-/// Every length, traction and energy of a history in other units.
-History rescaled(History h, const UnitChange& units) {
-  const double stress = units.factor(dimension::stress);
-  for (double* length : {&h.kappa, &h.slip, &h.opened}) *length *= units.length;
+/// A history in other units: what the law remembers has the dimension that the law declares.
+History rescaled(const InterfaceLaw& law, History h, const UnitChange& units) {
   h.dissipated *= units.factor(dimension::energy_per_area);
-  h.opening *= units.length;
-  h.traction *= stress;
-  h.held *= stress;
-  h.limit *= stress;
+  for (const Remembered& one : law.memory())
+    for (double& number : remembered(law, h, one.name)) number *= units.factor(one.dimension);
   return h;
 }
 
@@ -148,7 +144,7 @@ TEST_P(LawEnergy, ParametersInOtherUnitsGiveTheSameLaw) {
     EXPECT_NEAR(other.k, at.k * units.factor(dimension::interface_stiffness), 1e-12 * other.k);
     for (int i = 0; i < draws; ++i) {
       const Vec2 q = random_opening(at);
-      const History h = at.reachable(random_), same = rescaled(h, units);
+      const History h = at.reachable(random_), same = rescaled(*at.law, h, units);
       const double force = stress * at.stiff() * at.last, energy = force * units.length * at.last;
       EXPECT_LT((other.traction(units.length * q, same) - stress * at.traction(q, h)).norm(), 1e-10 * force);
       EXPECT_NEAR(other.law->spending(units.length * q, same, other.k).value,

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <set>
+
 #include "contract/law_contract.hpp"
 
 namespace dda {
@@ -13,7 +16,8 @@ TEST_P(LawContract, TangentIsDifferenceOfTraction) {
     const Mat2 tangent = at.law->respond(q, h, at.k).tangent;
     const Mat2 difference = differences(at, q, [&](const Vec2& x) { return at.traction(x, h); });
     EXPECT_LT((tangent - difference).norm(), difference_error * at.stiff())
-        << "q " << q.transpose() / at.first << ", kappa " << h.kappa / at.first << " of the first\n"
+        << "q " << q.transpose() / at.first << ", kappa " << at.law->kappa(h, at.k) / at.first
+        << " of the first\n"
         << at.text();
   });
 }
@@ -121,7 +125,9 @@ TEST_P(LawContract, FlagsChooseTheSideOfTheSurface) {
   at_accepted_states([&](const LawCase& at, const Vec2& q, const History&, const History& accepted) {
     History h = accepted;
     const Vec2 opens = at.law->opening_gradient(q, h, at.k), slips = at.law->slip_gradient(q, h, at.k);
-    if (!(h.loading || h.sliding) || (at.law->releases_at_once() && (h.phase == 0 || h.share > 0))) return;
+    if (!(h.loading || h.sliding) ||
+        (at.law->releases_at_once() && (at.law->damage(h, at.k) == 0 || h.share > 0)))
+      return;
     ++surfaces;
     for (const double sign : {1.0, -1.0}) {
       h.loading = accepted.loading && sign > 0;
@@ -150,7 +156,8 @@ TEST_P(LawContract, SlipGradientPointsToMoreSliding) {
     const double step = 1e-4 * at.first;
     for (const double sign : {1.0, -1.0}) {
       const Vec2 next = q + sign * step * gradient.normalized();
-      const double slipped = at.law->accept(next, h, at.k).slip - h.slip;
+      const double slipped = remembered_number(*at.law, at.law->accept(next, h, at.k), "slip") -
+                             remembered_number(*at.law, h, "slip");
       if (sign > 0)
         EXPECT_GT(slipped * gradient.y(), 0);
       else
@@ -191,13 +198,13 @@ TEST_P(LawContract, IntactTractionIsThatOfTheIntactStiffness) {
 }
 
 TEST_P(LawContract, IntactPointsWithinTheBoundNeedNotBeAsked) {
-  at_random_states([&](const LawCase& at, const Vec2& anywhere, const History&) {
-    const double bound = at.law->intact_bound(at.k), beta = at.law->shear_weight();
-    if (bound == 0) return;
+  int bounded = 0;
+  at_random_states([&](const LawCase& at, const Vec2& anywhere, const History& h) {
+    const double bound = at.law->intact_bound(h, at.k), beta = at.law->shear_weight();
+    if (h.loading || h.sliding || h.dissipated != 0 || bound == 0) return;
+    ++bounded;
     const double size = std::hypot(std::max(anywhere.x(), 0.0), beta * anywhere.y());
     const Vec2 q = size > 0 ? Vec2(random_.between(0, 0.999) * bound / size * anywhere) : anywhere;
-    History h;
-    h.kappa = random_.between(0, 1) * at.law->initial_kappa(at.k) / at.unit;
     const Vec2 stiffness = at.law->intact_stiffness(at.k);
     for (const Response& said : {at.law->respond(q, h, at.k), at.law->respond_frozen(q, h, at.k)}) {
       EXPECT_LE((said.traction - stiffness.cwiseProduct(q)).norm(), 1e-15 * at.stiff() * q.norm());
@@ -205,6 +212,27 @@ TEST_P(LawContract, IntactPointsWithinTheBoundNeedNotBeAsked) {
     }
     EXPECT_EQ(at.law->spending(q, h, at.k).value, 0);
   });
+  const LawCase at = random_law(GetParam(), random_, true);
+  EXPECT_GE(bounded, at.law->intact_bound({}, at.k) > 0 ? 50 : 0);
+}
+
+/// What is not declared is lost in a restart, and what is declared twice has no place of its own.
+TEST_P(LawContract, KeepsWhatItDeclaresAndNothingElse) {
+  std::set<std::string> names;
+  std::size_t size = 0;
+  for (const Remembered& one : next_case().law->memory()) {
+    EXPECT_TRUE(names.insert(one.name).second) << one.name;
+    size += static_cast<std::size_t>(one.size);
+  }
+  ASSERT_LE(size, LawMemory::capacity);
+  std::vector<bool> kept(size, false);
+  at_accepted_states([&](const LawCase&, const Vec2&, const History&, const History& after) {
+    const auto& numbers = after.memory.numbers();
+    EXPECT_TRUE(std::all_of(numbers.begin() + static_cast<std::ptrdiff_t>(size), numbers.end(),
+                            [](double number) { return number == 0; }));
+    for (std::size_t i = 0; i < size; ++i) kept[i] = kept[i] || numbers[i] != 0;
+  });
+  EXPECT_EQ(std::ranges::count(kept, false), 0) << "declared, but never anything else than 0";
 }
 
 TEST_P(LawContract, SofteningIsAsSteepAsTheLawSays) {

@@ -145,6 +145,26 @@ locked_folder() {
   expect 0 "a folder that was left" "$program" run "$bar" --folder taken --overwrite --quiet
 }
 
-for part in ${PARTS:-commands_in_geometry broken_geometry interrupted_meshing loads limits files locked_folder}
+# HDF5 would loop for ever in some of these.
+damaged_fields() {
+  "$program" run "$beam" --folder whole --quiet --set path.stop.after_steps=6 --set record.fields_every=2
+  local place size
+  size=$(stat -c %s whole/fields/mesh.h5)
+  for place in 40 $((size / 2)) $((size - 1)); do
+    rm -rf damaged
+    cp -r whole damaged
+    printf '\xfe' | dd of=damaged/fields/mesh.h5 bs=1 seek=$place conv=notrunc status=none
+    expect 0 "a report without its mesh, byte $place" timeout -s KILL 20 "$program" report damaged
+    grep -q "fields/mesh.h5: cannot be read: its checksum does not fit its content" damaged/report.html ||
+      complain "the report does not say what is damaged"
+    refused "verifying, byte $place" "cannot be read" "$program" verify damaged
+    refused "going on, byte $place" "cannot be continued" "$program" resume damaged --quiet --set path.stop.after_steps=8
+  done
+  truncate -s 4000 damaged/fields/000006.h5
+  cp whole/fields/mesh.h5 damaged/fields/
+  refused "a step cut short" "000006.h5: cannot be continued" "$program" resume damaged --quiet --set path.stop.after_steps=8
+}
+
+for part in ${PARTS:-commands_in_geometry broken_geometry interrupted_meshing loads limits files locked_folder damaged_fields}
 do $part; done
 exit $failed

@@ -4,6 +4,7 @@ with its place.
     test_parameter_lists.py        with DDA naming the program
 """
 
+import itertools
 import json
 import os
 import re
@@ -171,15 +172,27 @@ class Lists(unittest.TestCase):
         self.assertEqual(refused.returncode, 2)
         self.assertIn("LOCA/Stepper/Max Steps stands for path.stop.steps", refused.stderr)
 
+    def test_each_predictor_has_an_effect(self):
+        outcomes = []
+        for predictor in ("Tangent", "Secant", "Constant"):
+            self.run_deck(predictor, "--parameters",
+                          self.write({"LOCA/Stepper/Max Steps": 20, "LOCA/Predictor/Method": predictor}))
+            outcomes.append(self.outcome(predictor)[0])
+        for one, other in itertools.combinations(outcomes, 2):
+            self.assertNotEqual(one, other)
+
     def test_a_resumed_run_goes_on_with_its_list(self):
-        self.run_deck("run", "--parameters", self.write({"LOCA/Stepper/Max Steps": 12, "LOCA/Predictor/Method": "Constant"}))
-        (self.folder / "list.xml").unlink()
-        resumed = subprocess.run([DDA, "resume", self.folder / "run", "--quiet", "--set", "path.stop.steps=20"],
-                                 capture_output=True, text=True, check=False)
-        self.assertEqual(resumed.returncode, 3, resumed.stderr)
-        self.run_deck("whole", "--parameters",
-                      self.write({"LOCA/Stepper/Max Steps": 20, "LOCA/Predictor/Method": "Constant"}))
-        self.assertEqual(self.outcome("run")[0], self.outcome("whole")[0])
+        for predictor in ("Constant", "Secant"):
+            run, whole = f"{predictor}-run", f"{predictor}-whole"
+            self.run_deck(run, "--parameters",
+                          self.write({"LOCA/Stepper/Max Steps": 12, "LOCA/Predictor/Method": predictor}))
+            (self.folder / "list.xml").unlink()
+            resumed = subprocess.run([DDA, "resume", self.folder / run, "--quiet", "--set", "path.stop.steps=20"],
+                                     capture_output=True, text=True, check=False)
+            self.assertEqual(resumed.returncode, 3, resumed.stderr)
+            self.run_deck(whole, "--parameters",
+                          self.write({"LOCA/Stepper/Max Steps": 20, "LOCA/Predictor/Method": predictor}))
+            self.assertEqual(self.outcome(run)[0], self.outcome(whole)[0])
 
 
 if __name__ == "__main__":

@@ -100,6 +100,18 @@ class Unfinished(Folder):
             self.read().fields(4)
         self.assertEqual(self.read().fields(8).step, 8)
 
+    def test_a_bit_that_is_wrong(self):
+        """HDF5 itself may loop for ever in such a file, so that none is opened."""
+        for name in ("fields/mesh.h5", "fields/000004.h5"):
+            file = self.folder / name
+            whole = file.read_bytes()
+            for place in (*range(0, len(whole), len(whole) // 50), len(whole) - 1):
+                file.write_bytes(whole[:place] + bytes([whole[place] ^ 4]) + whole[place + 1:])
+                with self.assertRaisesRegex(ddapath.NothingStored, f"{name}: cannot be read: its checksum"):
+                    self.read().fields(4)
+            file.write_bytes(whole)
+        self.assertEqual(self.read().fields(4).step, 4)
+
     def test_a_mesh_and_no_step(self):
         for file in (self.folder / "fields").glob("0*.h5"):
             file.unlink()

@@ -17,6 +17,7 @@ import numpy as np
 import pandas as pd
 
 import ddapath
+from ddapath.run_folder import sealed
 from ddapath.verify import curve_checks, laws, verify
 from ddapath.verify.model import Model
 
@@ -42,13 +43,17 @@ class Doctored(unittest.TestCase):
     def step_file(self, index):
         return sorted((self.folder / "fields").glob("[0-9]*.h5"))[index]
 
-    def change_field(self, name, change, step=-1):
-        """`change` gets the last stored step's rows and changes them in place."""
-        with h5py.File(self.step_file(step), "a") as file:
-            data = file[f"segments/{name}"]
-            values = data[()]
+    def change_dataset(self, name, change, step=-1):
+        """`change` gets the last stored step's rows and changes them in place; the file is sealed again."""
+        path = self.step_file(step)
+        with h5py.File(path, "a") as file:
+            values = file[name][()]
             change(values)
-            data[...] = values
+            file[name][...] = values
+        path.write_bytes(sealed(path.read_bytes()))
+
+    def change_field(self, name, change, step=-1):
+        self.change_dataset(f"segments/{name}", change, step)
 
     def change_cell(self, column, row, change):
         file = self.folder / "curve.csv"
@@ -80,9 +85,9 @@ class Doctored(unittest.TestCase):
         self.assertIn("law envelope", self.refused())
 
     def test_a_block_moved(self):
-        with h5py.File(self.step_file(-1), "a") as file:
-            data = file["displacement"]
-            data[:4] = data[:4] + 1e-6
+        def move(values):
+            values[:4] += 1e-6
+        self.change_dataset("displacement", move)
         self.assertIn("contact and normal law", self.refused())
 
     def test_damage_lowered(self):

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <stdexcept>
 
 #include "framework/deck/node.hpp"
 #include "models/interface/law.hpp"
@@ -10,6 +12,21 @@
 
 namespace dda {
 
+/// Numbers of what a law remembers under a name.
+inline std::span<double> remembered(const InterfaceLaw& law, History& h, const std::string& name) {
+  double* at = h.memory.numbers().data();
+  for (const Remembered& one : law.memory()) {
+    if (one.name == name) return {at, static_cast<std::size_t>(one.size)};
+    at += one.size;
+  }
+  throw std::out_of_range("the law does not remember " + name);
+}
+
+/// The first of them.
+inline double remembered_number(const InterfaceLaw& law, History h, const std::string& name) {
+  return remembered(law, h, name).front();
+}
+
 /// A law with the stiffness of a point that can bear it, and the openings at which something happens.
 struct LawCase {
   std::unique_ptr<InterfaceLaw> law;
@@ -17,7 +34,6 @@ struct LawCase {
   double k = 0;
   double first = 1;  ///< κ at initiation, 1 when there is none [L]
   double last = 5;   ///< κ at rupture, five times the first when there is none [L]
-  double unit = 1;   ///< in which its histories measure κ: a scaled law keeps those of the law within
 
   /// The stiffest that the law can answer [F/L³].
   double stiff() const { return k * std::max(1.0, std::pow(law->shear_weight(), 2)); }
@@ -104,7 +120,6 @@ inline LawCase scaled(LawCase at, double traction, double opening) {
   at.k *= traction / opening;
   at.first *= opening;
   at.last *= opening;
-  at.unit = opening;
   return at;
 }
 

@@ -249,7 +249,7 @@ stages: [{loads: [{type: point_load, at: [0, 0], force: [0, -1]}]}]
   std::vector<History> history(two.equilibrium.num_active());
   for (std::size_t p = 0; p < history.size(); ++p) {
     const InterfacePoint& point = two.equilibrium.point(p);
-    history[p].kappa = point.law->rupture_kappa(point.stiffness);
+    history[p] = point.law->grown({}, point.stiffness, std::numeric_limits<double>::infinity());
   }
   system.set_history(history);
   std::vector<double> apart(two.equilibrium.num_unknowns(), 0.0);

@@ -107,12 +107,8 @@ Schema<DynamicRelaxationParameters> schema() {
                 .text = "Evaluations of the residual before an increment is given up."});
 }
 
-std::unique_ptr<LoadSolver> make(const DynamicRelaxationParameters& p) {
-  return std::make_unique<DynamicRelaxation>(p);
-}
-
 }  // namespace
 
-DDA_REGISTER(load_solvers(), "dynamic_relaxation", schema(), make);
+DDA_REGISTER(load_solvers(), "dynamic_relaxation", schema(), make_of<DynamicRelaxation>);
 
 }  // namespace dda

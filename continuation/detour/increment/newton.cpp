@@ -4,8 +4,6 @@
 namespace dda {
 namespace {
 
-struct NewtonAtLoadParameters {};
-
 /// Newton's method with the load factor held; factorises the tangent.
 class NewtonAtLoad final : public LoadSolver {
  public:
@@ -20,14 +18,12 @@ class NewtonAtLoad final : public LoadSolver {
   }
 };
 
-Schema<NewtonAtLoadParameters> schema() {
-  return Schema<NewtonAtLoadParameters>("Newton's method, with `path.newton` and `path.linear`.");
+Schema<NoParameters> schema() {
+  return Schema<NoParameters>("Newton's method, with `path.newton` and `path.linear`.");
 }
-
-std::unique_ptr<LoadSolver> make(const NewtonAtLoadParameters&) { return std::make_unique<NewtonAtLoad>(); }
 
 }  // namespace
 
-DDA_REGISTER(load_solvers(), "newton", schema(), make);
+DDA_REGISTER(load_solvers(), "newton", schema(), make_of<NewtonAtLoad>);
 
 }  // namespace dda

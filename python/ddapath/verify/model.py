@@ -5,7 +5,6 @@ Per block d = (u0, v0, r0, εx, εy, γxy) about the centroid, u(x) = T(x) d; pe
 from dataclasses import dataclass
 from functools import cached_property
 
-import h5py
 import numpy as np
 
 from ..errors import NothingStored
@@ -201,8 +200,3 @@ class Points:
             offset = self.place - model.centroids[self.blocks[:, side]]
             self.jump_rows.append(sign * frame @ displacement_rows(offset[:, 0], offset[:, 1]))
             self.stress_rows.append(shares[:, side, None, None] * traction)
-
-
-def open_model(path, deck):
-    with h5py.File(path, "r") as file:
-        return Model(file, deck)

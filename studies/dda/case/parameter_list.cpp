@@ -67,7 +67,7 @@ const std::vector<Row>& rows_of_loca() {
        "Method",
        "path.step.predictor",
        Type::text,
-       {{"Tangent", "tangent"}, {"Constant", "constant"}}}};
+       {{"Tangent", "tangent"}, {"Secant", "secant"}, {"Constant", "constant"}}}};
   return rows;
 }
 

@@ -141,11 +141,9 @@ svg::Figure overlay(const std::vector<Compared>& runs) {
     const Column& column = measures.names()[measures.displacements()[k]];
     svg::Panel panel{.title = column.name,
                      .x_label = fmt::format("{} [{}]", column.name, column.unit),
-                     .y_label = fmt::format("load [{}]", measures.load_unit()),
-                     .series = {},
-                     .markers = {}};
+                     .y_label = fmt::format("load [{}]", measures.load_unit())};
     for (std::size_t r = 0; r < runs.size(); ++r) {
-      svg::Series series{.name = runs[r].control, .x = {}, .y = {}, .dashed = r > 0};
+      svg::Series series{.name = runs[r].control, .dashed = r > 0};
       for (const TracePoint& point : runs[r].result.trace) {
         series.x.push_back(point.displacements[k]);
         series.y.push_back(point.load);

@@ -53,10 +53,9 @@ void mark_references(const std::vector<RunCurve>& runs, const std::string& gauge
 std::vector<svg::Series> legend_of_lines(const std::vector<svg::Series>& curves) {
   std::vector<svg::Series> out;
   if (std::ranges::any_of(curves, &svg::Series::dashed))
-    out.push_back(
-        {.name = "not stable under dead load", .x = {}, .y = {}, .dashed = true, .colour = svg::black});
+    out.push_back({.name = "not stable under dead load", .dashed = true, .colour = svg::black});
   if (std::ranges::any_of(curves, &svg::Series::dotted))
-    out.push_back({.name = "stability not known", .x = {}, .y = {}, .colour = svg::black, .dotted = true});
+    out.push_back({.name = "stability not known", .colour = svg::black, .dotted = true});
   return out;
 }
 
@@ -117,9 +116,7 @@ svg::Panel overlay(const std::vector<RunCurve>& runs, const std::string& gauge) 
   const RunCurve& first = runs.front();
   svg::Panel out{.title = gauge,
                  .x_label = fmt::format("{} [{}]", gauge, first.length_unit),
-                 .y_label = first.load_unit.empty() ? "load" : fmt::format("load [{}]", first.load_unit),
-                 .series = {},
-                 .markers = {}};
+                 .y_label = first.load_unit.empty() ? "load" : fmt::format("load [{}]", first.load_unit)};
   out.series = curves_of(runs, gauge);
   mark_references(runs, gauge, out);
   return out;

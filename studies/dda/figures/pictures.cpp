@@ -29,11 +29,8 @@ void mark(const std::optional<ReferencePeak>& reference, const std::string& gaug
 svg::Panel panel(const CsvTable& curve, const Measures& measures, const RunMemory& memory,
                  std::size_t gauge) {
   const auto& [name, unit] = measures.names()[gauge];
-  svg::Panel out{.title = name,
-                 .x_label = with_unit(name, unit),
-                 .y_label = with_unit("load", measures.load_unit()),
-                 .series = {},
-                 .markers = {}};
+  svg::Panel out{
+      .title = name, .x_label = with_unit(name, unit), .y_label = with_unit("load", measures.load_unit())};
   out.series = by_stability(curve, name, column::load);
   if (memory.peak.step > 0)
     out.markers.push_back({memory.peak.values[gauge], memory.peak.load,
@@ -43,11 +40,9 @@ svg::Panel panel(const CsvTable& curve, const Measures& measures, const RunMemor
 
 /// Load against the dissipated energy: what a deck without displacement gauges still tells.
 svg::Panel energy_panel(const CsvTable& curve, const Measures& measures) {
-  return {.title = "",
-          .x_label = with_unit("dissipated energy", measures.energy_unit()),
+  return {.x_label = with_unit("dissipated energy", measures.energy_unit()),
           .y_label = with_unit("load", measures.load_unit()),
-          .series = {{"", curve.numbers(column::dissipated_energy), curve.numbers(column::load)}},
-          .markers = {}};
+          .series = {{"", curve.numbers(column::dissipated_energy), curve.numbers(column::load)}}};
 }
 
 /// The branch that was not taken.
@@ -188,9 +183,6 @@ svg::Drawing deformed(const Fields& fields, const PictureContent& content, const
   const double of_end = magnification(fields, end.state, box.size());
   svg::Drawing out{.title = "Deformed blocks and cracks",
                    .caption = fmt::format("end: displacements × {:g}", of_end),
-                   .polygons = {},
-                   .polygon_label = "",
-                   .strokes = {},
                    .stroke_label = with_unit(quantity.name, fields.mesh().length_unit)};
   DeformedState(fields, end, Vec2::Zero(), of_end).coloured_by(quantity).marking(torn).add_to(out);
   if (!memory.peak_state || memory.peak_state->step == end.step) return out;
@@ -212,9 +204,6 @@ svg::Drawing detail_of(const Fields& fields, const Detail& detail, const StoredS
   const double scale = motion.spread > 0 ? svg::round_down(0.1 * box.size() / motion.spread) : 1;
   svg::Drawing out{.title = "Detail at the end",
                    .caption = fmt::format("step {}, displacements × {:g}", end.step, scale),
-                   .polygons = {},
-                   .polygon_label = "",
-                   .strokes = {},
                    .stroke_label = with_unit(quantity.name, fields.mesh().length_unit)};
   DeformedState(fields, end, -scale * motion.mean, scale).within(box).coloured_by(quantity).add_to(out);
   return out;

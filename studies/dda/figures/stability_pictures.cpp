@@ -100,12 +100,7 @@ class ModeSheet {
     svg::Drawing out{.title = "Modes of the physical stiffness",
                      .caption =
                          "rows: stages of the path; first column: deformed blocks; others: lowest "
-                         "eigenvalues of K φ = μ M φ; μ₀: of the same shape at the start",
-                     .polygons = {},
-                     .polygon_label = "",
-                     .strokes = {},
-                     .stroke_label = "",
-                     .notes = {}};
+                         "eigenvalues of K φ = μ M φ; μ₀: of the same shape at the start"};
     constexpr double room_of_shape = 190;  // [px]
     const std::size_t modes = std::min(eigenvalues_.count(), most_modes);
     out.width = room_of_shape * static_cast<double>(1 + modes);
@@ -179,7 +174,7 @@ class ModeSheet {
 /// A column over another, without the rows at which it was not computed.
 svg::Series known(const CsvTable& curve, const std::string& x, const std::string& y) {
   const auto xs = curve.numbers(x), ys = curve.numbers(y);
-  svg::Series out{.name = "", .x = {}, .y = {}};
+  svg::Series out;
   for (std::size_t i = 0; i < ys.size(); ++i) {
     if (!std::isfinite(ys[i])) continue;
     out.x.push_back(xs[i]);
@@ -193,21 +188,16 @@ svg::Figure over_the_path(const CsvTable& curve, const Measures& measures) {
   const Column x = has_gauge ? measures.names()[measures.displacements().front()]
                              : Column{column::dissipated_energy, measures.energy_unit()};
   const std::string label = x.unit.empty() ? x.name : fmt::format("{} [{}]", x.name, x.unit);
-  svg::Panel ratios{.title = "eigenvalues",
-                    .x_label = label,
-                    .y_label = "μ/μ₀, drawn down to −1",
-                    .series = {},
-                    .markers = {}};
+  svg::Panel ratios{.title = "eigenvalues", .x_label = label, .y_label = "μ/μ₀, drawn down to −1"};
   for (std::size_t i = 1; curve.has(column::mu_ratio(i)); ++i) {
     svg::Series series = known(curve, x.name, column::mu_ratio(i));
     for (double& ratio : series.y) ratio = std::max(ratio, -1.0);  // a steep crack would dwarf all the others
     series.name = fmt::format("mode {}", i);
     ratios.series.push_back(std::move(series));
   }
-  svg::Panel bergan{
-      .title = "current stiffness", .x_label = label, .y_label = "(ṗ/u̇)/(ṗ/u̇)₀", .series = {}, .markers = {}};
+  svg::Panel bergan{.title = "current stiffness", .x_label = label, .y_label = "(ṗ/u̇)/(ṗ/u̇)₀"};
   bergan.series.push_back(known(curve, x.name, column::current_stiffness));
-  return {.title = "", .panels = {std::move(ratios), std::move(bergan)}};
+  return {.panels = {std::move(ratios), std::move(bergan)}};
 }
 
 }  // namespace
@@ -232,7 +222,7 @@ std::vector<svg::Series> by_stability(const CsvTable& curve, const std::string& 
 
 std::vector<svg::Series> by_stability(const CsvTable& curve, const std::string& x, const std::string& y,
                                       const LegendEntry& entry) {
-  std::vector<svg::Series> out{{.name = entry.name, .x = {}, .y = {}, .colour = entry.colour}};
+  std::vector<svg::Series> out{{.name = entry.name, .colour = entry.colour}};
   for (svg::Series& piece : by_stability(curve, x, y)) {
     piece.name.clear();
     piece.colour = entry.colour;

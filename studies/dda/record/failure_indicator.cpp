@@ -62,7 +62,7 @@ double FailureIndicator::path_stiffness() const {
   const Tangent& leaving = simulation_.walker().leaving();
   const Loading& loading = simulation_.loading();
   if (leaving.d.empty()) return unknown;
-  double rate = std::inner_product(leaving.d.begin(), leaving.d.end(), loading.reference_work.begin(), 0.0);
+  double rate = leaving.rate(simulation_.system().reference_work());
   for (const WorkPair& pair : loading.driven) rate += leaving.rate(pair.displacement);
   return leaving.rate(loading.load) / rate;
 }

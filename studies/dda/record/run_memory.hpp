@@ -37,6 +37,16 @@ struct RunMemory {
   double largest_gap = 0;                ///< that iterated multipliers left in a step
   long long num_factorisations = 0;      ///< of the processes before this one
   std::vector<FirstCrack> first_cracks;  ///< by interface
+
+  /// The single numbers; what else there is has records of its own.
+  template <class Self, class Visit>
+  static void visit(Self& self, Visit& visit) {
+    visit("last_step", self.last_step);
+    visit("is_peak_stored", self.is_peak_stored);
+    visit("largest_gap", self.largest_gap);
+    visit("first_stiffness", self.indicator.first_stiffness);
+    visit("spare_modes", self.indicator.spare_modes);
+  }
 };
 
 }  // namespace dda

@@ -6,7 +6,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <numeric>
+
+#include "meshing/quality.hpp"
 
 namespace dda {
 namespace {
@@ -36,27 +37,6 @@ std::vector<bool> holding_sides(const Simulation& simulation, const std::vector<
   return holds;
 }
 
-/// Number of the connected part of each block.
-std::vector<std::size_t> parts_of(const Assembly& assembly, const std::vector<bool>& holds) {
-  std::vector<std::size_t> part(assembly.num_blocks());
-  std::iota(part.begin(), part.end(), std::size_t{0});
-  const auto root = [&](std::size_t b) {
-    while (part[b] != b) b = part[b] = part[part[b]];
-    return b;
-  };
-  for (std::size_t s = 0; s < assembly.sides.size(); ++s)
-    if (holds[s]) part[root(assembly.sides[s].first.value())] = root(assembly.sides[s].second.value());
-  for (std::size_t b = 0; b < part.size(); ++b) part[b] = root(b);
-  return part;
-}
-
-std::vector<BlockId> blocks_of_part(const std::vector<std::size_t>& part, BlockId one) {
-  std::vector<BlockId> out;
-  for (std::size_t b = 0; b < part.size(); ++b)
-    if (part[b] == part[one.value()]) out.emplace_back(b);
-  return out;
-}
-
 /// Of all energy spent, where `is_meant` says so of a point.
 template <class IsMeant>
 double energy_share(const Simulation& simulation, const std::vector<History>& history, IsMeant is_meant) {
@@ -73,12 +53,13 @@ double energy_share(const Simulation& simulation, const std::vector<History>& hi
 /// Pieces that released joints cut off.
 std::vector<TornPiece> released_pieces(const Simulation& simulation, const std::vector<History>& history) {
   const Assembly& assembly = simulation.assembly();
-  const std::vector<std::size_t> part = parts_of(assembly, holding_sides(simulation, history));
+  const auto parts = connected_groups(assembly, holding_sides(simulation, history));
   std::vector<TornPiece> out;
   bool is_split = false;
   for (const Bearing& bearing : bearings_of(simulation))
     for (const BlockId at : bearing.blocks) {  // blocks that share a point may be torn out one by one
-      const std::vector<BlockId> piece = blocks_of_part(part, at);
+      const std::vector<BlockId>& piece =
+          *std::ranges::find_if(parts, [&](const auto& part) { return is_member(part, at); });
       const double whole = area_around(assembly, at), area = area_of(assembly, piece);
       is_split = is_split || (area > small_share * whole && area < whole / 2);
       if (area > small_share * whole) continue;

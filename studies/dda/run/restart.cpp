@@ -1,6 +1,7 @@
 #include "studies/dda/run/restart.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "framework/files/record.hpp"
 
@@ -24,32 +25,57 @@ std::vector<Mat2> matrices(const Numbers& flat) {
   return out;
 }
 
-/// `count` shapes of one size, cut out of one array.
-std::vector<Numbers> shapes(const Numbers& flat, std::size_t count) {
-  std::vector<Numbers> out;
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto size = static_cast<std::ptrdiff_t>(flat.size() / count),
-               begin = static_cast<std::ptrdiff_t>(i) * size;
-    out.emplace_back(flat.begin() + begin, flat.begin() + begin + size);
+/// Displacements of all nodes, or the combination of kept solutions that they are: from that the same bits follow.
+struct DisplacementsRecord {
+  bool is_combination = false;
+  Numbers d;  ///< of a combination its origin, if it has one
+  Numbers z;
+  double share = 0, load_factor = 0;
+
+  template <class Self, class Visit>
+  static void visit(Self& self, Visit& visit) {
+    visit("is_combination", self.is_combination);
+    visit("d", self.d);
+    visit("z", self.z);
+    visit("share", self.share);
+    visit("load_factor", self.load_factor);
   }
-  return out;
+};
+
+void put_displacements(RestartData& data, const std::string& name, const Displacements& d) {
+  DisplacementsRecord record;
+  if (const auto sum = LinearSystem::combination_of(d)) {
+    record = {.is_combination = true,
+              .d = sum->origin ? *sum->origin : Numbers{},
+              .z = {sum->z.begin(), sum->z.end()},
+              .share = sum->share,
+              .load_factor = sum->load_factor};
+  } else {
+    record.d = d.all();
+  }
+  put(data, name + ".displacements", record);
 }
 
-/// What is stored of a state beside its history and modes.
+Displacements take_displacements(const RestartData& data, const std::string& name, LinearSystem& linear) {
+  auto record = take<DisplacementsRecord>(data, name + ".displacements");
+  if (!record.is_combination) return std::move(record.d);
+  return linear.combined(
+      {.origin = record.d.empty() ? nullptr : std::make_shared<const Numbers>(std::move(record.d)),
+       .share = record.share,
+       .load_factor = record.load_factor,
+       .z = Eigen::Map<const Eigen::VectorXd>(record.z.data(), std::ssize(record.z))});
+}
+
+/// What is stored of a state beside its displacements and history.
 struct StateRecord {
-  int step = 0, num_modes = 0;
-  Numbers d;
-  std::optional<double> dead_work;
+  int step = 0;
   double load_factor = 0;
   std::vector<Vec2> multipliers;
-  Numbers modes;
+  std::vector<Numbers> modes;
 
   template <class Self, class Visit>
   static void visit(Self& self, Visit& visit) {
     visit("step", self.step);
-    visit("num_modes", self.num_modes);
-    visit("d", self.d);
-    visit("dead_work", self.dead_work);
     visit("load_factor", self.load_factor);
     visit("multipliers", self.multipliers);
     visit("modes", self.modes);
@@ -58,30 +84,27 @@ struct StateRecord {
 
 void put_state(RestartData& data, const std::string& name, const StoredState& at) {
   const State& state = at.state;
-  StateRecord record{.step = at.step,
-                     .num_modes = static_cast<int>(at.modes.size()),
-                     .d = state.d,
-                     .dead_work = state.d.dead_work(),
-                     .load_factor = state.load_factor,
-                     .multipliers = state.multipliers,
-                     .modes = {}};
-  for (const Numbers& shape : at.modes) record.modes.insert(record.modes.end(), shape.begin(), shape.end());
-  put(data, name, record);
+  put(data, name,
+      StateRecord{.step = at.step,
+                  .load_factor = state.load_factor,
+                  .multipliers = state.multipliers,
+                  .modes = at.modes});
+  put_displacements(data, name, state.d);
   put_all(data, name + ".history", at.history);
 }
 
-StoredState take_state(const RestartData& data, const std::string& name) {
+StoredState take_state(const RestartData& data, const std::string& name, LinearSystem& linear) {
   auto record = take<StateRecord>(data, name);
-  return {.step = record.step,
-          .state = {{std::move(record.d), nullptr, nullptr, record.dead_work},
-                    record.load_factor,
-                    std::move(record.multipliers)},
-          .history = take_all<History>(data, name + ".history"),
-          .modes = shapes(record.modes, static_cast<std::size_t>(record.num_modes))};
+  return {
+      .step = record.step,
+      .state = {take_displacements(data, name, linear), record.load_factor, std::move(record.multipliers)},
+      .history = take_all<History>(data, name + ".history"),
+      .modes = std::move(record.modes)};
 }
 
 void put_path(RestartData& data, const PathMemory& m) {
   put(data, "path", m);
+  if (m.before) put_state(data, "before", {.step = 0, .state = *m.before, .history = {}, .modes = {}});
   data.texts["path.step_kind"] = {m.step_kind ? to_string(*m.step_kind) : ""};
   auto& names = data.texts["path.travels"] = {};
   Numbers& travels = data.numbers["path.travels"] = {};
@@ -91,8 +114,9 @@ void put_path(RestartData& data, const PathMemory& m) {
   }
 }
 
-PathMemory take_path(const RestartData& data) {
+PathMemory take_path(const RestartData& data, LinearSystem& linear) {
   auto out = take<PathMemory>(data, "path");
+  if (data.numbers.contains("before")) out.before = take_state(data, "before", linear).state;
   out.step_kind = step_kind(data.texts.at("path.step_kind").at(0));
   const Numbers& n = data.numbers.at("path.travels");
   std::size_t at = 0;
@@ -115,40 +139,12 @@ void restore_linear(const RestartData& data, const std::string& name, LinearSyst
     throw std::runtime_error("the stiffness of the restart file is singular");
 }
 
-/// What is stored of the walker's candidate beside its state.
-struct WalkerRecord {
-  double dissipated = 0, stored = 0, work = 0, load = 0, residual = 0;
-  double arriving_load_factor = 0, highest_force_level = 0;
-  std::optional<int> num_negative, num_negative_work;
-
-  template <class Self, class Visit>
-  static void visit(Self& self, Visit& visit) {
-    visit("dissipated", self.dissipated);
-    visit("stored", self.stored);
-    visit("work", self.work);
-    visit("load", self.load);
-    visit("residual", self.residual);
-    visit("arriving_load_factor", self.arriving_load_factor);
-    visit("highest_force_level", self.highest_force_level);
-    visit("num_negative", self.num_negative);
-    visit("num_negative_work", self.num_negative_work);
-  }
-};
-
 void put_walker(RestartData& data, const Walker& walker) {
-  const Candidate& here = walker.here();
-  put_state(data, "here", {walker.effort().accepted, here.state, walker.system().history()});
-  put(data, "walker",
-      WalkerRecord{.dissipated = here.dissipated,
-                   .stored = here.stored,
-                   .work = here.work,
-                   .load = here.load,
-                   .residual = here.residual,
-                   .arriving_load_factor = here.arriving.load_factor,
-                   .highest_force_level = walker.system().highest_force_level(),
-                   .num_negative = here.num_negative,
-                   .num_negative_work = here.num_negative_work});
+  put_state(data, "here", {walker.effort().accepted, walker.state(), walker.system().history()});
+  put(data, "walker", walker.here());
+  data.numbers["highest_force_level"] = {walker.system().highest_force_level()};
   put(data, "leaving", walker.leaving());
+  put_displacements(data, "leaving", walker.leaving().d);
   put(data, "effort", walker.effort());
   put_linear(data, "linear", walker.system().linear());
   if (walker.system().iterates_multipliers()) put_linear(data, "path_linear", walker.system().path_linear());
@@ -158,22 +154,14 @@ void restore_walker(const RestartData& data, Walker& walker) {
   restore_linear(data, "linear", walker.system().linear());
   if (walker.system().iterates_multipliers())
     restore_linear(data, "path_linear", walker.system().path_linear());
-  StoredState here = take_state(data, "here");
-  const auto record = take<WalkerRecord>(data, "walker");
-  Tangent arriving;
-  arriving.load_factor = record.arriving_load_factor;
-  const Candidate at{.state = here.state,
-                     .history = here.history,
-                     .arriving = arriving,
-                     .dissipated = record.dissipated,
-                     .stored = record.stored,
-                     .work = record.work,
-                     .load = record.load,
-                     .residual = record.residual,
-                     .num_negative = record.num_negative,
-                     .num_negative_work = record.num_negative_work};
-  walker.system().restore_force_level(record.highest_force_level);
-  walker.restore(at, std::move(here.history), take<Effort>(data, "effort"), take<Tangent>(data, "leaving"));
+  StoredState here = take_state(data, "here", walker.system().linear());
+  auto at = take<Candidate>(data, "walker");
+  at.state = std::move(here.state);
+  at.history = std::move(here.history);
+  walker.system().restore_force_level(data.numbers.at("highest_force_level").at(0));
+  auto leaving = take<Tangent>(data, "leaving");
+  leaving.d = take_displacements(data, "leaving", walker.system().path_linear());
+  walker.restore(std::move(at), take<Effort>(data, "effort"), std::move(leaving));
 }
 
 /// What is stored of a cut.
@@ -237,9 +225,24 @@ void restore_cracks(const RestartData& data, const fs::path& folder, Simulation&
   simulation.restore_cracks(cuts, std::move(memory));
 }
 
-void check_sizes(const RestartData& data, const fs::path& folder, const Equilibrium& equilibrium) {
+/// What each law of the structure remembers, as the law declares it.
+std::vector<std::string> remembered(const Equilibrium& equilibrium) {
+  std::set<std::string> out;
+  for (const auto& law : equilibrium.interfaces().laws) {
+    std::string names;
+    for (const Remembered& one : law->memory()) names += one.name + " ";
+    out.insert(names);
+  }
+  return {out.begin(), out.end()};
+}
+
+void check_structure(const RestartData& data, const fs::path& folder, const Equilibrium& equilibrium) {
+  if (data.texts.at("memory_of_laws") != remembered(equilibrium))
+    throw InputError(Position{folder.string()},
+                     "the interfaces have laws that remember other things than those of the run did; only "
+                     "controls, stopping rules and records may change");
   const std::size_t width = data.texts.at("here.history.members").size();
-  if (data.numbers.at("here.d").size() == equilibrium.num_unknowns() &&
+  if (data.integers.at("unknowns").at(0) == std::int64_t(equilibrium.num_unknowns()) &&
       data.numbers.at("here.history").size() == width * equilibrium.num_active())
     return;
   throw InputError(
@@ -248,34 +251,8 @@ void check_sizes(const RestartData& data, const fs::path& folder, const Equilibr
       "stopping rules and records may change");
 }
 
-/// What is stored of a run beside its path and its events.
-struct RunRecord {
-  int last_step = 0;
-  bool is_peak_stored = true;
-  long long num_factorisations = 0;
-  double largest_gap = 0, first_stiffness = 0;
-  int spare_modes = 0;
-
-  template <class Self, class Visit>
-  static void visit(Self& self, Visit& visit) {
-    visit("last_step", self.last_step);
-    visit("is_peak_stored", self.is_peak_stored);
-    visit("num_factorisations", self.num_factorisations);
-    visit("largest_gap", self.largest_gap);
-    visit("first_stiffness", self.first_stiffness);
-    visit("spare_modes", self.spare_modes);
-  }
-};
-
-void put_modes(RestartData& data, const TrackedModes& modes) {
-  data.numbers["modes.first_values"] = modes.first_values;
-  Numbers& all = data.numbers["modes.shapes"] = {};
-  for (const auto& shape : modes.shapes) all.insert(all.end(), shape.begin(), shape.end());
-}
-
-TrackedModes take_modes(const RestartData& data) {
-  const Numbers& values = data.numbers.at("modes.first_values");
-  return {values, shapes(data.numbers.at("modes.shapes"), values.size())};
+long long num_factorisations(const Simulation& simulation) {
+  return static_cast<long long>(simulation.system().linear().num_factorisations());
 }
 
 }  // namespace
@@ -283,6 +260,7 @@ TrackedModes take_modes(const RestartData& data) {
 RestartData restart_data(const Simulation& simulation, const RunMemory& memory, const DeckFile& deck,
                          const std::string& effective) {
   RestartData out;
+  out.integers["unknowns"] = {std::int64_t(simulation.equilibrium().num_unknowns())};
   put_walker(out, simulation.walker());
   put_path(out, simulation.path().memory());
   put_cracks(out, simulation.cracks());
@@ -290,15 +268,10 @@ RestartData restart_data(const Simulation& simulation, const RunMemory& memory, 
   put(out, "peak", memory.peak);
   put_all(out, "first_cracks", memory.first_cracks);
   if (memory.peak_state) put_state(out, "peak_state", *memory.peak_state);
-  const auto spent = static_cast<long long>(simulation.system().linear().num_factorisations());
-  put(out, "run",
-      RunRecord{.last_step = memory.last_step,
-                .is_peak_stored = memory.is_peak_stored,
-                .num_factorisations = memory.num_factorisations + spent,
-                .largest_gap = memory.largest_gap,
-                .first_stiffness = memory.indicator.first_stiffness,
-                .spare_modes = memory.indicator.spare_modes});
-  put_modes(out, memory.indicator.modes);
+  put(out, "run", memory);
+  out.integers["factorisations"] = {memory.num_factorisations + num_factorisations(simulation)};
+  put(out, "modes", memory.indicator.modes);
+  out.texts["memory_of_laws"] = remembered(simulation.equilibrium());
   out.texts["events"] = {memory.events.dump()};
   out.texts["stiffness"] = {memory.stiffness.numbers.dump(), memory.stiffness.text};
   out.texts["control"] = {to_yaml(simulation.deck().path.control.echo())};
@@ -321,29 +294,25 @@ DeckFile deck_of(const RestartData& data, const fs::path& folder, const std::vec
 
 RunMemory restore(const RestartData& data, const fs::path& folder, Simulation& simulation) {
   restore_cracks(data, folder, simulation);
-  check_sizes(data, folder, simulation.equilibrium());
+  check_structure(data, folder, simulation.equilibrium());
   simulation.walker().begin_stage(simulation.equilibrium().stages().size() - 1);
   restore_walker(data, simulation.walker());
   simulation.begin_path();
-  PathMemory path = take_path(data);
+  PathMemory path = take_path(data, simulation.system().linear());
   if (data.texts.at("control").at(0) != to_yaml(simulation.deck().path.control.echo()))
     path.control = path.step = 0;
   simulation.path().restore(path);
-  const auto run = take<RunRecord>(data, "run");
-  RunMemory out{.last_step = run.last_step,
-                .start = take<Measurement>(data, "start"),
-                .peak = take<Measurement>(data, "peak"),
-                .peak_state = {},
-                .is_peak_stored = run.is_peak_stored,
-                .indicator = {run.first_stiffness, take_modes(data), run.spare_modes},
-                .events = nlohmann::ordered_json::parse(data.texts.at("events").at(0)),
-                .stiffness = {nlohmann::ordered_json::parse(data.texts.at("stiffness").at(0)),
-                              data.texts.at("stiffness").at(1)},
-                .largest_gap = run.largest_gap,
-                .first_cracks = take_all<FirstCrack>(data, "first_cracks")};
-  if (data.numbers.contains("peak_state.d")) out.peak_state = take_state(data, "peak_state");
-  out.num_factorisations =
-      run.num_factorisations - static_cast<long long>(simulation.system().linear().num_factorisations());
+  auto out = take<RunMemory>(data, "run");
+  out.start = take<Measurement>(data, "start");
+  out.peak = take<Measurement>(data, "peak");
+  if (data.numbers.contains("peak_state"))
+    out.peak_state = take_state(data, "peak_state", simulation.system().linear());
+  out.indicator.modes = take<TrackedModes>(data, "modes");
+  out.events = nlohmann::ordered_json::parse(data.texts.at("events").at(0));
+  const auto& stiffness = data.texts.at("stiffness");
+  out.stiffness = {nlohmann::ordered_json::parse(stiffness.at(0)), stiffness.at(1)};
+  out.num_factorisations = data.integers.at("factorisations").at(0) - num_factorisations(simulation);
+  out.first_cracks = take_all<FirstCrack>(data, "first_cracks");
   return out;
 }
 

@@ -89,7 +89,7 @@ TEST_F(OnTheWayDown, TheLimitPointIsSoughtWhereTheTangentsMeet) {
   path.memory.direction = -path.memory.direction;  // as if it were to grow the other way
   path.memory.peak_load = path.load_of(path.walker.state());
   next.arriving.load_factor *= -1;
-  for (double& rate : next.arriving.d) rate *= -1;
+  next.arriving.d = next.arriving.d.scaled(-1);
   next.state = path.walker.state();
   const auto share = before_peak(path, next);
   ASSERT_TRUE(share);

@@ -18,7 +18,7 @@ std::unique_ptr<InterfaceLaw> softening() {
 /// A point that has opened as far as `kappa` before.
 class Point {
  public:
-  explicit Point(double kappa) { history_.kappa = kappa; }
+  explicit Point(double kappa) { remembered(*law_, history_, "kappa").front() = kappa; }
   double reach(const Vec2& a, const Vec2& b) const { return dda::reach(at(), a, b); }
   double opening(const Vec2& q) const { return at().opening(q); }
 

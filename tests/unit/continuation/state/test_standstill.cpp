@@ -8,16 +8,13 @@ namespace dda {
 namespace {
 
 Station station(double moved, double load_factor, bool is_rescue = false) {
-  return {.d = std::vector<double>{moved, 0, 0, 0, 0, 0},
-          .load_factor = load_factor,
-          .dissipated = 0,
-          .is_rescue = is_rescue};
+  return {.movements = {moved, 0}, .load_factor = load_factor, .dissipated = 0, .is_rescue = is_rescue};
 }
 
 /// Steps until a path is said to stand still; −1 if it never is.
 template <class Step>
 int steps_until_still(Step step) {
-  Standstill standstill({1}, 100);
+  Standstill standstill(100);
   for (int i = 0; i < 1000; ++i)
     if (!standstill.add(step(i)).empty()) return i;
   return -1;

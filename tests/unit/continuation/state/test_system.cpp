@@ -202,7 +202,7 @@ TEST(SystemWithIteratedMultipliers, PathTangentHasThePhysicalStiffnessOfTheJoint
   const std::vector<Vec2> rates = system.multiplier_rates(found);
   for (std::size_t p = 0; p < rates.size(); ++p) {
     const InterfacePoint& point = cracked.equilibrium().point(p);
-    const Vec2 change = laws.tangent[p] * system.opening_rate(p, found);
+    const Vec2 change = laws.tangent[p] * system.opening_rate(p, std::span<const double>(found));
     EXPECT_LT((change - point.trial_stiffness().cwiseProduct(rates[p])).norm(),
               1e-3 * (change.norm() + 1e-3 * vec(found).norm()));
   }

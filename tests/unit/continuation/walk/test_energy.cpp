@@ -19,9 +19,7 @@ class ExternalWork : public testing::Test {
     return {Displacements(start_).moved(motion_.value(s), along_), load_.value(s), {}};
   }
   Tangent tangent(double s) const {
-    Tangent out{along_, load_.slope(s), true, {}, {}, {}};
-    for (double& value : out.d) value *= motion_.slope(s);
-    return out;
+    return {Displacements(along_).scaled(motion_.slope(s)), load_.slope(s), true, {}, {}, {}};
   }
   /// ∫ (λ f_ref + f_dead)·d' ds by Simpson's rule.
   double reference(double from, double to) const {

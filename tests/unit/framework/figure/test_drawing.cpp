@@ -14,16 +14,16 @@ using ::testing::Not;
 
 Drawing two_blocks() {
   Drawing drawing;
-  drawing.polygons = {{{{0, 0}, {2, 0}, {2, 1}, {0, 1}}, -3}, {{{2, 0}, {4, 0}, {4, 1}, {2, 1}}, 5}};
-  drawing.polygon_label = "σxx [MPa]";
-  drawing.strokes = {{{2, 0}, {2, 1}, 0.01, 2}};
+  drawing.polygons = {{{{0, 0}, {2, 0}, {2, 1}, {0, 1}}}, {{{2, 0}, {4, 0}, {4, 1}, {2, 1}}}};
+  drawing.strokes = {{{2, 0}, {2, 1}, -3, 2}, {{0, 0}, {2, 0}, 5, 2}};
+  drawing.stroke_label = "opening [mm]";
   return drawing;
 }
 
 /// Corners of the first polygon on the picture.
 std::vector<Vec2> first_polygon(const std::string& svg) {
   std::smatch path;
-  std::regex_search(svg, path, std::regex("<path d=\"(M[^\"]*)Z\""));
+  std::regex_search(svg, path, std::regex("<path d=\"(M[^\"Z]*)Z"));
   const std::string data = path[1];
   const std::regex pair("[ML]([-0-9.]+) ([-0-9.]+)");
   std::vector<Vec2> corners;
@@ -42,29 +42,30 @@ TEST(Drawing, KeepsTheAspectAndPointsUp) {
 
 TEST(Drawing, ColoursFollowTheValues) {
   const std::string svg = to_svg(two_blocks());
-  EXPECT_THAT(svg, HasSubstr("fill=\"" + colour(ColourMap::viridis, 0) + "\" stroke=\"#00000040\""));
-  EXPECT_THAT(svg, HasSubstr("fill=\"" + colour(ColourMap::viridis, 1) + "\" stroke=\"#00000040\""));
-  EXPECT_THAT(svg, HasSubstr("σxx [MPa]"));
+  EXPECT_THAT(svg, HasSubstr("stroke=\"" + colour(ColourMap::crack, 0) + "\" stroke-width=\"2\""));
+  EXPECT_THAT(svg, HasSubstr("stroke=\"" + colour(ColourMap::crack, 1) + "\" stroke-width=\"2\""));
+  EXPECT_THAT(svg, HasSubstr("opening [mm]"));
 }
 
 TEST(Drawing, NoLabelNoColourBar) {
   Drawing drawing = two_blocks();
-  drawing.polygon_label = "";
+  drawing.stroke_label = "";
   const std::string svg = to_svg(drawing);
   EXPECT_THAT(svg, HasSubstr("#eeeeee"));
   EXPECT_THAT(svg, HasSubstr("#8b0000"));
-  EXPECT_THAT(svg, Not(HasSubstr(colour(ColourMap::viridis, 0))));
+  EXPECT_THAT(svg, Not(HasSubstr(colour(ColourMap::crack, 0))));
 }
 
 TEST(Drawing, StrangeInputStillGivesAPicture) {
   Drawing drawing = two_blocks();
-  drawing.polygons[0].value = std::nan("");
-  drawing.polygons.push_back({{{std::nan(""), 0}, {1, 1}, {0, 1}}, 1});
-  drawing.polygons.push_back({{}, 1});
+  drawing.strokes[0].value = std::nan("");
+  drawing.strokes.push_back({{std::nan(""), 0}, {1, 1}, 1, 2});
+  drawing.polygons.push_back({{{std::nan(""), 0}, {1, 1}, {0, 1}}});
+  drawing.polygons.push_back({});
   EXPECT_THAT(to_svg(drawing), Not(HasSubstr("nan")));
   EXPECT_THAT(to_svg(Drawing{}), HasSubstr("nothing to draw"));
   Drawing point;
-  point.polygons = {{{{1, 1}, {1, 1}, {1, 1}}, 1}};
+  point.polygons = {{{{1, 1}, {1, 1}, {1, 1}}}};
   EXPECT_THAT(to_svg(point), Not(HasSubstr("nan")));
 }
 

@@ -15,6 +15,8 @@ struct Everything {
   std::string text;
   std::vector<double> values;
   std::vector<Vec2> places;
+  std::array<double, 2> numbers{};
+  std::vector<std::vector<double>> shapes, no_shapes = {{1}};
 
   template <class Self, class Visit>
   static void visit(Self& self, Visit& visit) {
@@ -28,6 +30,9 @@ struct Everything {
     visit("text", self.text);
     visit("values", self.values);
     visit("places", self.places);
+    visit("numbers", self.numbers);
+    visit("shapes", self.shapes);
+    visit("no_shapes", self.no_shapes);
   }
 };
 
@@ -41,7 +46,10 @@ TEST(Record, IsReadBackAsItWasWritten) {
                            .place = {1.5, -2},
                            .text = "corner",
                            .values = {1e-300, 2},
-                           .places = {{1, 2}, {3, 4}}};
+                           .places = {{1, 2}, {3, 4}},
+                           .numbers = {-1, 1e300},
+                           .shapes = {{1, 2}, {3, 4}, {5, 6}},
+                           .no_shapes = {}};
   RestartData data;
   put(data, "all", written);
   const auto read = take<Everything>(data, "all");
@@ -55,6 +63,9 @@ TEST(Record, IsReadBackAsItWasWritten) {
   EXPECT_EQ(read.text, written.text);
   EXPECT_EQ(read.values, written.values);
   EXPECT_EQ(read.places, written.places);
+  EXPECT_EQ(read.numbers, written.numbers);
+  EXPECT_EQ(read.shapes, written.shapes);
+  EXPECT_EQ(read.no_shapes, written.no_shapes);
 }
 
 struct Crack {

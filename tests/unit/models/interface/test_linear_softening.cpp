@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "models/interface/law.hpp"
+#include "support/law_case.hpp"
 
 namespace dda {
 namespace {
@@ -14,6 +14,13 @@ class LinearSoftening : public testing::Test {
         .choose(parse_yaml("{type: linear_softening, tensile_strength: 3, fracture_energy: 0.1" + more + "}",
                            "d"))
         .make();
+  }
+  /// That of a point which has opened as far as κ.
+  History opened(double kappa, bool loading = false) const {
+    History out;
+    remembered(*law_, out, "kappa").front() = kappa;
+    out.loading = loading;
+    return out;
   }
   const std::unique_ptr<InterfaceLaw> law_ = make();
 };
@@ -34,7 +41,7 @@ TEST_F(LinearSoftening, PhysicalOpeningFollowsTheStraightLine) {
     EXPECT_NEAR(t, ft * (1 - w / wc), 1e-13);
     EXPECT_NEAR(w, share * wc, 1e-15);
     EXPECT_NEAR(law_->spending({kappa, 0}, {}, k).value, share * gf, 1e-15);
-    EXPECT_NEAR(law_->damage({.kappa = kappa}, k), 1 - t / (k * kappa), 1e-14);
+    EXPECT_NEAR(law_->damage(opened(kappa), k), 1 - t / (k * kappa), 1e-14);
   }
 }
 
@@ -51,14 +58,14 @@ TEST_F(LinearSoftening, WhatIsFlaggedOnItsSurfaceLoads) {
 }
 
 TEST_F(LinearSoftening, UnloadsToTheOriginAndReloads) {
-  const History h{.kappa = 0.03};
+  const History h = opened(0.03);
   const double envelope = law_->respond({0.03, 0}, {}, k).traction.x();
   for (const double share : {0.9, 0.3, 0.01})
     EXPECT_NEAR(law_->respond({share * 0.03, 0}, h, k).traction.x(), share * envelope, 1e-14);
 }
 
 TEST_F(LinearSoftening, ClosedCrackKeepsTheFullStiffnessAndNoShear) {
-  const Response closed = law_->respond({-0.01, 0.02}, {.kappa = wc}, k);
+  const Response closed = law_->respond({-0.01, 0.02}, opened(wc), k);
   EXPECT_DOUBLE_EQ(closed.traction.x(), -0.01 * k);
   EXPECT_NEAR(closed.traction.y(), 0, 1e-15);
 }
@@ -73,11 +80,10 @@ TEST_F(LinearSoftening, ShearWeightEntersOpeningAndStiffness) {
 /// On its surface a point has two tangents; the flag of the history chooses.
 TEST_F(LinearSoftening, FlagChoosesTheSideOfTheSurface) {
   const double kappa = 0.03, t = law_->respond({kappa, 0}, {}, k).traction.x();
-  EXPECT_NEAR(law_->respond({kappa, 0}, {.kappa = kappa}, k).tangent(0, 0), t / kappa, 1e-12);
-  EXPECT_NEAR(law_->respond({kappa, 0}, {.kappa = kappa, .loading = true}, k).tangent(0, 0),
-              -ft / wc / (1 - k0 / wc), 1e-11);
-  EXPECT_NEAR(law_->respond({kappa, 0}, {.kappa = kappa, .loading = true}, k).tangent(1, 1), t / kappa,
-              1e-12);
+  EXPECT_NEAR(law_->respond({kappa, 0}, opened(kappa), k).tangent(0, 0), t / kappa, 1e-12);
+  EXPECT_NEAR(law_->respond({kappa, 0}, opened(kappa, true), k).tangent(0, 0), -ft / wc / (1 - k0 / wc),
+              1e-11);
+  EXPECT_NEAR(law_->respond({kappa, 0}, opened(kappa, true), k).tangent(1, 1), t / kappa, 1e-12);
 }
 
 TEST_F(LinearSoftening, ReleasedPointCarriesNothing) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "models/interface/law.hpp"
+#include "support/law_case.hpp"
 #include "support/random.hpp"
 
 namespace dda {
@@ -29,8 +29,14 @@ class ReleasedPoint : public testing::Test {
   double limit(double share) const { return share * strength_ + (1 - share) * pressure * residual_; }
   Vec2 traction(const Vec2& q, const History& h) const { return law_->respond(q, h, k).traction; }
   History moved(const Vec2& q, const History& h, double share) const {
-    return law_->accept(q, law_->release(h.opening, h, k, share), k);
+    return law_->accept(q, law_->release(opening(h), h, k, share), k);
   }
+  double slip(const History& h) const { return remembered_number(*law_, h, "slip"); }
+  static Vec2 opening(const InterfaceLaw& law, History h) {
+    const auto q = remembered(law, h, "opening");
+    return {q[0], q[1]};
+  }
+  Vec2 opening(const History& h) const { return opening(*law_, h); }
   History failed(const Vec2& q) const { return law_->accept(q, {}, k); }
 
   /// A point that fails anywhere on its strength, and is partly released.
@@ -61,20 +67,20 @@ TEST_F(ReleasedPoint, ReturnsElasticallyWithinALimitThatShrinks) {
 TEST_F(ReleasedPoint, SlidesUnderTheMeanOfItsLimits) {
   const History begun = failed(sheared_), half = moved(sheared_, begun, 0.5);
   EXPECT_NEAR(half.dissipated, 0.5 * (limit(1) + limit(0.5)) * (limit(1) - limit(0.5)) / k, 1e-13);
-  EXPECT_NEAR(half.slip, (limit(1) - limit(0.5)) / k, 1e-14);
+  EXPECT_NEAR(slip(half), (limit(1) - limit(0.5)) / k, 1e-14);
   EXPECT_NEAR(law_->stored(sheared_, half, k), (pressure * pressure + std::pow(limit(0.5), 2)) / (2 * k),
               1e-13);
 }
 
 TEST_F(ReleasedPoint, IsTornWhereItReachesItsTensileStrengthMeanwhile) {
   const History half = moved(sheared_, failed(sheared_), 0.5);
-  const Vec2 open(ft / k, half.slip + 0.2 * c / k);
+  const Vec2 open(ft / k, slip(half) + 0.2 * c / k);
   const History torn = moved(open, half, 0.5);
   EXPECT_TRUE(torn.loading);
   const Vec2 before = traction(open, torn);
   EXPECT_NEAR(before.x(), ft, 1e-12);
   const History begun = law_->release(open, torn, k, 1);
-  EXPECT_EQ(begun.phase, 2);
+  EXPECT_TRUE(law_->is_broken(begun, k));
   EXPECT_LT((traction(open, begun) - before).norm(), 1e-12) << "without a jump";
   const History less = moved(open, torn, 0.25);
   EXPECT_NEAR(traction(open, less).x(), 0.25 * ft, 1e-12);
@@ -89,12 +95,12 @@ TEST_F(ReleasedPoint, NeverGainsEnergy) {
     History h = begun(random);
     for (double share = h.share; share > 0;) {
       share = std::max(0.0, share - random.between(0, 0.3));
-      const Vec2 q = h.opening + random.point(0.05);
+      const Vec2 q = opening(h) + random.point(0.05);
       const History next = moved(Vec2(std::min(q.x(), ft / k), q.y()), h, share);
       EXPECT_GE(next.dissipated, h.dissipated);
       h = next;
     }
-    const History slid = law_->accept(h.opening + random.point(0.05), h, k);
+    const History slid = law_->accept(opening(h) + random.point(0.05), h, k);
     EXPECT_GE(slid.dissipated, h.dissipated);
   }
 }
@@ -106,7 +112,7 @@ TEST_F(ReleasedPoint, SpendsAsMuchInOneStepAsInMany) {
   for (const Vec2& failure : {Vec2(-0.01, 0.03), Vec2(0.02, 0.01)})
     for (int i = 0; i < 50; ++i) {
       const auto go = [&](const Vec2& q, const History& h, double share) {
-        return law->accept(q, law->release(h.opening, h, k, share), k);
+        return law->accept(q, law->release(opening(*law, h), h, k, share), k);
       };
       const History start = go(failure, law->accept(failure, {}, k), 0.8);
       const Vec2 to(failure.x() * random.between(0.2, 1), failure.y() + random.between(-0.08, 0.08));
@@ -128,8 +134,9 @@ TEST_F(ReleasedPoint, DerivativesAreThoseOfDifferences) {
   constexpr double step = 1e-8;
   int compared = 0;
   for (int i = 0; i < 1000; ++i) {
-    const History start = begun(random), h = law_->release(start.opening, start, k, random.between(0.1, 0.5));
-    const Vec2 q = start.opening + random.point(0.05);
+    const History start = begun(random),
+                  h = law_->release(opening(start), start, k, random.between(0.1, 0.5));
+    const Vec2 q = opening(start) + random.point(0.05);
     const auto spent = [&](const Vec2& at) { return law_->spending(at, h, k).value; };
     Mat2 tangent, one_sided;
     Vec2 gradient, rough;

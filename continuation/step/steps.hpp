@@ -1,0 +1,64 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "continuation/control/control.hpp"
+#include "continuation/follow/path_state.hpp"
+
+namespace dda {
+
+// The kinds of steps. Each goes from where the walker stands to the next point of the path; nothing where the path
+// has ended.
+
+/// A step under the control where cracks grow or joints slide: tries, and the rungs that each converged one
+/// climbs (rungs.hpp), until one ends the step; where the smallest does not, a rescue or the end.
+std::optional<Point> controlled_step(PathState& path, const Move& move);
+
+/// Nothing cracks yet: to where the next crack starts, or as far towards it as contacts let one step go.
+std::optional<Point> event_step(PathState& path);
+
+/// Nothing can crack any more: the response is linear up to the full reference load.
+std::optional<Point> linear_step(PathState& path);
+
+/// Nothing cracks, but joints slide, open or close. The first change of a contact is landed on; from there
+/// the path is followed until a wanted value or a mechanism. Where no contact will change any more the
+/// response is linear for good.
+std::optional<Point> sliding_step(PathState& path);
+
+/// Lands on zero load: where the last crack of the structure breaks. Unloading ends there, too, and what
+/// slides back dissipates.
+std::optional<Point> rupture(PathState& path);
+
+/// A tenth of the way to the leg's goal, off the damage surfaces.
+std::optional<Point> unload_step(PathState& path);
+
+/// Next vertex of an instantaneous release; where no continuous path leads on, what a test would find after a
+/// jump.
+std::optional<Point> release_step(PathState& path);
+
+/// The crack through blocks whose segment ahead has a point at its strength where the walker stands; nothing when
+/// there is none.
+std::optional<int> crack_to_grow(PathState& path);
+
+/// Aims the segment ahead of a crack once more or, where it is aimed well, takes it as grown and cuts the next one;
+/// then the equilibrium in which the first of all points stands at its strength, their damage staying as it is. Closed
+/// cuts are all but rigid, so that this is hardly another state; what it differs by is booked as a jump.
+std::optional<Point> growth_step(PathState& path, int crack);
+
+/// The load raised by the largest of halved increments that still finds an equilibrium.
+std::optional<Point> increment_step(PathState& path);
+
+/// Sequentially linear steps until at least `quantum` has been dissipated; the log calls them a rescue unless
+/// it is one to an event.
+std::optional<Point> sequential_step(PathState& path, StepKind kind, double quantum);
+
+/// The largest of some steps of the displacement on which the load works that ends in an equilibrium, what is
+/// beyond its strength there released at once: a path through contacts that change is not found by its
+/// tangent.
+std::optional<Point> driven_step(PathState& path);
+
+/// The end where nothing is found any more: rupture if hardly any load is left.
+std::optional<Point> end_without_equilibrium(PathState& path, const std::string& why);
+
+}  // namespace dda
