@@ -33,7 +33,7 @@ Schema<StepSizes> with_sizes(Schema<StepSizes> schema) {
           {{"tangent", Predictor::tangent}, {"secant", Predictor::secant}, {"constant", Predictor::constant}},
           {.fallback = Predictor::tangent,
            .text = "Where Newton's method begins: on the tangent, on the line through the last two points "
-                   "(on the tangent where what is prescribed has not grown between them), or at the last "
+                   "(on the tangent where these lie less than a tenth of the step apart), or at the last "
                    "point."})
       .check([](const P& p, const Position& where, Findings& findings) {
         if (p.aggressiveness && p.sizing != Sizing::iterations)

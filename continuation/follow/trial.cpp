@@ -15,14 +15,15 @@ namespace dda {
 namespace {
 
 /// By how much of the way from the point before to the present one what a move prescribes grows by s again;
-/// nothing where it has not grown on that way.
+/// nothing where that way is too short beside it to tell a direction, or leads back.
 std::optional<double> share_of_way(const PathState& path, const Move& move, double s) {
   const auto sum = move.equation->as_sum(0);
   if (!sum || !path.memory.before) return {};
   double grown = sum->spends ? path.walker.here().dissipated - path.memory.dissipated_before : 0;
   if (sum->gauge) grown += path.walker.value(*sum->gauge) - path.memory.before->value(*sum->gauge);
   const double share = s / grown;
-  return std::isfinite(share) && share > 0 ? std::optional(share) : std::nullopt;
+  constexpr double longest = 10;
+  return share > 0 && share <= longest ? std::optional(share) : std::nullopt;
 }
 
 /// Where Newton's method begins to look for the end of a step.

@@ -26,7 +26,38 @@ Eigen::Map<Eigen::MatrixXd> scratch(std::size_t rows, Eigen::Index columns) {
   return {values.data(), static_cast<Eigen::Index>(rows), columns};
 }
 
-using Part = Eigen::Map<const Eigen::MatrixXd>;
+/// Rows of a half solution.
+using Part = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>;
+
+/// xᵀ y of a few columns from these places on, which fit in the registers: a general product would turn x and y
+/// first, which takes longer.
+template <int Rows, int Columns, class Tile>
+void add_tile(const Part& x, const Part& y, Tile out) {
+  using Left = Eigen::Map<const Eigen::Matrix<double, Rows, 1>>;
+  using Right = Eigen::Map<const Eigen::Matrix<double, 1, Columns>>;
+  Eigen::Matrix<double, Rows, Columns> sum = Eigen::Matrix<double, Rows, Columns>::Zero();
+  const double *left = x.data() + out.startRow(), *right = y.data() + out.startCol();
+  for (Eigen::Index k = 0; k < x.rows(); ++k, left += x.cols(), right += y.cols())
+    sum.noalias() += Left(left).lazyProduct(Right(right));
+  out += sum;
+}
+
+/// out += xᵀ y; columns come in pairs.
+void add_product(const Part& x, const Part& y, Eigen::MatrixXd& out) {
+  for (Eigen::Index i = 0; i < x.cols(); i += 4)
+    for (Eigen::Index j = 0; j < y.cols(); j += 4) {
+      const bool is_low = i + 2 == x.cols(), is_narrow = j + 2 == y.cols();
+      if (is_low && is_narrow)
+        add_tile<2, 2>(x, y, out.block<2, 2>(i, j));
+      else if (is_low)
+        add_tile<2, 4>(x, y, out.block<2, 4>(i, j));
+      else if (is_narrow)
+        add_tile<4, 2>(x, y, out.block<4, 2>(i, j));
+      else
+        add_tile<4, 4>(x, y, out.block<4, 4>(i, j));
+    }
+}
+
 using Entries = Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
 
 }  // namespace
@@ -214,8 +245,7 @@ HalfSolution CholmodMatrix::half_solve(std::span<const Entry> entries) const {
     const int more = node.rows - node.size;
     below.noalias() = l.bottomRows(more) * here;
     for (int i = 0; i < more; ++i) x.row(node.row[node.size + i]) -= below.row(i);
-    for (const auto& column : here.colwise())
-      out.values.insert(out.values.end(), column.begin(), column.end());
+    for (const auto& row : here.rowwise()) out.values.insert(out.values.end(), row.begin(), row.end());
     here.setZero();
   }
   return out;
@@ -227,13 +257,16 @@ Eigen::MatrixXd CholmodMatrix::product(const HalfSolution& left, const HalfSolut
   auto i = left.parts.size(), j = right.parts.size();
   const double *x = left.values.data() + left.values.size(), *y = right.values.data() + right.values.size();
   while (i > 0 && j > 0) {
-    const int s = left.parts[i - 1], t = right.parts[j - 1];
-    if (s >= t) x -= left.columns * size_of(s);
-    if (t >= s) y -= right.columns * size_of(t);
-    if (s == t)
-      out.noalias() += Part(x, size_of(s), left.columns).transpose() * Part(y, size_of(s), right.columns);
-    if (s >= t) --i;
-    if (t >= s) --j;
+    Eigen::Index rows = 0;
+    for (; i > 0 && j > 0 && left.parts[i - 1] == right.parts[j - 1]; --i, --j)
+      rows += size_of(left.parts[i - 1]);
+    x -= rows * left.columns;
+    y -= rows * right.columns;
+    add_product({x, rows, left.columns}, {y, rows, right.columns}, out);
+    for (; i > 0 && j > 0 && left.parts[i - 1] > right.parts[j - 1]; --i)
+      x -= left.columns * size_of(left.parts[i - 1]);
+    for (; i > 0 && j > 0 && right.parts[j - 1] > left.parts[i - 1]; --j)
+      y -= right.columns * size_of(right.parts[j - 1]);
   }
   return out;
 }

@@ -15,7 +15,7 @@ namespace dda {
 /// thousand numbers where z has all n.
 struct HalfSolution {
   std::vector<int> parts;      ///< groups of rows of L on that way, ascending
-  std::vector<double> values;  ///< rows of the parts, one part after another, each by columns
+  std::vector<double> values;  ///< rows of the parts, one after another, each with its columns
   Eigen::Index columns = 0;
 };
 

@@ -35,8 +35,7 @@ class LinearSystem::Combined final : public Displacements::Sum {
     const auto of = [&](const std::vector<double>& d) { return gauge.value(d, 0) - gauge.constant; };
     double out = of_.load_factor * of(linear_.reference_solution());
     if (of_.share != 0) out += of_.share * of(origin());
-    const Eigen::VectorXd& along = linear_.along_columns(gauge);
-    return out - along.head(of_.z.size()).dot(of_.z);
+    return of_.z.size() == 0 ? out : out - linear_.along_columns(gauge).head(of_.z.size()).dot(of_.z);
   }
 
   /// Zᵀ f_dead are the openings of K_base⁻¹ f_dead.
@@ -84,11 +83,12 @@ class LinearSystem::Combined final : public Displacements::Sum {
       linear_.equilibrium_.gather(*of_.origin, components(start));
     else if (of_.share != 0)
       start = linear_.openings_of(linear_.dead_);
-    const Eigen::VectorXd opened = linear_.coupled(of_.z);
     openings_.resize(live.size());
     for (std::size_t p = 0; p < live.size(); ++p)
-      openings_[p] =
-          of_.share * start[p] + of_.load_factor * live[p] - opened.segment<2>(2 * linear_.slot_[p]);
+      openings_[p] = of_.share * start[p] + of_.load_factor * live[p];
+    if (of_.z.size() == 0) return;
+    const Eigen::VectorXd opened = linear_.coupled(of_.z);
+    for (std::size_t p = 0; p < live.size(); ++p) openings_[p] -= opened.segment<2>(2 * linear_.slot_[p]);
   }
 
   LinearSystem& linear_;
@@ -98,8 +98,9 @@ class LinearSystem::Combined final : public Displacements::Sum {
 
 void LinearSystem::begin_stage(const Loading& stage) {
   settle_pending();
-  reference_ = {stage.reference};
-  dead_ = {stage.dead};
+  if (reference_.right != stage.reference) reference_ = {stage.reference};
+  if (dead_.right != stage.dead) dead_ = {stage.dead};
+  reference_.dead_work.reset();
 }
 
 const std::vector<double>& LinearSystem::solution_of(Kept& kept) {
@@ -174,12 +175,12 @@ std::vector<double> LinearSystem::combined_everywhere(const Combination& of) {
 }
 
 Displacements LinearSystem::combined(Combination of) {
-  if (!has_all_columns()) return combined_everywhere(of);
+  if (!takes_all_ || (of.z.size() > 0 && !has_all_columns())) return combined_everywhere(of);
   return {std::make_shared<const Combined>(*this, std::move(of))};
 }
 
 Displacements LinearSystem::reference_direction() {
-  if (!has_all_columns()) {
+  if (!takes_all_) {
     std::vector<double> out = reference_solution();
     const std::span<double> d(out);
     correct({&d, 1});

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "continuation/linear/dense_product.hpp"
 #include "framework/base/threads.hpp"
 
 namespace dda {
@@ -26,6 +27,16 @@ Mat2 symmetric_part(const Mat2& a) { return 0.5 * (a + a.transpose()); }
 bool softens(const Mat2& a) {
   const Mat2 s = symmetric_part(a);
   return s(0, 0) * s(1, 1) < s(0, 1) * s(1, 0) || s.trace() < 0;
+}
+
+/// Whether something has cracked and nothing softens: which cracks will grow, and would be in the way of a new
+/// base for these tangents, they do not tell.
+bool is_of_unloading(const Equilibrium& equilibrium, std::span<const Mat2> tangents) {
+  bool has_cracked = false;
+  for (std::size_t p = 0; p < tangents.size() && !has_cracked; ++p)
+    has_cracked = !equilibrium.point(p).is_separate() &&
+                  !is_same(tangents[p], equilibrium.point(p).intact_stiffness().asDiagonal());
+  return has_cracked && std::ranges::none_of(tangents, softens);
 }
 
 }  // namespace
@@ -107,8 +118,6 @@ bool LinearSystem::takes_friction(std::size_t columns) const {
   return update_ == Update::refactorise || columns > (general_ ? most_whole_columns : most_columns());
 }
 
-void LinearSystem::make_update_columns() { columns_ = update_columns(equilibrium_, *solver_, batch_); }
-
 bool LinearSystem::factor_base() {
   const auto scope = timings_->measure("factorisation");
   tangent_ = base_;
@@ -131,7 +140,7 @@ bool LinearSystem::factor_base() {
   batch_ = solver_->halves() ? of_side : of_many;
   takes_all_ = solver_->halves() && !equilibrium_.has_separate_bodies() &&
                2 * equilibrium_.num_active() <= most_columns();
-  make_update_columns();
+  columns_ = update_columns(equilibrium_, *solver_, batch_);
   return true;
 }
 
@@ -161,8 +170,7 @@ bool LinearSystem::start_from(std::span<const Mat2> base) {
   updated_.clear();
   active_.clear();
   std::ranges::fill(slot_, -1);
-  num_solves_ += columns_->num_solves();
-  make_update_columns();
+  columns_->begin_anew();
   return true;
 }
 
@@ -201,7 +209,9 @@ bool LinearSystem::needs_new_base(std::span<const Mat2> tangents) const {
   });
   const std::size_t needed = 2 * updated_.size() + more;
   if (more > columns_->most_at_once() || needed > most_held_columns()) return true;
-  return needed > most_columns() && 2 * num_columns_beside(stiff_base(tangents), tangents) <= needed;
+  if (needed <= most_columns() || is_of_unloading(equilibrium_, tangents)) return false;
+  const std::size_t then = num_columns_beside(stiff_base(tangents), tangents);
+  return 2 * then <= needed || 5 * then <= 4 * num_columns_beside(base_, tangents);  // half of the dense part
 }
 
 bool LinearSystem::set_tangent(std::span<const Mat2> tangents) {
@@ -345,23 +355,21 @@ std::optional<Eigen::MatrixXd> LinearSystem::flexibility(std::span<const std::si
   if (!updates() || (!unknown.empty() && !make_columns(unknown))) return {};
   const auto at = [](std::size_t i) { return 2 * static_cast<Eigen::Index>(i); };
   const Eigen::Index n = at(points.size()), r = at(active_.size());
-  Eigen::MatrixXd out(n, n), left(n, r), right(r, n);
+  Eigen::MatrixXd out(n, n), left(r, n), right(r, n);
   for (std::size_t j = 0; j < points.size(); ++j) {
     for (std::size_t i = 0; i < points.size(); ++i)
       out.block<2, 2>(at(i), at(j)) = coupling(points[i], points[j]);
     for (std::size_t a = 0; a < active_.size(); ++a) {
-      left.block<2, 2>(at(j), at(a)) = coupling(points[j], active_[a]);
+      left.block<2, 2>(at(a), at(j)) = coupling(points[j], active_[a]).transpose();
       right.block<2, 2>(at(a), at(j)) = update_of(active_[a]) * coupling(active_[a], points[j]);
     }
   }
-  if (r > 0) out.noalias() -= left * small_.solve(right);
+  if (r > 0) out -= product_of_transpose(left, small_.solve(std::move(right)));
   return out;
 }
 
 Eigen::MatrixXd LinearSystem::shares_of(std::span<const std::span<double>> solutions) const {
-  const auto r = static_cast<Eigen::Index>(2 * active_.size());
-  const auto columns = static_cast<Eigen::Index>(solutions.size());
-  Eigen::MatrixXd right(r, columns);
+  Eigen::MatrixXd right(2 * std::ssize(active_), std::ssize(solutions));
   for (std::size_t a = 0; a < active_.size(); ++a) {
     const Mat2 e = update_of(active_[a]);
     for (std::size_t c = 0; c < solutions.size(); ++c)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <vector>
 
 #include "continuation/linear/half_solver.hpp"
@@ -34,6 +35,15 @@ class WholeColumns final : public UpdateColumns {
 
   void add(std::span<const std::size_t> points, Matrix& g) override {
     for (const std::span<const std::size_t> some : neighbours(points, batch_)) add_batch(some, g);
+  }
+
+  void begin_anew() override {
+    points_.clear();
+    z_.clear();
+    keeps_z_ = true;
+    std::size_t kept = 0;
+    for (const auto& [first, columns] : batches_) kept += columns.size();
+    if (kept > most_kept_numbers) forget();
   }
 
   void subtract(std::span<const std::size_t> places, const Matrix& shares,
@@ -71,16 +81,32 @@ class WholeColumns final : public UpdateColumns {
 
  private:
   void add_batch(std::span<const std::size_t> points, Matrix& g) {
-    std::vector<double> columns(2 * points.size() * n(), 0.0);
-    for (std::size_t i = 0; i < points.size(); ++i)
-      for (std::size_t c = 0; c < 2; ++c)
-        add_rows(points[i], Vec2::Unit(static_cast<Eigen::Index>(c)), columns.data() + (2 * i + c) * n());
-    solve(columns, 2 * points.size());
+    const auto [kept, is_new] = batches_.try_emplace(points.front());
+    std::vector<double>& columns = kept->second;
+    if (is_new) columns = columns_of(points);
     const std::size_t first = points_.size();
     points_.insert(points_.end(), points.begin(), points.end());
     for (std::size_t s = first; s < points_.size(); ++s)
       couple(s, first, std::span<const double>(columns).subspan(2 * (s - first) * n(), 2 * n()), g);
-    keep(std::move(columns));
+    keeps_z_ = keeps_z_ && 2 * points_.size() * n() <= most_kept_numbers;
+    if (keeps_z_)
+      for (std::size_t at = 0; at < columns.size(); at += 2 * n()) z_.push_back(columns.data() + at);
+    else
+      forget();
+  }
+
+  void forget() {
+    z_ = {};
+    batches_ = {};
+  }
+
+  std::vector<double> columns_of(std::span<const std::size_t> points) {
+    std::vector<double> out(2 * points.size() * n(), 0.0);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      for (std::size_t c = 0; c < 2; ++c)
+        add_rows(points[i], Vec2::Unit(static_cast<Eigen::Index>(c)), out.data() + (2 * i + c) * n());
+    solve(out, 2 * points.size());
+    return out;
   }
 
   std::size_t n() const { return equilibrium_.num_unknowns(); }
@@ -108,17 +134,6 @@ class WholeColumns final : public UpdateColumns {
     }
   }
 
-  void keep(std::vector<double> columns) {
-    if (keeps_z_ && 2 * points_.size() * n() > most_kept_numbers) {
-      keeps_z_ = false;
-      z_ = {};
-      batches_ = {};
-    }
-    if (!keeps_z_) return;
-    for (std::size_t at = 0; at < columns.size(); at += 2 * n()) z_.push_back(columns.data() + at);
-    batches_.push_back(std::move(columns));
-  }
-
   void subtract_kept(std::span<const std::size_t> places, const Matrix& shares,
                      std::span<const std::span<double>> solutions) const {
     const auto size = static_cast<Eigen::Index>(n());
@@ -135,8 +150,9 @@ class WholeColumns final : public UpdateColumns {
   const std::size_t batch_;
   std::vector<std::size_t> points_;
   bool keeps_z_ = true;
-  std::vector<std::vector<double>> batches_;  ///< Z, never moved: while it grew there would be two of it
-  std::vector<const double*> z_;              ///< n × 2 of each point
+  /// Z by the first point of a batch, also of batches that were added before it began anew.
+  std::map<std::size_t, std::vector<double>> batches_;
+  std::vector<const double*> z_;  ///< n × 2 of each point
 };
 
 /// Half of Z: with K = L Lᵀ and Y = L⁻¹ Uᵀ,
@@ -161,8 +177,18 @@ class HalfColumns final : public UpdateColumns {
     parallel_for(new_groups.size(), 1, [&](std::size_t i) {
       groups_[first + i].y = solver_.half_solve(entries_of(new_groups[i]));
     });
-    for (std::size_t right = first; right < groups_.size(); ++right)
-      parallel_for(right + 1, couplings_at_once, [&](std::size_t left) { couple(left, right, g); });
+    constexpr std::size_t at_once = 8;  // the half solutions of so many stay in the cache
+    for (std::size_t begin = first; begin < groups_.size(); begin += at_once) {
+      const std::size_t end = std::min(begin + at_once, groups_.size());
+      parallel_for(end, 1, [&](std::size_t left) {
+        for (std::size_t right = std::max(left, begin); right < end; ++right) couple(left, right, g);
+      });
+    }
+  }
+
+  void begin_anew() override {
+    groups_.clear();
+    places_.clear();
   }
 
   void subtract(std::span<const std::size_t> places, const Matrix& shares,
@@ -186,7 +212,8 @@ class HalfColumns final : public UpdateColumns {
     Eigen::VectorXd out = Eigen::VectorXd::Zero(2 * std::ssize(places_));
     if (entries.empty()) return out;
     const HalfSolution of_gauge = solver_.half_solve(entries);
-    parallel_for(groups_.size(), couplings_at_once, [&](std::size_t g) {
+    constexpr std::size_t products_at_once = 8;
+    parallel_for(groups_.size(), products_at_once, [&](std::size_t g) {
       const Matrix common = solver_.product(groups_[g].y, of_gauge);
       out.segment(row_of(groups_[g].first), common.rows()) = common.col(0);
     });
@@ -198,7 +225,6 @@ class HalfColumns final : public UpdateColumns {
 
  private:
   static constexpr std::size_t largest_group = 4;
-  static constexpr std::size_t couplings_at_once = 8;
   struct Group {
     std::size_t first;  ///< place
     HalfSolution y;

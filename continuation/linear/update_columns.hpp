@@ -29,6 +29,8 @@ class UpdateColumns {
   /// Adds two columns for each point, and what they have in common with all that were there to G = U Z,
   /// which is large enough for it.
   virtual void add(std::span<const std::size_t> points, Eigen::MatrixXd& g) = 0;
+  /// No points are added from here on; what is known of their columns may be kept.
+  virtual void begin_anew() = 0;
   /// x −= Z s for each x, s in the columns of `shares`, which has 2 rows for each of the places.
   virtual void subtract(std::span<const std::size_t> places, const Eigen::MatrixXd& shares,
                         std::span<const std::span<double>> solutions) = 0;

@@ -24,7 +24,8 @@ CrackedEquations::CrackedEquations(const System& system, LinearSystem& linear, c
       control_(control),
       points_(linear_.updated_points()),
       dead_(length()),
-      live_(length()) {
+      live_(length()),
+      update_(linear_.couplings()) {
   for (std::size_t i = 0; i < points_.size(); ++i)
     pair(live_, i) = system.equilibrium().opening(points_[i], linear_.reference_solution());
   only_touch_ = std::ranges::all_of(
@@ -45,6 +46,7 @@ Iterate CrackedEquations::begin_walks(const State& guess, const Rule& rule) {
 }
 
 Iterate CrackedEquations::start_at(const State& guess, const Rule& rule, bool walks) {
+  is_condensed_ = false;
   origin_.reset();
   const std::vector<double>& dead = linear_.dead_solution();
   z_origin_ = Vector::Zero(length());
@@ -88,51 +90,43 @@ void CrackedEquations::load_derivative(const Iterate&, std::span<double> out) {
   Eigen::Map<Vector>(out.data(), length()) = -live_;
 }
 
-/// 1 + G E, from the columns of G E that are not zero.
+/// 1 + G E: of what is left when the points whose E has stayed are eliminated.
 bool CrackedEquations::factorise(const Iterate& at) {
   evaluate(at);
   if (std::exchange(is_factorised_, true)) return true;
-  const Eigen::Index n = 2 * static_cast<Eigen::Index>(active_.size());
-  columns_.resize(length(), n);
-  constexpr std::size_t columns_at_once = 64;
-  parallel_for(active_.size(), columns_at_once, [&](std::size_t a) {
-    columns_.middleCols<2>(2 * static_cast<Eigen::Index>(a)) = couplings(active_[a]) * change_[active_[a]];
-  });
-  Matrix matrix(n, n);
-  for (std::size_t a = 0; a < active_.size(); ++a)
-    matrix.middleRows<2>(2 * static_cast<Eigen::Index>(a)) =
-        columns_.middleRows<2>(2 * static_cast<Eigen::Index>(active_[a]));
-  matrix.diagonal().array() += 1;
-  lu_.compute(std::move(matrix));  // a singular one gives a step that is no number
+  if (std::exchange(is_condensed_, true))
+    update_.set(change_);
+  else
+    update_.begin(change_, steady_points());
   return true;
 }
 
-/// x ← (1 + G E)⁻¹ x.
-void CrackedEquations::solve_in_place(Matrix& x) const {
-  if (active_.empty()) return;
-  Matrix right(columns_.cols(), x.cols());
-  for (std::size_t a = 0; a < active_.size(); ++a)
-    right.middleRows<2>(2 * static_cast<Eigen::Index>(a)) =
-        x.middleRows<2>(2 * static_cast<Eigen::Index>(active_[a]));
-  x.noalias() -= columns_ * lu_.solve(std::move(right));
+/// Points whose tangent is the same a little further on: their piece of the law is linear.
+std::vector<bool> CrackedEquations::steady_points() const {
+  constexpr double further = 1.001, round_off = 1e-12;
+  std::vector<bool> out(points_.size(), false);
+  for (const std::size_t i : active_) {
+    const Mat2 there = system_.respond(points_[i], further * pair(q_, i)).tangent;
+    const Mat2 here = system_.respond(points_[i], pair(q_, i)).tangent;
+    out[i] = (there - here).cwiseAbs().maxCoeff() <= round_off * here.cwiseAbs().maxCoeff();
+  }
+  return out;
 }
 
 void CrackedEquations::solve(const Iterate&, std::span<const std::span<double>> columns) {
   Matrix x(length(), std::ssize(columns));
   for (std::size_t c = 0; c < columns.size(); ++c)
     x.col(static_cast<Eigen::Index>(c)) = Eigen::Map<const Vector>(columns[c].data(), length());
-  solve_in_place(x);
+  update_.solve(x);
   for (std::size_t c = 0; c < columns.size(); ++c)
     Eigen::Map<Vector>(columns[c].data(), length()) = x.col(static_cast<Eigen::Index>(c));
 }
 
 void CrackedEquations::multiply(const Iterate&, std::span<const double> in, std::span<double> out) {
-  const Eigen::Map<const Vector> x(in.data(), length());
-  Eigen::Map<Vector> y(out.data(), length());
-  y = x;
-  for (std::size_t a = 0; a < active_.size(); ++a)
-    y += columns_.middleCols<2>(2 * static_cast<Eigen::Index>(a)) *
-         x.segment<2>(2 * static_cast<Eigen::Index>(active_[a]));
+  const Matrix x = Eigen::Map<const Vector>(in.data(), length());
+  Matrix y = -x;
+  update_.subtract_product(x, y);
+  Eigen::Map<Vector>(out.data(), length()) = -y;
 }
 
 double CrackedEquations::control(const Iterate& at) {

@@ -5,7 +5,7 @@
 
 #include "continuation/contact/contact_walk.hpp"
 #include "continuation/equation/control_equation.hpp"
-#include "continuation/linear/dense_lu.hpp"
+#include "continuation/linear/condensed_update.hpp"
 #include "continuation/solve/equations.hpp"
 #include "continuation/solve/pieces_watch.hpp"
 
@@ -89,7 +89,7 @@ class CrackedEquations final : public WalkedEquations {
   Vector gap() const;
   std::vector<double> unbalanced(const State& at) const;
   State state_here();
-  void solve_in_place(Matrix& x) const;
+  std::vector<bool> steady_points() const;
   double value() const;
   double rounding_of_value() const;
   Verdict judge_newton(int iterations);
@@ -117,8 +117,8 @@ class CrackedEquations final : public WalkedEquations {
   std::vector<Mat2> change_;         ///< E
   std::vector<std::size_t> active_;  ///< places in points_ with z or E
   bool is_factorised_ = false;
-  Matrix columns_;  ///< G E of the active points
-  DenseLu lu_;      ///< of their part of 1 + G E
+  CondensedUpdate update_;     ///< 1 + G E
+  bool is_condensed_ = false;  ///< since the iteration began
 
   // of the iteration
   Rule rule_;

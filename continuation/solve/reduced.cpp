@@ -41,7 +41,8 @@ std::vector<std::size_t> newly_cracked(System& system, const LinearSystem& linea
 
 namespace {
 
-/// Under a control that is a sum, taking points in until none is left out.
+/// Under a control that is a sum, taking points in until none is left out. Where that is not found from the guess,
+/// it may be from what was found without the last ones.
 std::optional<Reduced> solve_sum(Stepper& stepper, const ControlSum& sum, const StepGoal& goal,
                                  int max_iterations) {
   System& system = stepper.system();
@@ -49,12 +50,13 @@ std::optional<Reduced> solve_sum(Stepper& stepper, const ControlSum& sum, const 
   constexpr int most_rounds = 8;
   for (int round = 0; round < most_rounds; ++round) {
     CrackedEquations equations(system, system.linear(), sum);
-    Solved found = [&] {
+    const auto solve_from = [&](const State& state) {
       const auto scope = system.timings().measure("reduced iterations");
-      const Iterate guess =
-          equations.begin(goal.guess, {.max_iterations = max_iterations, .may_settle = true});
+      const Iterate guess = equations.begin(state, {.max_iterations = max_iterations, .may_settle = true});
       return stepper.solve({equations, guess, goal.step});
-    }();
+    };
+    Solved found = solve_from(goal.guess);
+    if (!found.converged && round > 0) found = solve_from(out.state);
     if (!found.converged) return {};
     out.iterations += found.iterations;
     out.state = equations.state({found.x, found.load_factor});

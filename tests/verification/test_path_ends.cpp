@@ -134,8 +134,9 @@ TEST(PathEnd, AHairAboveTheTargetIsReached) {
   Followed run(softening("{stop: {load_below: 0.4}}"));
   run.follow();
   Followed other(softening("{stop: {load_below: 0.39999999999}}"));
-  other.simulation().walker().restore(run.simulation().walker().here(), run.simulation().system().history(),
-                                      run.simulation().walker().effort(),
+  Candidate here = run.simulation().walker().here();
+  here.history = run.simulation().system().history();
+  other.simulation().walker().restore(std::move(here), run.simulation().walker().effort(),
                                       run.simulation().walker().leaving());
   other.simulation().path().restore(run.simulation().path().memory());
   EXPECT_EQ(other.follow(), 0);
