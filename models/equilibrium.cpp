@@ -27,6 +27,16 @@ void add_pairs(const std::vector<Spring>& springs, std::vector<std::pair<BlockId
         if (a < b) pairs.emplace_back(a, b);
 }
 
+/// Nodes that a point ties to each other beside its blocks.
+void add_pairs(const InterfacePoint& point, std::vector<std::pair<BlockId, BlockId>>& pairs) {
+  if (point.multiplier == Multiplier::unknown && point.column == 0) {
+    pairs.emplace_back(point.first, point.node);
+    pairs.emplace_back(point.second, point.node);
+  }
+  for (const JumpRows& jump : point.jumps)
+    point.for_each_part([&](BlockId node, const Mat26&) { pairs.emplace_back(node, jump.node); });
+}
+
 /// Adds [rows]ᵀ diag(p) [rows] of every part of a point with every other.
 void add_joint(BlockMatrix& matrix, const InterfacePoint& point, const Vec2& p) {
   point.for_each_part([&](BlockId a, const Mat26& left) {
@@ -62,7 +72,7 @@ void add_stress_energy(BlockMatrix& matrix, const InterfacePoint& point) {
 }
 
 Equilibrium::Equilibrium(const Body& body, const ModelParameters& model)
-    : num_blocks_(body.assembly.num_blocks()), intact_(0, {}) {
+    : num_blocks_(body.assembly.num_blocks()), num_jumps_(body.num_jumps()), intact_(0, {}) {
   Findings findings;
   set_ = make_interface_points(body, model, findings);
   num_unknown_multipliers_ = 2 * static_cast<std::size_t>(std::ranges::count(set_.points, Multiplier::unknown,
@@ -82,16 +92,19 @@ Equilibrium::Equilibrium(const Body& body, const ModelParameters& model)
   assemble(body, model, springs);
 }
 
+void Equilibrium::remake(const Body& body, const ModelParameters& model) {
+  Equilibrium made(body, model);
+  std::ranges::move(made.stages_, stages_.begin());
+  made.stages_ = std::move(stages_);
+  *this = std::move(made);
+}
+
 void Equilibrium::assemble(const Body& body, const ModelParameters& model,
                            const std::vector<Spring>& springs) {
   auto pairs = touching_blocks(body);
   add_pairs(springs, pairs);
-  for (const InterfacePoint& point : set_.points)
-    if (point.multiplier == Multiplier::unknown && point.column == 0) {
-      pairs.emplace_back(point.first, point.node);
-      pairs.emplace_back(point.second, point.node);
-    }
-  intact_ = BlockMatrix(num_nodes(), pairs, num_blocks_);
+  for (const InterfacePoint& point : set_.points) add_pairs(point, pairs);
+  intact_ = BlockMatrix(num_nodes(), pairs, num_blocks_ + num_jumps_);
   weak_stiffness_ = model.weak_springs * body.largest_modulus() * body.thickness;
   for (std::size_t i = 0; i < num_blocks_; ++i) {
     const BlockId id{i};
@@ -128,9 +141,11 @@ void Equilibrium::estimate_rounding() {
     rounding_of_sums_.push_back((few + std::sqrt(n)) * std::numeric_limits<double>::epsilon());
 }
 
-/// A node has room for three multipliers; what no point uses gets a diagonal of its own.
+/// A node has room for three multipliers, a jump has three unknowns; what nothing uses gets a diagonal of its own.
 void Equilibrium::hold_unused_unknowns() {
-  std::vector<int> used(set_.num_nodes, 0);
+  constexpr int of_jump = 3;
+  std::vector<int> used(num_jumps_, of_jump);
+  used.resize(num_jumps_ + set_.num_nodes, 0);
   for (const InterfacePoint& point : set_.points)
     if (point.multiplier == Multiplier::unknown)
       used[point.node.value() - num_blocks_] =
@@ -167,6 +182,8 @@ Vec2 Equilibrium::opening(std::size_t p, std::span<const double> d) const {
   const InterfacePoint& point = set_.points[p];
   Vec2 out = point.rows.first * Eigen::Map<const Vec6>(d.data() + 6 * point.first.value()) +
              point.rows.second * Eigen::Map<const Vec6>(d.data() + 6 * point.second.value());
+  for (const JumpRows& jump : point.jumps)
+    out += jump.rows * Eigen::Map<const Vec6>(d.data() + 6 * jump.node.value());
   if (point.multiplier == Multiplier::unknown)
     out += Eigen::Map<const Vec2>(d.data() + 6 * point.node.value() + static_cast<std::size_t>(point.column));
   return out;
@@ -259,6 +276,8 @@ void Equilibrium::scatter_add(std::span<const double> t, std::span<double> f) co
     const InterfacePoint& point = set_.points[p];
     Eigen::Map<Vec6>(f.data() + 6 * point.first.value()) += point.rows.first.transpose() * force;
     Eigen::Map<Vec6>(f.data() + 6 * point.second.value()) += point.rows.second.transpose() * force;
+    for (const JumpRows& jump : point.jumps)
+      Eigen::Map<Vec6>(f.data() + 6 * jump.node.value()) += jump.rows.transpose() * force;
     if (point.multiplier == Multiplier::unknown)
       Eigen::Map<Vec2>(f.data() + 6 * point.node.value() + static_cast<std::size_t>(point.column)) += force;
   }

@@ -43,6 +43,14 @@ struct Loading {
   /// q0 of an active point at λ = 0, and its rate in λ [L].
   Vec2 dead_opening(std::size_t p) const { return part_of(dead_offset, p); }
   Vec2 reference_opening(std::size_t p) const { return part_of(reference_offset, p); }
+  /// Stress that is there without strain, by block; empty when there is none [F/L²].
+  std::vector<Vec3> dead_stress, reference_stress;
+  Vec3 initial_stress(std::size_t block, double load_factor) const {
+    const auto part = [&](const std::vector<Vec3>& of) {
+      return of.empty() ? Vec3(Vec3::Zero()) : of[block];
+    };
+    return part(dead_stress) + load_factor * part(reference_stress);
+  }
   Functional load;  ///< the load gauge: λ Σ|force|, or the sum of the driven reactions
   std::map<std::string, Functional> reactions;  ///< by support and driven spring
   std::vector<NamedGauge> gauges;               ///< as the deck names them
@@ -61,15 +69,20 @@ struct Loading {
 ///     tangent  K = K0 + Bᵀ W (D − D0) B
 ///
 /// K_b holds strain energy, springs and, for consistent joints, −Sᵀ W P⁻¹ S with S d = {σ}n. Nodes are the
-/// blocks and behind them, for Lagrange joints, one node of multipliers per side, m in columns 0-1 and 2-3.
+/// blocks, behind them the jumps across cuts (motion.hpp), and behind these, for Lagrange joints, one node of
+/// multipliers per side, m in columns 0-1 and 2-3.
 /// Only active points are asked at run time: those that can crack or iterate a multiplier. Bonds are part of
 /// K0.
 class Equilibrium {
  public:
   Equilibrium(const Body& body, const ModelParameters& model);
+  /// Made anew for the cuts that the body has now. References to it and to its stages stay good, those to points,
+  /// springs and laws do not.
+  void remake(const Body& body, const ModelParameters& model);
 
   std::size_t num_blocks() const { return num_blocks_; }
-  std::size_t num_nodes() const { return num_blocks_ + set_.num_nodes; }
+  std::size_t num_jumps() const { return num_jumps_; }
+  std::size_t num_nodes() const { return num_blocks_ + num_jumps_ + set_.num_nodes; }
   std::size_t num_unknowns() const { return block_unknowns * num_nodes(); }
   std::size_t num_points() const { return set_.points.size(); }
   /// Points 0 … num_active()−1 are asked at run time; the operators below act on these.
@@ -127,6 +140,8 @@ class Equilibrium {
   const std::vector<Spring>& supports() const { return supports_; }
   /// Of the weak springs at each centroid: p_w for u0 and v0 [F/L], p_w · area for r0 [FL].
   double weak_stiffness() const { return weak_stiffness_; }
+  /// Of unknowns that nothing uses, each held by itself.
+  double held_stiffness() const { return held_stiffness_; }
 
  private:
   void assemble(const Body& body, const ModelParameters& model, const std::vector<Spring>& springs);
@@ -137,13 +152,13 @@ class Equilibrium {
   /// What a point adds to twice the passive energy.
   double twice_passive_energy(std::size_t p, std::span<const double> d) const;
 
-  std::size_t num_blocks_;
+  std::size_t num_blocks_, num_jumps_;
   InterfaceSet set_;
   std::size_t num_unknown_multipliers_ = 0;
   std::vector<Spring> supports_, driven_;
   double weak_stiffness_ = 0;  ///< of the weak springs [F/L]
   double held_stiffness_ = 0;
-  std::vector<std::size_t> held_;  ///< unknowns of nodes that no multiplier uses
+  std::vector<std::size_t> held_;  ///< unknowns of nodes that nothing uses
   BlockMatrix intact_;
   std::optional<BlockMatrix> unjoined_;  ///< none where it is K0
   std::vector<Loading> stages_;

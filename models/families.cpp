@@ -1,3 +1,4 @@
+#include "models/crack/direction.hpp"
 #include "models/gauge/gauge.hpp"
 #include "models/interface/law.hpp"
 #include "models/load/load.hpp"
@@ -23,6 +24,11 @@ TreatmentFamily& treatments() {
 
 GaugeFamily& gauges() {
   static GaugeFamily family("gauge", "A scalar recorded at every step.");
+  return family;
+}
+
+CrackDirectionFamily& crack_directions() {
+  static CrackDirectionFamily family("direction", "Which way a crack through blocks goes on.");
   return family;
 }
 

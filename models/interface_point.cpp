@@ -7,8 +7,9 @@
 #include <iterator>
 #include <map>
 
-#include "framework/base/suggestion.hpp"
+#include "models/body/motion.hpp"
 #include "models/interface/scaled_law.hpp"
+#include "models/interface_book.hpp"
 #include "models/locked_joints.hpp"
 #include "models/treatment/trace_constant.hpp"
 
@@ -20,22 +21,6 @@ namespace {
 constexpr double comfortable_margin = 1.5;
 /// Below this the trial law has no usable softening branch left.
 constexpr double smallest_margin = 1.02;
-
-/// An interface of the deck, made.
-struct Interface {
-  std::string name;
-  std::shared_ptr<const InterfaceLaw> law;
-  std::shared_ptr<const Treatment> treatment;
-  PointRule points = PointRule::gauss;
-  std::optional<RandomField> field = {};
-  double energy_exponent = 0;
-  Position where;
-  int index = -1;
-  // What the sides asked for, for one message per interface.
-  std::size_t raised = 0, refused = 0;
-  double worst_ratio = std::numeric_limits<double>::infinity();  ///< reachable k over the slope
-  double worst_size = 0;                                         ///< [L]
-};
 
 /// Shares of the side and weights of its points.
 std::vector<std::pair<double, double>> quadrature(PointRule rule) {
@@ -51,106 +36,32 @@ std::vector<std::pair<double, double>> quadrature(PointRule rule) {
   return {{0.5 - g, 0.5}, {0.5 + g, 0.5}};
 }
 
-/// Exactly closed points cannot open one by one unless each has a corner of its own to move: of two Gauss
-/// points on a side, the second holds what the first lets go.
-PointRule usual_points(const Treatment& treatment) {
-  return treatment.multiplier() == Multiplier::none ? PointRule::gauss : PointRule::vertices;
-}
-
 /// Finds the interface of a side and makes its points.
 class PointMaker {
  public:
   PointMaker(const Body& body, const ModelParameters& model, Findings& findings)
-      : body_(body), model_(model), findings_(findings) {
-    for (const auto& [name, parameters] : model.interfaces) add(name, parameters);
-    bond_.law = interface_laws().choose("bonded").make();
-    bond_.treatment = treatments().choose("consistent").make();
-    check_names();
+      : body_(body), findings_(findings), book_(body, model, findings) {
     for (std::size_t i = 0; i < body.assembly.num_blocks(); ++i) faces_.push_back(face(BlockId{i}));
   }
 
   InterfaceSet make() {
     InterfaceSet out;
     const auto& sides = body_.assembly.sides;
-    for (std::size_t s = 0; s < sides.size(); ++s) add_side(s, interface_of(sides[s]), out);
+    for (std::size_t s = 0; s < sides.size(); ++s) add_side(s, book_.of_side(sides[s]), out);
+    add_cuts(out);
     const auto middle =
         std::ranges::stable_partition(out.points, [](const auto& p) { return p.is_active(); });
     out.num_active = static_cast<std::size_t>(middle.begin() - out.points.begin());
-    for (Interface& interface : interfaces_) {
+    for (Interface& interface : book_.interfaces()) {
       out.names.push_back(interface.name);
       out.laws.push_back(interface.law);
       report(interface, out.notices);
     }
-    out.laws.push_back(bond_.law);
+    out.laws.push_back(book_.bond().law);
     return out;
   }
 
  private:
-  void add(const std::string& name, const InterfaceParameters& p) {
-    Interface made{.name = name,
-                   .law = p.law.make(),
-                   .treatment = p.treatment.make(),
-                   .points = {},
-                   .where = p.where,
-                   .index = static_cast<int>(interfaces_.size())};
-    made.points = p.points.value_or(usual_points(*made.treatment));
-    check_release(p, made);
-    if (p.field) add_field(*p.field, made);
-    if (p.between.empty())
-      by_curve_[name] = made.index;
-    else
-      by_pair_[ordered(p.between[0], p.between[1])] = made.index;
-    for (const std::string& material : p.between)
-      if (!model_.material_names.contains(material)) findings_.add(p.where, unknown_material(material));
-    interfaces_.push_back(std::move(made));
-  }
-
-  /// A release holds the trial opening of a point and lets its traction go. A multiplier's traction is not
-  /// that of its trial opening while the side's other point holds the side: it would pass the envelope
-  /// unseen.
-  void check_release(const InterfaceParameters& p, const Interface& made) {
-    if (made.law->releases_at_once() && made.treatment->multiplier() != Multiplier::none)
-      findings_.add(p.where, fmt::format("interface '{}': the law '{}' releases at once, which joints with "
-                                         "multipliers ('{}') cannot follow without passing its strength; use "
-                                         "the treatment 'consistent' or 'penalty', or a law that softens",
-                                         made.name, p.law.name(), p.treatment.name()));
-  }
-
-  /// A field that does not vary leaves the law as it is.
-  void add_field(const FieldParameters& field, Interface& interface) {
-    if (!std::isfinite(interface.law->initial_kappa(1)))
-      return findings_.add(interface.where, "`field` needs a law with a strength that can vary");
-    if (field.coefficient_of_variation == 0) return;
-    interface.field.emplace(field);
-    interface.energy_exponent = field.energy_exponent;
-  }
-
-  void check_names() {
-    const auto& curves = body_.assembly.curves;
-    for (const auto& [name, index] : by_curve_)
-      if (std::ranges::find(curves, name) == curves.end())
-        findings_.add(
-            interfaces_[static_cast<std::size_t>(index)].where,
-            fmt::format("the scene has no interface curve '{}'{}; or give `between: [a, b]` for a pair of "
-                        "materials",
-                        name, suggest(name, curves)));
-    for (const std::string& curve : curves)
-      if (!by_curve_.contains(curve))
-        findings_.add(
-            model_.where,
-            fmt::format("the scene names an interface '{}' that `interfaces` does not describe", curve));
-  }
-
-  std::string unknown_material(const std::string& name) const {
-    std::vector<std::string> known;
-    for (const auto& [known_name, choice] : model_.material_names) known.push_back(known_name);
-    return fmt::format("unknown material '{}'{}", name, suggest(name, known));
-  }
-
-  static std::pair<std::string, std::string> ordered(std::string a, std::string b) {
-    return a < b ? std::pair(std::move(a), std::move(b)) : std::pair(std::move(b), std::move(a));
-  }
-
   /// What a place of an interface is made of.
   struct Local {
     double factor = 1;
@@ -160,20 +71,6 @@ class PointMaker {
     if (!interface.field) return {1, interface.law};
     const double f = interface.field->factor(x), opening = std::pow(f, interface.energy_exponent - 1);
     return {f, std::make_shared<const ScaledLaw>(interface.law, f, opening)};
-  }
-
-  /// By curve, else by material pair, else a bond.
-  Interface& interface_of(const Side& side) {
-    if (side.curve)
-      if (const auto found = by_curve_.find(body_.assembly.curves[static_cast<std::size_t>(*side.curve)]);
-          found != by_curve_.end())
-        return interfaces_[static_cast<std::size_t>(found->second)];
-    const auto found = by_pair_.find(ordered(material_name(side.first), material_name(side.second)));
-    return found != by_pair_.end() ? interfaces_[static_cast<std::size_t>(found->second)] : bond_;
-  }
-
-  const std::string& material_name(BlockId id) const {
-    return body_.assembly.regions[static_cast<std::size_t>(body_.block(id).region)].material;
   }
 
   BlockFace face(BlockId id) const {
@@ -189,31 +86,55 @@ class PointMaker {
             Vec2(edge.y(), -edge.x()) / edge.norm()};
   }
 
+  /// Of each point of a straight line.
+  static std::vector<Local> laws_along(const Interface& interface, const Vec2& start, const Vec2& edge) {
+    std::vector<Local> out;
+    for (const auto& [xi, share] : quadrature(interface.points))
+      out.push_back(local_law(interface, start + xi * edge));
+    return out;
+  }
+
   void add_side(std::size_t index, Interface& interface, InterfaceSet& out) {
     const Side& side = body_.assembly.sides[index];
-    const Vec2 edge = side.end - side.start;
-    const Vec2 centre = body_.block(side.first).moments.centroid,
-               other = body_.block(side.second).moments.centroid;
+    const bool remembers =
+        interface.law->can_crack() || interface.treatment->multiplier() != Multiplier::none;
+    if (remembers || !body_.cracks || !body_.cracks->is_touched(index))
+      return add_points({index, side.start, side.end, {}}, interface, out);
+    for (const SidePiece& piece : body_.cracks->pieces_of_side(index))
+      if (!piece.cut) add_points({index, piece.start, piece.end, {}}, interface, out);
+  }
+
+  /// A piece of a side, or all of it.
+  struct Stretch {
+    std::size_t side;
+    Vec2 start, end;
+    std::optional<std::size_t> cut;
+  };
+
+  void add_points(const Stretch& stretch, Interface& interface, InterfaceSet& out) {
+    const Side& side = body_.assembly.sides[stretch.side];
+    const Vec2 edge = stretch.end - stretch.start;
     const SideFaces faces = faces_of(side);
     const auto places = quadrature(interface.points);
-    std::vector<Local> laws;
-    for (const auto& [xi, share] : places) laws.push_back(local_law(interface, side.start + xi * edge));
+    std::vector<Local> laws = laws_along(interface, stretch.start, edge);
     const double k = stiffness(interface, laws, faces, side);
     const Treatment& treatment = *interface.treatment;
-    const BlockId node{body_.assembly.num_blocks() + out.num_nodes};
+    const BlockId node{body_.num_nodes() + out.num_nodes};
     if (treatment.multiplier() == Multiplier::unknown) ++out.num_nodes;
     for (std::size_t i = 0; i < places.size(); ++i) {
       const auto& [xi, share] = places[i];
       const bool is_separate = laws[i].law->contact({}, k).has_value();
       InterfacePoint point{.first = side.first,
                            .second = side.second,
-                           .x = side.start + xi * edge,
+                           .x = stretch.start + xi * edge,
                            .normal = faces.normal,
                            .weight = share * edge.norm() * body_.thickness,
                            .stiffness = k,
                            .law = laws[i].law.get(),
                            .interface = interface.index,
-                           .side = index,
+                           .side = stretch.side,
+                           .cut = stretch.cut,
+                           .is_awaited = stretch.cut && body_.cracks->cuts()[*stretch.cut].is_provisional,
                            .rows = {},
                            .multiplier = treatment.multiplier(),
                            .node = node,
@@ -222,12 +143,109 @@ class PointMaker {
                            .physical_stiffness = physical_stiffness(treatment, faces, k, is_separate),
                            .spring_unit = spring_unit(faces),
                            .strength_factor = laws[i].factor};
-      point.rows = treatment.rows(faces, displacement_rows(point.x - centre),
-                                  displacement_rows(point.x - other), point.trial_stiffness());
+      point.rows = rows_of(point, treatment, faces);
+      add_jumps(point);
       out.points.push_back(std::move(point));
       if (interface.field) out.laws.push_back(std::move(laws[i].law));
     }
     out.has_fields = out.has_fields || interface.field.has_value();
+  }
+
+  PointRows rows_of(const InterfacePoint& point, const Treatment& treatment, const SideFaces& faces) const {
+    return treatment.rows(faces, displacement_rows(point.x - body_.block(point.first).moments.centroid),
+                          displacement_rows(point.x - body_.block(point.second).moments.centroid),
+                          point.trial_stiffness());
+  }
+
+  /// By which the parts on either side of a point of a side move beside their blocks.
+  void add_jumps(InterfacePoint& point) const {
+    if (body_.num_jumps() == 0) return;
+    const double sign[] = {-1, 1};
+    for (const BlockId block : {point.first, point.second})
+      for (const JumpId jump : body_.cracks->jumps_at(block, point.x)) {
+        const Motion motion = motion_of(body_, jump, point.x);
+        point.jumps.push_back({motion.node, sign[block == point.second] * frame(point.normal) * motion.rows});
+      }
+  }
+
+  /// [n s]ᵀ.
+  static Mat2 frame(const Vec2& normal) {
+    Mat2 out;
+    out << normal.x(), normal.y(), -normal.y(), normal.x();
+    return out;
+  }
+
+  void add_cuts(InterfaceSet& out) {
+    if (!body_.cracks) return;
+    std::size_t jump = 0;
+    for (std::size_t c = 0; c < body_.cracks->cuts().size(); ++c) {
+      const Cut& cut = body_.cracks->cuts()[c];
+      const ThroughBlocks& through = book_.of_crack(cut.crack);
+      if (cut.side)
+        add_points({*cut.side, cut.start, cut.end, c}, book_.law_of(through), out);
+      else
+        add_cut(c, JumpId{jump++}, through, out);
+    }
+  }
+
+  void add_cut(std::size_t index, JumpId jump, const ThroughBlocks& through, InterfaceSet& out) {
+    const Cut& cut = body_.cracks->cuts()[index];
+    const Interface& interface = book_.law_of(through);
+    std::vector<Local> laws = laws_along(interface, cut.start, cut.end - cut.start);
+    const BlockFace& of_block = faces_[cut.block.value()];
+    const double size = std::sqrt(body_.block(cut.block).moments.area);
+    const SideFaces faces{of_block, of_block, size, cut.length(), cut.normal()};
+    const double k = cut_stiffness(index, through, laws, faces);
+    for (std::size_t i = 0; i < laws.size(); ++i) {
+      const auto [xi, share] = quadrature(interface.points)[i];
+      InterfacePoint point{.first = cut.block,
+                           .second = cut.block,
+                           .x = cut.start + xi * (cut.end - cut.start),
+                           .normal = cut.normal(),
+                           .weight = share * cut.length() * body_.thickness,
+                           .stiffness = k,
+                           .law = laws[i].law.get(),
+                           .interface = interface.index,
+                           .side = body_.assembly.sides.size() + index,
+                           .cut = index,
+                           .is_awaited = cut.is_provisional,
+                           .rows = {},
+                           .physical_stiffness = k,
+                           .spring_unit = spring_unit(faces),
+                           .strength_factor = laws[i].factor};
+      const Motion motion = motion_of(body_, jump, point.x);
+      point.jumps.push_back({motion.node, frame(point.normal) * motion.rows});
+      point.rows.first_stress = traction_rows(point.normal) * of_block.stiffness * strain_rows();
+      point.rows.first = point.trial_stiffness().cwiseInverse().asDiagonal() * point.rows.first_stress;
+      point.rows.second.setZero();
+      out.points.push_back(std::move(point));
+      if (interface.field) out.laws.push_back(std::move(laws[i].law));
+    }
+    out.has_fields = out.has_fields || interface.field.has_value();
+  }
+
+  /// k of a cut. What consistent sides subtract takes up to 1/(2α) of a block's strain energy and a cut c_Γ/k of it;
+  /// the m-th cut of a block is given 1/(m (m + 1)) of the rest, of which no number of cuts takes all. The jump of a
+  /// cut with its three rigid modes cannot lock, so that k may be as large as one likes.
+  double cut_stiffness(std::size_t index, const ThroughBlocks& through, const std::vector<Local>& laws,
+                       const SideFaces& faces) {
+    constexpr double margin = 1.2;
+    const Interface& interface = book_.law_of(through);
+    const auto& cuts = body_.cracks->cuts();
+    const Cut& cut = cuts[index];
+    const auto m = static_cast<double>(
+        1 + std::count_if(cuts.begin(), cuts.begin() + static_cast<std::ptrdiff_t>(index),
+                          [&](const Cut& other) { return !other.side && other.block == cut.block; }));
+    const double of_sides = interface.treatment->stiffness(faces), alpha = of_sides / faces.first.trace;
+    const double left = 1 - 1 / (2 * alpha);
+    if (left <= 0) findings_.add(interface.where, "cracks through blocks need `alpha` above 0.5");
+    const double line = line_trace_constant(cut.length(), cut.normal(), body_.block(cut.block).moments.area,
+                                            faces.first.stiffness);
+    const double beta = interface.law->shear_weight();
+    double slope = 0;
+    for (const Local& local : laws) slope = std::max(slope, local.law->steepest_slope());
+    return std::max({margin * m * (m + 1) * line / left / std::min(1.0, beta * beta),
+                     through.stiffness * of_sides / std::min(1.0, beta * beta), comfortable_margin * slope});
   }
 
   /// p̄, at most what the multipliers' own compliance δ/((1 + δ) k) leaves of it where bodies only touch.
@@ -281,12 +299,8 @@ class PointMaker {
   }
 
   const Body& body_;
-  const ModelParameters& model_;
   Findings& findings_;
-  std::vector<Interface> interfaces_;
-  Interface bond_;
-  std::map<std::string, int> by_curve_;
-  std::map<std::pair<std::string, std::string>, int> by_pair_;
+  InterfaceBook book_;
   std::vector<BlockFace> faces_;
 };
 

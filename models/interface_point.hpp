@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,12 +14,20 @@
 
 namespace dda {
 
-/// A point of an interface: where the law is asked, and the rows that give its trial opening.
+/// A jump across a cut as it enters the trial opening of a point.
+struct JumpRows {
+  BlockId node;  ///< behind the blocks
+  Mat26 rows;
+};
+
+/// A point of an interface, or of a cut through a block: where the law is asked, and the rows that give its trial
+/// opening.
 ///
-///     q = first·d_first + second·d_second + m     (2 components, normal and tangential)   [L]
+///     q = first·d_first + second·d_second + Σ rows·e + m     (2 components, normal and tangential)   [L]
 ///     its traction does work W t·δq,              W = share of the side's length × thickness   [L²]
 ///
-/// m is there when the treatment has multipliers: two unknowns of the node `node`, or a number that the
+/// e are the jumps by which either side moves beside its block. On a cut both sides are parts of one block, which
+/// is `first` and `second`, and q = g + P⁻¹ σn with its own jump g. m is there when the treatment has multipliers: two unknowns of the node `node`, or a number that the
 /// continuation iterates.
 struct InterfacePoint {
   BlockId first, second;
@@ -26,9 +35,13 @@ struct InterfacePoint {
   double weight = 0;     ///< W [L²]
   double stiffness = 0;  ///< k [F/L³]
   const InterfaceLaw* law = nullptr;
-  int interface = -1;    ///< index into InterfaceSet::names; −1 for a bond nobody named
-  std::size_t side = 0;  ///< index into Assembly::sides
+  int interface = -1;  ///< index into InterfaceSet::names; −1 for a bond nobody named
+  std::size_t side =
+      0;  ///< index into Assembly::sides; of a cut through a block behind them, in the order of cuts
+  std::optional<std::size_t> cut = {};  ///< index into CrackGeometry::cuts() where it stands on one
+  bool is_awaited = false;  ///< it lies ahead of a crack, which goes on where it reaches its strength
   PointRows rows;
+  std::vector<JumpRows> jumps = {};
   Multiplier multiplier = Multiplier::none;
   BlockId node{0};                ///< of unknown multipliers; behind the blocks
   int column = 0;                 ///< of m in the node's six unknowns
@@ -57,6 +70,7 @@ struct InterfacePoint {
   void for_each_part(Visit visit) const {
     visit(first, rows.first);
     visit(second, rows.second);
+    for (const JumpRows& jump : jumps) visit(jump.node, jump.rows);
     if (multiplier == Multiplier::unknown) visit(node, multiplier_rows());
   }
   /// Rows that pick m out of its node.
@@ -88,6 +102,10 @@ struct InterfaceSet {
 /// Where the interface has a random field each point has a law of its own, scaled by the field at its place.
 /// A law that softens with slope |dt/dw| needs k above it; a side whose own k is too small gets a larger one
 /// (and a notice); a block too large even then is a finding at the interface's position in the deck.
+///
+/// The inner sides of regions through whose blocks cracks run are bonded. Where cuts end on a bond each piece of it
+/// has points of its own; points that remember something stay, and move with the part at which they stand. Points of
+/// cuts come behind those of sides, in the order of the cuts, so that more cuts add points at the end of each group.
 InterfaceSet make_interface_points(const Body& body, const ModelParameters& model, Findings& findings);
 
 }  // namespace dda

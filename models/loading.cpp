@@ -20,7 +20,7 @@ struct StressOffset {
 };
 
 StressOffset stress_offset(const Body& body, const InterfaceSet& set, const std::vector<Vec3>& stress) {
-  StressOffset out{Vector(2 * set.num_active, 0.0), Vector(block_unknowns * body.assembly.num_blocks(), 0.0)};
+  StressOffset out{Vector(2 * set.num_active, 0.0), Vector(block_unknowns * body.num_nodes(), 0.0)};
   for (std::size_t p = 0; p < set.points.size(); ++p) {
     const InterfacePoint& point = set.points[p];
     if (point.rows.first_stress.isZero() && point.rows.second_stress.isZero()) continue;
@@ -40,8 +40,10 @@ StressOffset stress_offset(const Body& body, const InterfaceSet& set, const std:
       Eigen::Map<Vec2>(out.openings.data() + 2 * p) = offset;
     } else {
       const Vec2 traction_of_offset = point.intact_stiffness().cwiseProduct(offset);
-      f_first -= point.weight * point.rows.first.transpose() * traction_of_offset;
-      f_second -= point.weight * point.rows.second.transpose() * traction_of_offset;
+      point.for_each_part([&](BlockId node, const Mat26& rows) {
+        Eigen::Map<Vec6>(out.force.data() + 6 * node.value()) -=
+            point.weight * rows.transpose() * traction_of_offset;
+      });
     }
   }
   return out;
@@ -67,7 +69,7 @@ class StageMaker {
         programme_(programme),
         stages_(model_.loaded_stages()),
         findings_(findings) {
-    const std::size_t n = block_unknowns * body_.assembly.num_blocks();
+    const std::size_t n = block_unknowns * body_.num_nodes();
     so_far_.dead.assign(n, 0.0);
     so_far_.dead_work.assign(n, 0.0);
     driven_so_far_.assign(programme.driven.size(), 0.0);
@@ -93,6 +95,7 @@ class StageMaker {
     if (!loads.initial_stress.empty()) {
       const StressOffset offset = stress_offset(body_, interfaces_, loads.initial_stress);
       out.reference_offset = offset.openings;
+      out.reference_stress = loads.initial_stress;
       add_scaled(1, offset.force, out.reference);
       add_scaled(1, offset.force, out.reference_work);
     }
@@ -133,7 +136,7 @@ class StageMaker {
     for (const auto& [name, choice] : model_.gauge_names) {
       try {
         const auto gauge = choice.make();
-        out.gauges.push_back({name, gauge->functional({body_.assembly, out.reactions}), gauge->dimension()});
+        out.gauges.push_back({name, gauge->functional({body_, out.reactions}), gauge->dimension()});
       } catch (const InputError& error) {
         if (report) findings_.add(error);
       }
@@ -145,6 +148,10 @@ class StageMaker {
     add_scaled(1, stage.reference, so_far_.dead);
     add_scaled(1, stage.reference_work, so_far_.dead_work);
     if (!stage.reference_offset.empty()) add_scaled(1, stage.reference_offset, so_far_.dead_offset);
+    if (stage.reference_stress.empty()) return;
+    so_far_.dead_stress.resize(stage.reference_stress.size(), Vec3::Zero());
+    for (std::size_t b = 0; b < stage.reference_stress.size(); ++b)
+      so_far_.dead_stress[b] += stage.reference_stress[b];
   }
 
   const Body& body_;
@@ -165,7 +172,7 @@ LoadProgramme make_loads(const Body& body, const ModelParameters& model, Finding
   const double stiffness = model.support_stiffness * body.largest_modulus() * body.thickness;
   for (const StageParameters& stage : model.loaded_stages()) {
     StageLoads loads;
-    loads.force.assign(block_unknowns * body.assembly.num_blocks(), 0.0);
+    loads.force.assign(block_unknowns * body.num_nodes(), 0.0);
     for (const LoadChoice& load : stage.loads) {
       try {
         load.make()->add_to(loads, body);

@@ -88,6 +88,13 @@ Kind<StageParameters> stage_kind() {
       .kind();
 }
 
+std::size_t ModelParameters::entry_of_crack(int crack) const {
+  std::size_t entry = 0;
+  auto left = static_cast<std::size_t>(crack);
+  while (left >= cracks.at(entry).begin.size()) left -= cracks[entry++].begin.size();
+  return entry;
+}
+
 std::vector<StageParameters> ModelParameters::loaded_stages() const {
   std::vector<StageParameters> out;
   std::ranges::copy_if(stages, std::back_inserter(out),

@@ -9,6 +9,7 @@
 #include "framework/deck/schema.hpp"
 #include "models/body/place.hpp"
 #include "models/body/random_field.hpp"
+#include "models/crack/direction.hpp"
 #include "models/gauge/gauge.hpp"
 #include "models/interface/law.hpp"
 #include "models/load/load.hpp"
@@ -42,6 +43,24 @@ struct SupportParameters : Place {
   Position where;
 };
 
+/// Where a crack begins, and which way it sets out.
+struct CrackBegin {
+  Spot at;
+  Vec2 direction = Vec2::Zero();
+};
+
+/// An entry of `cracks`: cracks that run through the blocks of some regions.
+struct CrackParameters {
+  std::vector<std::string> through_blocks;  ///< regions
+  std::string law;  ///< interface whose law a crack has; "": that of the region's material with itself
+  std::vector<CrackBegin> begin;
+  CrackDirectionChoice direction;
+  double shortest_segment = 0.5;    ///< in block sizes
+  double stiffness = 100;           ///< k of a cut in units of that of the block's sides
+  std::vector<std::string> end_at;  ///< interfaces at which cracks end
+  Position where;
+};
+
 /// An entry of `stages`; of those with loads every one but the last is brought to its full value and stays.
 /// Stages without loads come after it and go on with its loads: they are legs of one path.
 struct StageParameters {
@@ -59,8 +78,11 @@ struct ModelParameters {
   std::map<std::string, MaterialChoice> material_names;
   std::vector<std::pair<std::string, InterfaceParameters>> interfaces;
   std::vector<std::pair<std::string, SupportParameters>> supports;
+  std::vector<CrackParameters> cracks;
   std::vector<StageParameters> stages;
   std::vector<std::pair<std::string, GaugeChoice>> gauge_names;
+  /// The entry to which a crack belongs: cracks are counted through all entries, by their begins.
+  std::size_t entry_of_crack(int crack) const;
   /// The stages with loads.
   std::vector<StageParameters> loaded_stages() const;
   /// The last of them and the stages after it.

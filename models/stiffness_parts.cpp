@@ -33,26 +33,48 @@ void add_springs(const std::vector<Spring>& springs, const Sink& add) {
         add(a, b, spring.stiffness * left * right.transpose());
 }
 
-/// [a]ᵀ D [b] of both blocks of a point.
-void add_rows(const InterfacePoint& point, const Mat2& d, const PointRows& rows, const Sink& add) {
-  const std::pair<BlockId, Mat26> parts[] = {{point.first, rows.first}, {point.second, rows.second}};
+using Rows = std::vector<std::pair<BlockId, Mat26>>;
+
+/// [a]ᵀ D [b] of the nodes of a point.
+void add_rows(const Rows& parts, const Mat2& d, const Sink& add) {
   for (const auto& [a, left] : parts)
     for (const auto& [b, right] : parts) add(a, b, left.transpose() * d * right);
+}
+
+/// Of blocks and jumps.
+Rows opening_rows(const InterfacePoint& point) {
+  Rows out{{point.first, point.rows.first}, {point.second, point.rows.second}};
+  for (const JumpRows& jump : point.jumps) out.emplace_back(jump.node, jump.rows);
+  return out;
 }
 
 void add_contacts(const Equilibrium& equilibrium, std::span<const Mat2> tangents, const Sink& add) {
   for (std::size_t p = 0; p < equilibrium.num_points(); ++p) {
     const InterfacePoint& point = equilibrium.point(p);
-    add_rows(point, point.weight * tangents[p], point.rows, add);
+    add_rows(opening_rows(point), point.weight * tangents[p], add);
     if (!point.has_stresses()) continue;
     const Vec2 subtracted = -point.weight * point.trial_stiffness().cwiseInverse();
-    add_rows(point, subtracted.asDiagonal(),
-             {.first = point.rows.first_stress, .second = point.rows.second_stress}, add);
+    add_rows({{point.first, point.rows.first_stress}, {point.second, point.rows.second_stress}},
+             subtracted.asDiagonal(), add);
   }
 }
 
+/// Unknowns of jumps that are none.
+void hold_unused(const Equilibrium& equilibrium, const Sink& add) {
+  Mat6 k = Mat6::Zero();
+  k.diagonal().tail<3>().setConstant(equilibrium.held_stiffness());
+  for (std::size_t j = 0; j < equilibrium.num_jumps(); ++j) {
+    const BlockId node{equilibrium.num_blocks() + j};
+    add(node, node, k);
+  }
+}
+
+std::size_t num_nodes(const Equilibrium& equilibrium) {
+  return equilibrium.num_blocks() + equilibrium.num_jumps();
+}
+
 Matrix dense(const Equilibrium& equilibrium, const std::function<void(const Sink&)>& contribution) {
-  const auto n = static_cast<Eigen::Index>(block_unknowns * equilibrium.num_blocks());
+  const auto n = static_cast<Eigen::Index>(block_unknowns * num_nodes(equilibrium));
   Matrix out = Matrix::Zero(n, n);
   contribution([&](BlockId i, BlockId j, const Mat6& k) {
     out.block<6, 6>(static_cast<Eigen::Index>(6 * i.value()), static_cast<Eigen::Index>(6 * j.value())) += k;
@@ -62,8 +84,11 @@ Matrix dense(const Equilibrium& equilibrium, const std::function<void(const Sink
 
 std::vector<std::pair<BlockId, BlockId>> coupled_blocks(const Equilibrium& equilibrium) {
   std::vector<std::pair<BlockId, BlockId>> out;
-  for (std::size_t p = 0; p < equilibrium.num_points(); ++p)
-    out.emplace_back(equilibrium.point(p).first, equilibrium.point(p).second);
+  for (std::size_t p = 0; p < equilibrium.num_points(); ++p) {
+    const Rows rows = opening_rows(equilibrium.point(p));
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      for (std::size_t j = i + 1; j < rows.size(); ++j) out.emplace_back(rows[i].first, rows[j].first);
+  }
   for (const auto* springs : {&equilibrium.supports(), &equilibrium.driven_springs()})
     for (const Spring& spring : *springs)
       for (const auto& [a, left] : spring.displacement.rows)
@@ -75,7 +100,11 @@ std::vector<std::pair<BlockId, BlockId>> coupled_blocks(const Equilibrium& equil
 }  // namespace
 
 StiffnessParts stiffness_parts(const Equilibrium& equilibrium, std::span<const Mat2> tangents) {
-  return {.strain = dense(equilibrium, [&](const Sink& add) { add_strain(equilibrium, add); }),
+  return {.strain = dense(equilibrium,
+                          [&](const Sink& add) {
+                            add_strain(equilibrium, add);
+                            hold_unused(equilibrium, add);
+                          }),
           .contact = dense(equilibrium, [&](const Sink& add) { add_contacts(equilibrium, tangents, add); }),
           .support = dense(equilibrium,
                            [&](const Sink& add) {
@@ -86,9 +115,10 @@ StiffnessParts stiffness_parts(const Equilibrium& equilibrium, std::span<const M
 }
 
 BlockMatrix block_stiffness(const Equilibrium& equilibrium, std::span<const Mat2> tangents) {
-  BlockMatrix out(equilibrium.num_blocks(), coupled_blocks(equilibrium));
+  BlockMatrix out(num_nodes(equilibrium), coupled_blocks(equilibrium));
   const Sink add = [&](BlockId i, BlockId j, const Mat6& k) { out.add(i, j, k); };
   add_strain(equilibrium, add);
+  hold_unused(equilibrium, add);
   add_weak_springs(equilibrium, add);
   add_springs(equilibrium.supports(), add);
   add_springs(equilibrium.driven_springs(), add);

@@ -5,6 +5,7 @@
 #include <Eigen/SVD>
 
 #include "meshing/quality.hpp"
+#include "models/body/motion.hpp"
 
 namespace dda {
 namespace {
@@ -49,7 +50,8 @@ class SupportMaker {
   void add_at(const std::string& name, const SupportParameters& p, double stiffness) {
     const Vec2 at = locate(body_.assembly, *p.at);
     if (p.fix == Fix::rotation)
-      for (const BlockId id : blocks_of(body_.assembly, p, p.where)) add_rotation(name, id, stiffness);
+      for (const BlockId id : blocks_of(body_.assembly, p, p.where))
+        add_rotation(name, {id, at, {}}, stiffness);
     for (const auto& [suffix, direction] : directions(p, Vec2::Zero()))
       for (const BlockId id : blocks_of(body_.assembly, p, p.where))
         add_spring(name + suffix, {id, at, direction}, stiffness);
@@ -58,24 +60,24 @@ class SupportMaker {
   /// One spring on the mean of the patch: its force is an even traction. That on the rotation is as stiff as
   /// springs p̄/L along the patch, ∫ p̄/L s² ds = p̄ L²/12.
   void add_over(const std::string& name, const SupportParameters& p, double stiffness) {
-    const auto points = patch_points(body_.assembly, p, p.where);
+    const auto points = patch_points(body_, p, p.where);
     const double length =
         (locate(body_.assembly, p.over->back()) - locate(body_.assembly, p.over->front())).norm();
     if (p.fix == Fix::rotation)
-      out_.push_back({name, rotation_over(body_.assembly, p, p.where), stiffness * length * length / 12});
+      out_.push_back({name, rotation_over(body_, p, p.where), stiffness * length * length / 12});
     for (const auto& [suffix, direction] : directions(p, points.front().normal))
-      out_.push_back({name + suffix, displacement_at(body_.assembly, p, direction, p.where), stiffness});
+      out_.push_back({name + suffix, displacement_at(body_, p, direction, p.where), stiffness});
   }
 
   /// Springs along a boundary are as stiff as the length they stand for, so that a uniform traction moves it
   /// evenly.
   void add_along(const std::string& name, const SupportParameters& p, double stiffness) {
-    const auto points = boundary_points(body_.assembly, *p.on, p.where);
+    const auto points = boundary_points(body_, *p.on, p.where);
     double length = 0;
     for (const BoundaryPoint& point : points) length += point.length;
     const double per_length = stiffness * static_cast<double>(points.size()) / length;
     for (const BoundaryPoint& point : points) {
-      if (p.fix == Fix::rotation) add_rotation(name, point.block, stiffness);
+      if (p.fix == Fix::rotation) add_rotation(name, {point.block, point.x, {}}, stiffness);
       for (const auto& [suffix, direction] : directions(p, point.normal))
         add_spring(name + suffix, {point.block, point.x, direction}, per_length * point.length);
     }
@@ -86,12 +88,16 @@ class SupportMaker {
     Vec2 x, direction;
   };
   void add_spring(const std::string& name, const Held& held, double stiffness) {
-    const Mat26 t = displacement_rows(held.x - body_.block(held.block).moments.centroid);
-    out_.push_back({name, {.rows = {{held.block, t.transpose() * held.direction}}}, stiffness});
+    Functional displacement;
+    for (const auto& [node, rows] : motions_at(body_, held.block, held.x))
+      displacement.rows.emplace_back(node, rows.transpose() * held.direction);
+    out_.push_back({name, std::move(displacement), stiffness});
   }
-  /// A rotational spring p̄ A on r0.
-  void add_rotation(const std::string& name, BlockId id, double stiffness) {
-    out_.push_back({name, {.rows = {{id, Vec6::Unit(2)}}}, stiffness * body_.block(id).moments.area});
+  /// A rotational spring p̄ A on r0, and on what turns beside it.
+  void add_rotation(const std::string& name, const Held& held, double stiffness) {
+    out_.push_back({name,
+                    {.rows = rotations_at(body_, held.block, held.x)},
+                    stiffness * body_.block(held.block).moments.area});
   }
 
   const Body& body_;
@@ -112,7 +118,8 @@ Eigen::MatrixXd rigid_rows(const Body& body, const std::vector<Spring>& springs,
   Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(springs.size()), 3);
   for (std::size_t s = 0; s < springs.size(); ++s)
     for (const auto& [block, row] : springs[s].displacement.rows) {
-      if (!group.member[block.value()]) continue;
+      // Jumps are none of the rigid motions of the whole.
+      if (block.value() >= group.member.size() || !group.member[block.value()]) continue;
       const Vec2 x = body.block(block).moments.centroid - group.centre;
       const double turn = (row[2] - row[0] * x.y() + row[1] * x.x()) / group.size;
       rows.row(static_cast<Eigen::Index>(s)) += Eigen::RowVector3d(row[0], row[1], turn);

@@ -7,10 +7,20 @@ namespace dda {
 namespace {
 
 /// In the order of the enumerators.
-const std::array<std::string, 12>& names() {
-  static const std::array<std::string, 12> names{
-      "load",       "displacement", "opening",   "dissipation", "arc_length",      "event",
-      "initiation", "corner",       "unloading", "release",     "load_increments", "sequentially_linear"};
+const std::array<std::string, 13>& names() {
+  static const std::array<std::string, 13> names{"load",
+                                                 "displacement",
+                                                 "opening",
+                                                 "dissipation",
+                                                 "arc_length",
+                                                 "event",
+                                                 "initiation",
+                                                 "corner",
+                                                 "unloading",
+                                                 "release",
+                                                 "load_increments",
+                                                 "growth",
+                                                 "sequentially_linear"};
   return names;
 }
 

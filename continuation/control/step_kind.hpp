@@ -18,6 +18,7 @@ enum class StepKind {
   unloading,            ///< off the damage surfaces
   release,              ///< strength that is lost at once
   load_increments,      ///< an increment of the load
+  growth,               ///< a crack through blocks aims or grows
   sequentially_linear,  ///< a rescue by secant stiffnesses
 };
 

@@ -13,7 +13,7 @@ namespace {
 
 /// Goes to where the first point on the way to `beyond` stands at its strength. Returns "" or why it cannot.
 std::string land_on_strength(Walker& walker, const Candidate& beyond) {
-  const auto equation = make_event_equation(walker.system(), Initiation::at_once);
+  const auto equation = make_event_equation(walker.system(), Initiation::awaited);
   const Attempt tried = walker.attempt(*equation, 1, beyond.state);
   if (!tried.converged) return tried.reason;
   Candidate candidate = walker.evaluate(tried);

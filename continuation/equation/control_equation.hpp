@@ -74,9 +74,14 @@ std::unique_ptr<ControlEquation> make_dissipation_equation(const System& system)
 enum class Initiation {
   frozen,   ///< of any unbroken point, the damage of all being frozen meanwhile
   new_one,  ///< of a point that is not loading now, while the damage of the others follows
-  at_once,  ///< likewise, of points that lose their strength at once
+  awaited,  ///< likewise, of points at which a step has to end: see is_awaited
   corner    ///< not of a crack: a loading point passes a corner of its curve, as where its traction ends
 };
+
+/// Whether steps end where a point reaches its strength: it loses it at once, or a crack goes on by it.
+inline bool is_awaited(const InterfacePoint& point) {
+  return point.is_awaited || point.law->releases_at_once();
+}
 
 /// The next initiation: max over those points of q_eq/κ − 1 = 0 at s = 1; for corners κ is that of the
 /// point's next corner, passed by 1e-9 so that nothing is left of the piece before it.

@@ -59,7 +59,7 @@ class EventEquation final : public ControlEquation {
   }
 
   bool is_meant(std::size_t p) const {
-    if (kind_ == Initiation::at_once) return system_.equilibrium().point(p).law->releases_at_once();
+    if (kind_ == Initiation::awaited) return is_awaited(system_.equilibrium().point(p));
     if (kind_ == Initiation::frozen) return true;
     return system_.history()[p].loading == (kind_ == Initiation::corner);
   }

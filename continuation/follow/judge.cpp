@@ -111,12 +111,12 @@ Objection objection_to(const PathState& path, const Candidate& candidate) {
   return {};
 }
 
-bool creates_energy(const PathState& path, const Candidate& beyond) {
+bool creates_energy(const PathState& path, const Candidate& beyond, double bearable) {
   const Candidate& here = path.walker.here();
   const double spent = beyond.dissipated - here.dissipated, work = beyond.work - here.work;
   constexpr double of_spent = 0.9, round_off = 1e-8;
   const double created = (beyond.stored - here.stored) + spent - work;
-  const double explained = of_spent * spent + round_off * std::abs(beyond.work);
+  const double explained = of_spent * spent + round_off * std::abs(beyond.work) + bearable;
   if (created <= explained) return false;
   const std::vector<double>& from = here.state.d;
   std::vector<double> along = beyond.state.d;

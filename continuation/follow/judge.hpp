@@ -37,7 +37,7 @@ struct Objection {
 Objection objection_to(const PathState& path, const Candidate& candidate);
 
 /// Whether less was put in than is stored and spent, by more than the chord of a curved path and what
-/// tolerances leave explain.
-bool creates_energy(const PathState& path, const Candidate& beyond);
+/// tolerances leave explain, and more than is bearable [FL].
+bool creates_energy(const PathState& path, const Candidate& beyond, double bearable = 0);
 
 }  // namespace dda

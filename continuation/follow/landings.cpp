@@ -84,7 +84,7 @@ double share_to_strength(const PathState& path, const Candidate& candidate) {
   double share = 1;
   for (std::size_t p = 0; p < before.opening.size(); ++p) {
     const InterfacePoint& point = system.equilibrium().point(p);
-    if (!point.law->releases_at_once()) continue;
+    if (!is_awaited(point)) continue;
     const LawAt law{*point.law, system.history()[p], point.stiffness};
     share = std::min(share, share_to_kappa(law, before.opening[p], after.opening[p], round_off));
   }
@@ -93,7 +93,7 @@ double share_to_strength(const PathState& path, const Candidate& candidate) {
 
 std::optional<Point> land_on_strength(PathState& path, const Candidate& beyond, StepKind kind) {
   const double share = share_to_strength(path, beyond);
-  const auto equation = make_event_equation(path.walker.system(), Initiation::at_once);
+  const auto equation = make_event_equation(path.walker.system(), Initiation::awaited);
   auto candidate =
       judged(path, path.walker.attempt(*equation, 1, between(path.walker.state(), beyond.state, share)),
              to_string(kind) + ", landing on a strength");

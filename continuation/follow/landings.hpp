@@ -28,7 +28,7 @@ std::optional<Point> land_ahead(PathState& path, double amount, bool slides = fa
 /// Along the leaving tangent to the first wanted value; infinite when none lies ahead.
 double amount_to_landing(const PathState& path);
 
-/// Share of a step at which a point that loses its strength at once reaches it; 1 when none does.
+/// Share of a step at which a point reaches its strength at which steps end; 1 when none does.
 double share_to_strength(const PathState& path, const Candidate& candidate);
 
 /// Lands where the first of those points stands exactly at its strength.

@@ -25,21 +25,28 @@ Functional find_load(const PathParameters& parameters, const GaugeBook& book, co
 PathState::PathState(Walker& stands, const PathParameters& wanted, const GaugeBook& gauges, Route way)
     : walker(stands),
       parameters(wanted),
-      control(wanted.control.make(gauges)),
-      load(find_load(wanted, gauges, walker.system().loading().load)),
-      displacement(displacement_of_load(walker.system().loading())),
-      route(std::move(way)),
-      travelling(gauges.gauges),
       size(size_of(walker.system().equilibrium())),
       standstill(size) {
-  if (std::ranges::find(travelling, "load", &NamedGauge::name) == travelling.end())
-    travelling.push_back({"load", walker.system().loading().load, dimension::force});
-  for (const Landing& landing : route.landings)
-    if (std::ranges::find(travelling, landing.name, &NamedGauge::name) == travelling.end())
-      travelling.push_back({landing.name, landing.gauge, {}});
+  look_up({gauges, std::move(way)});
   for (const auto& law : walker.system().equilibrium().interfaces().laws)
     releases_at_once = releases_at_once || law->releases_at_once();
   memory.largest_force = load_on(walker.system(), walker.state());
+}
+
+void PathState::look_up(const Aims& aims) {
+  const Loading& loading = walker.system().loading();
+  auto made = parameters.control.make(aims.gauges);
+  if (control) made->restore(control->memory());
+  control = std::move(made);
+  load = find_load(parameters, aims.gauges, loading.load);
+  displacement = displacement_of_load(loading);
+  route = aims.route;
+  travelling = aims.gauges.gauges;
+  if (std::ranges::find(travelling, "load", &NamedGauge::name) == travelling.end())
+    travelling.push_back({"load", loading.load, dimension::force});
+  for (const Landing& landing : route.landings)
+    if (std::ranges::find(travelling, landing.name, &NamedGauge::name) == travelling.end())
+      travelling.push_back({landing.name, landing.gauge, {}});
 }
 
 double PathState::load_of(const State& state) const {

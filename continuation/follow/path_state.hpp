@@ -10,11 +10,26 @@
 
 namespace dda {
 
+/// Gauges of a path and what it is to pass, looked up in the equilibrium as it is.
+struct Aims {
+  GaugeBook gauges;
+  Route route;
+};
+
+/// Cracks that may run through the blocks while a path is followed.
+struct RunningCracks {
+  CrackedStructure& structure;
+  std::function<Aims()> look_up;                 ///< whenever the equilibrium has been made anew
+  std::function<void(const Growth&)> has_grown;  ///< told to whoever keeps states
+};
+
 /// What following a path knows and remembers: where the walker stands, what the deck wants, and how the path
 /// has gone so far. Judging, landings, pace and the kinds of steps are functions of it.
 struct PathState {
   PathState(Walker& stands, const PathParameters& wanted, const GaugeBook& gauges, Route way);
 
+  /// Looks its gauges up again, the equilibrium having been made anew.
+  void look_up(const Aims& aims);
   /// The load, positive in the direction of the first loading.
   double load_of(const State& state) const;
   /// A load below this is none: the tolerances of the equilibria leave as much of the other forces.
@@ -42,7 +57,8 @@ struct PathState {
   Route route;
   std::vector<NamedGauge> travelling;  ///< whose travel is remembered
   bool releases_at_once = false;       ///< some law does
-  double size = 0;                     ///< of the structure [L]
+  std::optional<RunningCracks> cracks;
+  double size = 0;  ///< of the structure [L]
   Standstill standstill;
   std::string refusal;  ///< why the last try has not been taken
   std::string unsound;  ///< what the last candidate of this step was refused for, beside equilibrium

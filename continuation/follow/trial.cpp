@@ -139,7 +139,7 @@ Point keep(PathState& path, Candidate candidate, StepKind kind) {
   return arrived(path, std::move(out));
 }
 
-std::optional<Point> jump_to(PathState& path, Candidate beyond, StepKind kind) {
+std::optional<Point> jump_to(PathState& path, Candidate beyond, StepKind kind, double bearable) {
   const std::string& label = to_string(kind);
   if (!(beyond.residual <= path.parameters.newton.tolerance)) {
     path.report("rejected", fmt::format("{}: relative residual {:.1e}", label, beyond.residual));
@@ -149,8 +149,9 @@ std::optional<Point> jump_to(PathState& path, Candidate beyond, StepKind kind) {
     path.report("rejected", fmt::format("{}: relative gap {:.1e}", label, beyond.gap));
     return {};
   }
-  if (creates_energy(path, beyond)) {
-    path.report("rejected", label + ": the jump would create energy");
+  if (creates_energy(path, beyond, bearable)) {
+    path.refusal = "the jump would create energy";
+    path.report("rejected", label + ": " + path.refusal);
     return {};
   }
   if (const std::string why = unsoundness(path, beyond); !why.empty()) {

@@ -22,7 +22,8 @@ bool refuse_jump(PathState& path, const Candidate& candidate, const std::string&
 /// Moves on to a candidate and remembers what it changes.
 Point keep(PathState& path, Candidate candidate, StepKind kind);
 
-/// Accepts an equilibrium that no control led to; a wanted value can be passed but not landed on.
-std::optional<Point> jump_to(PathState& path, Candidate beyond, StepKind kind);
+/// Accepts an equilibrium that no control led to; a wanted value can be passed but not landed on. It may not create
+/// energy, but for so much where the structure itself has become another one [FL].
+std::optional<Point> jump_to(PathState& path, Candidate beyond, StepKind kind, double bearable = 0);
 
 }  // namespace dda

@@ -43,12 +43,15 @@ bool is_of_unloading(const Equilibrium& equilibrium, std::span<const Mat2> tange
 
 LinearSystem::LinearSystem(const Equilibrium& equilibrium, std::unique_ptr<DirectSolver> solver,
                            Update update)
-    : equilibrium_(equilibrium),
-      solver_(std::move(solver)),
-      update_(update),
-      slot_(equilibrium.num_active(), -1) {
-  for (std::size_t p = 0; p < equilibrium.num_active(); ++p)
-    base_.emplace_back(equilibrium.point(p).intact_stiffness().asDiagonal());
+    : equilibrium_(equilibrium), solver_(std::move(solver)), update_(update) {
+  begin_anew();
+}
+
+void LinearSystem::begin_anew() {
+  slot_.assign(equilibrium_.num_active(), -1);
+  base_.clear();
+  for (std::size_t p = 0; p < equilibrium_.num_active(); ++p)
+    base_.emplace_back(equilibrium_.point(p).intact_stiffness().asDiagonal());
   if (!factor_base()) throw InputError({}, "the stiffness matrix is singular; check supports and materials");
   updates_softening_ = update_ == Update::low_rank && solver_->halves();
 }

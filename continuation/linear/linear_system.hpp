@@ -62,6 +62,10 @@ class LinearSystem {
   LinearSystem(const LinearSystem&) = delete;
   LinearSystem& operator=(const LinearSystem&) = delete;
   ~LinearSystem();
+  /// Begins anew with the unknowns and points that its equilibrium has been given; before that `let_go`.
+  void begin_anew();
+  /// Makes displacements that are sums of its solutions what they are without these.
+  void let_go() { settle_pending(); }
   /// Times its phases there from now on.
   void measure_with(Timings& timings) { timings_ = &timings; }
 

@@ -33,6 +33,8 @@ class Path {
   void report_to(std::function<void(const std::string& event, const std::string& text)> listener) {
     state_.listener = std::move(listener);
   }
+  /// Lets cracks run through the blocks.
+  void run(RunningCracks cracks) { state_.cracks.emplace(std::move(cracks)); }
   /// The load gauge of the path.
   const Functional& load_gauge() const { return state_.load; }
   /// How much of its way the gauge has gone that is nearest to a value which ends the path; 0 without any.

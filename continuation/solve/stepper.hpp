@@ -66,6 +66,8 @@ class Stepper {
   Attempt find(const StepGoal& goal, Thoroughness thoroughness = Thoroughness::usual);
   /// Has LOCA take a step to a solution.
   void accept(const Solution& solution, const State& state);
+  /// Forgets LOCA's steppers, whose unknowns are those of before a growth.
+  void begin_anew() { loca_ = {}; }
   /// Accepted steps, as LOCA counts them.
   int num_steps(Unknowns unknowns) const;
   /// Iterations of NOX since they were last taken.

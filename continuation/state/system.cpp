@@ -28,14 +28,37 @@ System::System(const Equilibrium& equilibrium, const DirectSolverChoice& solver,
       physical_ = std::make_unique<LinearSystem>(equilibrium, solver, update);
       multipliers_.assign(equilibrium.num_active(), Vec2::Zero());
     }
-  for (std::size_t p = 0; p < equilibrium.num_active(); ++p) {
-    const InterfacePoint& point = equilibrium.point(p);
+  make_screen();
+  joins_by_contact_ = has_contacts();
+  set_stage(0);
+}
+
+Growth System::follow(const std::function<Growth()>& remake) {
+  for (LinearSystem* linear : {&linear_, physical_.get(), contact_.get()})
+    if (linear) linear->let_go();
+  remembered_.laws.reset();
+  const auto stage = static_cast<std::size_t>(loading_ - equilibrium_.stages().data());
+  Growth growth = remake();
+  history_ = growth.of_points(history_);
+  if (!multipliers_.empty()) multipliers_ = growth.of_points(multipliers_);
+  path_tangent_.clear();
+  used_stamp_ = 0;
+  contact_.reset();
+  for (LinearSystem* linear : {&linear_, physical_.get()})
+    if (linear) linear->begin_anew();
+  make_screen();
+  set_stage(stage);
+  return growth;
+}
+
+void System::make_screen() {
+  screen_.clear();
+  for (std::size_t p = 0; p < equilibrium_.num_active(); ++p) {
+    const InterfacePoint& point = equilibrium_.point(p);
     const double beta = point.law->shear_weight();
     screen_.push_back({0, beta * beta, point.intact_stiffness()});
   }
   screen_intact_points();
-  joins_by_contact_ = has_contacts();
-  set_stage(0);
 }
 
 void System::measure_with(Timings& timings) {

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "continuation/linear/linear_system.hpp"
-#include "models/equilibrium.hpp"
+#include "models/growth.hpp"
 
 namespace dda {
 
@@ -53,6 +54,9 @@ class System {
   /// Factorises the intact stiffness. Throws InputError where that is singular, or needs more memory than there
   /// is.
   System(const Equilibrium& equilibrium, const DirectSolverChoice& solver, LinearSystem::Update update);
+  /// Lets the equilibrium be made anew, with other cuts, and follows: cuts that are still there keep their history.
+  /// Every base is factorised anew.
+  Growth follow(const std::function<Growth()>& remake);
   /// Times the phases of a step there from now on.
   void measure_with(Timings& timings);
   /// What they are timed with.
@@ -219,6 +223,7 @@ class System {
 
   double passive_energy(const State& state, const LawValues& laws) const;
   std::vector<double> rounding_of_forces(std::span<const double> d, double load_factor) const;
+  void make_screen();
   void screen_intact_points();
   std::vector<Mat2> path_tangents(const LawValues& laws) const;
   double block_forces(std::span<const double> d) const;

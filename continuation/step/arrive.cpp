@@ -11,8 +11,8 @@
 namespace dda {
 namespace {
 
-double share_to_release(const PathState& path, const Candidate& candidate) {
-  return path.releases_at_once ? share_to_strength(path, candidate) : 1;
+double share_to_awaited(const PathState& path, const Candidate& candidate) {
+  return path.releases_at_once || path.cracks ? share_to_strength(path, candidate) : 1;
 }
 
 /// Tries again before what could not be landed on.
@@ -34,7 +34,7 @@ std::optional<Outcome> stop_at_branch(PathState& path, const Candidate& candidat
 
 std::optional<Outcome> land_on_value(PathState& path, const Candidate& candidate, Stride& stride) {
   const auto crossing = first_crossing(path, candidate);
-  if (!crossing || crossing->share > share_to_release(path, candidate)) return {};
+  if (!crossing || crossing->share > share_to_awaited(path, candidate)) return {};
   if (auto point = land(path, candidate, *crossing, stride.move.kind)) return Outcome{std::move(point)};
   return stop_short(stride,
                     fmt::format("no step ends on {} = {:g}, which lies on the way", crossing->landing.name,
@@ -43,7 +43,7 @@ std::optional<Outcome> land_on_value(PathState& path, const Candidate& candidate
 }
 
 std::optional<Outcome> land_at_strength(PathState& path, const Candidate& candidate, Stride& stride) {
-  const double share = share_to_release(path, candidate);
+  const double share = share_to_awaited(path, candidate);
   if (share >= 1) return {};
   if (auto point = land_on_strength(path, candidate, stride.move.kind)) return Outcome{std::move(point)};
   return stop_short(stride, "no step ends where the next point reaches its strength", share);

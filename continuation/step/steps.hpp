@@ -37,6 +37,15 @@ std::optional<Point> unload_step(PathState& path);
 /// jump.
 std::optional<Point> release_step(PathState& path);
 
+/// The crack through blocks whose segment ahead has a point at its strength where the walker stands; nothing when
+/// there is none.
+std::optional<int> crack_to_grow(PathState& path);
+
+/// Aims the segment ahead of a crack once more or, where it is aimed well, takes it as grown and cuts the next one;
+/// then the equilibrium in which the first of all points stands at its strength, their damage staying as it is. Closed
+/// cuts are all but rigid, so that this is hardly another state; what it differs by is booked as a jump.
+std::optional<Point> growth_step(PathState& path, int crack);
+
 /// The load raised by the largest of halved increments that still finds an equilibrium.
 std::optional<Point> increment_step(PathState& path);
 

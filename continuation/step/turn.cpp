@@ -25,6 +25,8 @@ std::optional<Point> land_on_turn(PathState& path, const Stride& stride, bool on
   if (!candidate || first_crossing(path, *candidate) || before_peak(path, *candidate) ||
       is_coarse(path, *candidate))
     return {};
+  if (path.cracks && share_to_strength(path, *candidate) < 1)
+    return land_on_strength(path, *candidate, landing.kind);
   constexpr double progress = 1e-6;  // without it two points would hand the crack to and fro for ever
   const double quantum = path.memory.last_quantum;
   if (candidate->dissipated - path.walker.here().dissipated <= progress * quantum) return {};

@@ -161,6 +161,17 @@ void Walker::turn_to(Tangent leaving, std::vector<History> flags) {
   leaving_ = std::move(leaving);
 }
 
+Growth Walker::follow(const std::function<Growth()>& remake) {
+  const std::vector<double> before = here_.state.d.all();
+  Growth growth = system_.follow(remake);
+  stepper_.begin_anew();
+  here_.state.d = growth.unknowns(before);
+  here_.state.multipliers = system_.multipliers();
+  here_.history = system_.history();
+  here_.arriving = leaving_ = {};
+  return growth;
+}
+
 void Walker::restore(Candidate at, const Effort& effort, Tangent leaving) {
   here_ = std::move(at);
   system_.set_history(here_.history);

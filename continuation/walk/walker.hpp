@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdlib>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -125,6 +126,9 @@ class Walker {
   /// Goes on by another tangent, with the history's flags that belong to it.
   void turn_to(Tangent leaving, std::vector<History> flags);
 
+  /// Lets the equilibrium be made anew, with other cuts, and stands where it stood, new cuts closed: no equilibrium
+  /// yet, and without a tangent.
+  Growth follow(const std::function<Growth()>& remake);
   /// Starts the next stage at the present state with load factor 0.
   void begin_stage(std::size_t stage);
   /// Puts the walker on a stored equilibrium with the tangent by which it was about to leave: computed anew,

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "framework/base/suggestion.hpp"
+#include "models/body/motion.hpp"
 
 namespace dda {
 namespace {
@@ -38,22 +39,42 @@ double length_of(const std::vector<BoundaryPoint>& points) {
   return sum;
 }
 
-/// Σ weight · direction·u over the points of a patch; the rows of a block are one.
+/// Calls visit(side) for each side of the boundary, in pieces where cuts end on it.
+template <class Visit>
+void for_each_piece(const Body& body, Visit visit) {
+  const auto& boundary = body.assembly.boundary;
+  for (std::size_t s = 0; s < boundary.size(); ++s) {
+    if (body.num_jumps() == 0) {
+      visit(boundary[s]);
+      continue;
+    }
+    BoundarySide part = boundary[s];
+    for (const BoundaryPiece& piece : body.cracks->pieces_of_boundary(s)) {
+      part.start = piece.start;
+      part.end = piece.end;
+      visit(part);
+    }
+  }
+}
+
+/// Σ weight · direction·u over the points of a patch; the rows of a node are one.
 class PatchSum {
  public:
-  explicit PatchSum(const Assembly& assembly) : assembly_(assembly) {}
+  explicit PatchSum(const Body& body) : body_(body) {}
   void add(double weight, const BoundaryPoint& point, const Vec2& direction) {
-    const Vec2 offset = point.x - assembly_.blocks[point.block.value()].moments.centroid;
-    const Vec6 row = weight * displacement_rows(offset).transpose() * direction;
-    if (!sum_.rows.empty() && sum_.rows.back().first == point.block)
-      sum_.rows.back().second += row;
-    else
-      sum_.rows.emplace_back(point.block, row);
+    for (const auto& [node, rows] : motions_at(body_, point.block, point.x)) {
+      const Vec6 row = weight * rows.transpose() * direction;
+      const auto known = std::ranges::find(sum_.rows, node, &std::pair<BlockId, Vec6>::first);
+      if (known != sum_.rows.end())
+        known->second += row;
+      else
+        sum_.rows.emplace_back(node, row);
+    }
   }
   Functional sum() const { return sum_; }
 
  private:
-  const Assembly& assembly_;
+  const Body& body_;
   Functional sum_;
 };
 
@@ -116,55 +137,55 @@ std::vector<BlockId> blocks_of(const Assembly& assembly, const Place& place, con
   return found;
 }
 
-Functional displacement_at(const Assembly& assembly, const Place& place, const Vec2& direction,
+Functional displacement_at(const Body& body, const Place& place, const Vec2& direction,
                            const Position& where) {
   if (place.over) {
-    const auto points = patch_points(assembly, place, where);
+    const auto points = patch_points(body, place, where);
     const double length = length_of(points);
-    PatchSum mean(assembly);
+    PatchSum mean(body);
     for (const BoundaryPoint& point : points) mean.add(point.length / length, point, direction);
     return mean.sum();
   }
   Functional out;
-  const Vec2 at = locate(assembly, *place.at);
-  const auto blocks = blocks_of(assembly, place, where);
-  for (const BlockId id : blocks) {
-    const Vec2 offset = at - assembly.blocks[id.value()].moments.centroid;
-    out.rows.emplace_back(
-        id, displacement_rows(offset).transpose() * direction / static_cast<double>(blocks.size()));
-  }
+  const Vec2 at = locate(body.assembly, *place.at);
+  const auto blocks = blocks_of(body.assembly, place, where);
+  for (const BlockId id : blocks)
+    for (const auto& [node, rows] : motions_at(body, id, at))
+      out.rows.emplace_back(node, rows.transpose() * direction / static_cast<double>(blocks.size()));
   return out;
 }
 
-Functional rotation_over(const Assembly& assembly, const Place& place, const Position& where) {
-  const auto points = patch_points(assembly, place, where);
-  const Line line = line_of(assembly, place);
+Functional rotation_over(const Body& body, const Place& place, const Position& where) {
+  const auto points = patch_points(body, place, where);
+  const Line line = line_of(body.assembly, place);
   const Vec2 t = line.tangent(), normal(-t.y(), t.x()), middle = (line.from + line.to) / 2;
-  PatchSum mean(assembly);
+  PatchSum mean(body);
   for (const BoundaryPoint& point : points)
     mean.add(12 * point.length * t.dot(point.x - middle) / std::pow(line.length(), 3), point, normal);
   return mean.sum();
 }
 
-std::vector<BoundaryPoint> boundary_points(const Assembly& assembly, const std::string& name,
-                                           const Position& where) {
+std::vector<BoundaryPoint> boundary_points(const Body& body, const std::string& name, const Position& where) {
+  const Assembly& assembly = body.assembly;
   const auto known = std::ranges::find(assembly.boundaries, name);
   if (known == assembly.boundaries.end())
     throw InputError(where, fmt::format("unknown boundary '{}'{}", name, suggest(name, assembly.boundaries)));
   const int index = static_cast<int>(known - assembly.boundaries.begin());
   std::vector<BoundaryPoint> points;
-  for (const BoundarySide& side : assembly.boundary)
+  for_each_piece(body, [&](const BoundarySide& side) {
     if (side.boundary == index) add_gauss_points(side.block, side.start, side.end, points);
+  });
   return points;
 }
 
-std::vector<BoundaryPoint> patch_points(const Assembly& assembly, const Place& place, const Position& where) {
+std::vector<BoundaryPoint> patch_points(const Body& body, const Place& place, const Position& where) {
+  const Assembly& assembly = body.assembly;
   const Line line = line_of(assembly, place);
   const double tol = tolerance(assembly);
   const std::string name = fmt::format("the patch from {} to {}", text(line.from), text(line.to));
   if (line.length() <= tol) throw InputError(where, name + " has no length");
   std::vector<BoundaryPoint> points;
-  for (const BoundarySide& side : assembly.boundary) add_common_piece(side, line, tol, points);
+  for_each_piece(body, [&](const BoundarySide& side) { add_common_piece(side, line, tol, points); });
   if (place.inside) {
     const Vec2 inside = locate(assembly, *place.inside) - line.from;
     std::erase_if(points, [&](const BoundaryPoint& point) { return point.normal.dot(inside) >= 0; });

@@ -6,7 +6,7 @@
 
 #include "framework/base/errors.hpp"
 #include "framework/deck/spot.hpp"
-#include "meshing/assembly.hpp"
+#include "models/body/body.hpp"
 #include "models/body/functional.hpp"
 
 namespace dda {
@@ -31,11 +31,11 @@ std::vector<BlockId> blocks_of(const Assembly& assembly, const Place& place, con
 ///     l·ū = 1/L ∫ l·u ds,     dual to the traction F/(L · thickness) of a force F
 ///
 /// exact with two Gauss points per piece of a side.
-Functional displacement_at(const Assembly& assembly, const Place& place, const Vec2& direction,
+Functional displacement_at(const Body& body, const Place& place, const Vec2& direction,
                            const Position& where);
 
 /// Mean rotation of the patch, that of the straight line closest to n·u: 12/L³ ∫ s n·u ds, s from its middle.
-Functional rotation_over(const Assembly& assembly, const Place& place, const Position& where);
+Functional rotation_over(const Body& body, const Place& place, const Position& where);
 
 /// A point on the boundary with its share of the length; two Gauss points per straight piece.
 struct BoundaryPoint {
@@ -46,12 +46,11 @@ struct BoundaryPoint {
 };
 
 /// Points of a named boundary. Throws InputError listing the names when the boundary does not exist.
-std::vector<BoundaryPoint> boundary_points(const Assembly& assembly, const std::string& name,
-                                           const Position& where);
+std::vector<BoundaryPoint> boundary_points(const Body& body, const std::string& name, const Position& where);
 
 /// Points of the patch, piece by piece along the sides of the blocks. Throws InputError unless outer sides of
 /// blocks cover the straight line between its ends exactly once; `inside` chooses between the faces of a
 /// slit.
-std::vector<BoundaryPoint> patch_points(const Assembly& assembly, const Place& place, const Position& where);
+std::vector<BoundaryPoint> patch_points(const Body& body, const Place& place, const Position& where);
 
 }  // namespace dda

@@ -15,7 +15,7 @@ class Displacement final : public Gauge {
   explicit Displacement(DisplacementParameters p) : p_(std::move(p)) {}
   Functional functional(const GaugeSources& sources) const override {
     if (p_.direction.norm() == 0) throw InputError(p_.where, "`direction` must not be zero");
-    return displacement_at(sources.assembly, p_, p_.direction.normalized(), p_.where);
+    return displacement_at(sources.body, p_, p_.direction.normalized(), p_.where);
   }
   Dimension dimension() const override { return dimension::length; }
 

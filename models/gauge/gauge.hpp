@@ -4,14 +4,14 @@
 #include <memory>
 
 #include "framework/deck/family.hpp"
-#include "meshing/assembly.hpp"
+#include "models/body/body.hpp"
 #include "models/body/functional.hpp"
 
 namespace dda {
 
-/// What a gauge may read: places of the assembly and reactions by name.
+/// What a gauge may read: places of the body and reactions by name.
 struct GaugeSources {
-  const Assembly& assembly;
+  const Body& body;
   const std::map<std::string, Functional>& reactions;
 };
 

@@ -16,14 +16,14 @@ class RelativeDisplacement final : public Gauge {
  public:
   explicit RelativeDisplacement(RelativeDisplacementParameters p) : p_(std::move(p)) {}
   Functional functional(const GaugeSources& sources) const override {
-    const Assembly& assembly = sources.assembly;
+    const Assembly& assembly = sources.body.assembly;
     const Vec2 direction = p_.direction ? *p_.direction : locate(assembly, p_.to) - locate(assembly, p_.from);
     if (direction.norm() == 0)
       throw InputError(p_.where,
                        "`direction` is needed when `from` and `to` are the same point, and must not be zero");
     const Vec2 l = direction.normalized();
-    Functional out = displacement_at(assembly, {p_.to, p_.to_inside, {}}, l, p_.where);
-    out.add(-1, displacement_at(assembly, {p_.from, p_.from_inside, {}}, l, p_.where));
+    Functional out = displacement_at(sources.body, {p_.to, p_.to_inside, {}}, l, p_.where);
+    out.add(-1, displacement_at(sources.body, {p_.from, p_.from_inside, {}}, l, p_.where));
     return out;
   }
   Dimension dimension() const override { return dimension::length; }

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "framework/base/suggestion.hpp"
+#include "models/body/motion.hpp"
 #include "models/load/load.hpp"
 
 namespace dda {
@@ -12,7 +13,8 @@ struct BodyForceParameters {
   Position where;
 };
 
-/// A force per volume, such as self-weight: f += ∫ Tᵀ b dV, which acts on the centroid's translations alone.
+/// A force per volume, such as self-weight: f += ∫ Tᵀ b dV, which acts on the centroid's translations alone, and
+/// on the jumps of what lies beyond cuts.
 class BodyForce final : public Load {
  public:
   explicit BodyForce(BodyForceParameters p) : p_(std::move(p)) {}
@@ -22,12 +24,24 @@ class BodyForce final : public Load {
       if (!acts_on(body.assembly.regions[static_cast<std::size_t>(body.assembly.blocks[i].region)].material))
         continue;
       const Vec2 force = body.volume(BlockId{i}) * p_.force;
-      add_point_force(stage, body, BlockId{i}, {body.assembly.blocks[i].moments.centroid, force});
+      Eigen::Map<Vec6>(stage.force.data() + 6 * i) += displacement_rows(Vec2::Zero()).transpose() * force;
+      if (body.cracks) add_to_jumps(stage, body, BlockId{i});
       stage.resultant += force.norm();
     }
   }
 
  private:
+  /// f += ∫ Jᵀ b dV over what a jump moves.
+  void add_to_jumps(StageLoads& stage, const Body& body, BlockId id) const {
+    for (const Part& part : body.cracks->parts(id)) {
+      const Moments of = moments(part.outline);
+      const Vec2 force = of.area * body.thickness * p_.force;
+      for (const JumpId jump : part.jumps) {
+        const Motion motion = motion_of(body, jump, of.centroid);
+        Eigen::Map<Vec6>(stage.force.data() + 6 * motion.node.value()) += motion.rows.transpose() * force;
+      }
+    }
+  }
   bool acts_on(const std::string& material) const {
     return p_.materials.empty() || std::ranges::find(p_.materials, material) != p_.materials.end();
   }

@@ -17,7 +17,7 @@ class EdgeTraction final : public Load {
   explicit EdgeTraction(EdgeTractionParameters p) : p_(std::move(p)) {}
   void add_to(StageLoads& stage, const Body& body) const override {
     Vec2 total = Vec2::Zero();
-    for (const BoundaryPoint& point : boundary_points(body.assembly, p_.on, p_.where)) {
+    for (const BoundaryPoint& point : boundary_points(body, p_.on, p_.where)) {
       const Vec2 force = point.length * body.thickness * (p_.traction - p_.pressure * point.normal);
       add_point_force(stage, body, point.block, {point.x, force});
       total += force;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "models/body/motion.hpp"
+
 namespace dda {
 
 double Body::largest_modulus() const {
@@ -11,8 +13,8 @@ double Body::largest_modulus() const {
 }
 
 void add_point_force(StageLoads& stage, const Body& body, BlockId id, const PointForce& at) {
-  const Mat26 t = displacement_rows(at.x - body.block(id).moments.centroid);
-  Eigen::Map<Vec6>(stage.force.data() + 6 * id.value()) += t.transpose() * at.force;
+  for (const auto& [node, rows] : motions_at(body, id, at.x))
+    Eigen::Map<Vec6>(stage.force.data() + 6 * node.value()) += rows.transpose() * at.force;
 }
 
 }  // namespace dda

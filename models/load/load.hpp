@@ -19,7 +19,7 @@ struct DrivenSpring {
 
 /// What one stage adds at its full value.
 struct StageLoads {
-  std::vector<double> force;         ///< work-conjugate to d, size 6 · blocks
+  std::vector<double> force;         ///< work-conjugate to d, size 6 · nodes of the body
   std::vector<Vec3> initial_stress;  ///< by block [F/L²]; empty when there is none
   std::vector<DrivenSpring> driven;
   double resultant = 0;  ///< Σ |force| of the single loads [F]
@@ -46,7 +46,7 @@ struct PointForce {
   Vec2 force;  ///< [F]
 };
 
-/// Adds the force vector F at point x of a block: f += Tᵀ F.
+/// Adds the force vector F at point x of a block: f += Tᵀ F, and Jᵀ F of the jumps that move it.
 void add_point_force(StageLoads& stage, const Body& body, BlockId id, const PointForce& at);
 
 using LoadFamily = Family<Load>;

@@ -15,8 +15,8 @@ class PointLoad final : public Load {
  public:
   explicit PointLoad(PointLoadParameters p) : p_(std::move(p)) {}
   void add_to(StageLoads& stage, const Body& body) const override {
-    const Functional x = displacement_at(body.assembly, p_, Vec2::UnitX(), p_.where);
-    const Functional y = displacement_at(body.assembly, p_, Vec2::UnitY(), p_.where);
+    const Functional x = displacement_at(body, p_, Vec2::UnitX(), p_.where);
+    const Functional y = displacement_at(body, p_, Vec2::UnitY(), p_.where);
     x.add_gradient(p_.force.x(), stage.force);
     y.add_gradient(p_.force.y(), stage.force);
     stage.resultant += p_.force.norm();

@@ -24,7 +24,7 @@ class PrescribedDisplacement final : public Load {
   void add_to(StageLoads& stage, const Body& body) const override {
     if (p_.direction.norm() == 0) throw InputError(p_.where, "`direction` must not be zero");
     stage.driven.push_back(
-        {p_.name, displacement_at(body.assembly, p_, p_.direction.normalized(), p_.where), p_.displacement});
+        {p_.name, displacement_at(body, p_, p_.direction.normalized(), p_.where), p_.displacement});
   }
   std::optional<Action> action() const override { return Action{p_, p_.displacement * p_.direction}; }
 

@@ -21,4 +21,11 @@ double trace_constant(const Block& block, const Mat3& stiffness) {
       .eigenvalues()(2);
 }
 
+double line_trace_constant(double length, const Vec2& normal, double area, const Mat3& stiffness) {
+  const auto rows = traction_rows(normal);
+  const Mat2 acoustic = rows * stiffness * rows.transpose();
+  return length / area *
+         Eigen::SelfAdjointEigenSolver<Mat2>(acoustic, Eigen::EigenvaluesOnly).eigenvalues()(1);
+}
+
 }  // namespace dda

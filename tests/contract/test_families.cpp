@@ -4,6 +4,7 @@
 #include "continuation/detour/increment/load_solver.hpp"
 #include "continuation/linear/direct_solver.hpp"
 #include "meshing/subdivision/subdivision.hpp"
+#include "models/crack/direction.hpp"
 #include "models/gauge/gauge.hpp"
 #include "models/interface/law.hpp"
 #include "models/load/load.hpp"
@@ -29,9 +30,10 @@ FamilyUnderTest under_test(const Family<Product, Context...>& family) {
 }
 
 std::vector<FamilyUnderTest> known_families() {
-  return {under_test(materials()), under_test(interface_laws()), under_test(treatments()),
-          under_test(gauges()),    under_test(loads()),          under_test(direct_solvers()),
-          under_test(controls()),  under_test(subdivisions()),   under_test(load_solvers())};
+  return {under_test(materials()),        under_test(interface_laws()), under_test(treatments()),
+          under_test(gauges()),           under_test(loads()),          under_test(direct_solvers()),
+          under_test(crack_directions()), under_test(controls()),       under_test(subdivisions()),
+          under_test(load_solvers())};
 }
 
 struct Entry {

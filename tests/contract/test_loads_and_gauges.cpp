@@ -127,7 +127,7 @@ class GaugeContract : public testing::TestWithParam<std::string> {
   }
   static Functional functional(const Gauge& gauge, const Structure& on) {
     const Equilibrium equilibrium = on.equilibrium();
-    return gauge.functional({on.assembly(), equilibrium.stages().back().reactions});
+    return gauge.functional({on.body(), equilibrium.stages().back().reactions});
   }
   const Structure square_{square_deck()};
   Random random_{24};

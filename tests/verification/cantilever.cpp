@@ -66,7 +66,7 @@ double relative_error(const Cantilever& beam, const Assembly& assembly, const st
 /// Adds the exact traction of a boundary: ∫ Tᵀ σ n dS, exact with two Gauss points.
 void add_tractions(const Cantilever& beam, const Structure& structure, const std::string& boundary,
                    StageLoads& loads) {
-  for (const BoundaryPoint& point : boundary_points(structure.assembly, boundary, {})) {
+  for (const BoundaryPoint& point : boundary_points(structure.body, boundary, {})) {
     const Vec3 s = beam.stress(point.x);
     const Vec2 traction(s[0] * point.normal.x() + s[2] * point.normal.y(),
                         s[2] * point.normal.x() + s[1] * point.normal.y());
@@ -79,7 +79,7 @@ void add_tractions(const Cantilever& beam, const Structure& structure, const std
 void add_pulled_springs(const Cantilever& beam, const Structure& structure, const std::string& boundary,
                         StageLoads& loads) {
   const double stiffness = structure.deck.support_stiffness * beam.young * beam.thickness;
-  for (const BoundaryPoint& point : boundary_points(structure.assembly, boundary, {}))
+  for (const BoundaryPoint& point : boundary_points(structure.body, boundary, {}))
     add_point_force(loads, structure.body, point.block, {point.x, stiffness * beam.displacement(point.x)});
 }
 
@@ -125,7 +125,7 @@ CantileverResult solve_cantilever(const Cantilever& beam, const std::string& sub
   add_tractions(beam, structure, "tip", loads);
   add_pulled_springs(beam, structure, "clamp", loads);
   const auto d = solve(structure.equilibrium.intact(), loads.force);
-  const Functional tip = dda::displacement_at(structure.assembly, {Spot(beam.length, 0), {}, {}}, {0, 1}, {});
+  const Functional tip = dda::displacement_at(structure.body, {Spot(beam.length, 0), {}, {}}, {0, 1}, {});
   return {structure.assembly.num_blocks(), relative_error(beam, structure.assembly, d), tip.value(d, 0)};
 }
 

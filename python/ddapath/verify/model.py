@@ -102,6 +102,8 @@ class Model:
     def __init__(self, file, deck):
         if "model" not in file:
             raise NothingStored(f"{file.filename}: has no /model; this run was written by a version before `dda verify`")
+        if deck.get("cracks"):
+            raise NothingStored(f"{file.filename}: what cracks cut blocks into is not stored")
         self.deck, self.mesh, self.thickness = deck, read_mesh(file), deck["thickness"]
         tables = Tables(file["model"])
         self._set_blocks(tables)

@@ -26,6 +26,7 @@ std::vector<CoarseZone> coarse_zones(const Simulation& simulation) {
   for (std::size_t p = 0; p < equilibrium.num_active(); ++p) {
     const InterfacePoint& point = equilibrium.point(p);
     const double slope = point.law->steepest_slope();
+    if (point.cut) continue;
     if (point.interface < 0 || slope <= 0 || !std::isfinite(slope) || !counted.insert(point.side).second)
       continue;
     const Side& side = simulation.assembly().sides[point.side];

@@ -2,6 +2,7 @@
 
 #include "framework/files/run_folder.hpp"
 #include "framework/messages/provenance.hpp"
+#include "models/crack_kind.hpp"
 #include "studies/dda/case/parameter_list.hpp"
 
 namespace dda {
@@ -91,6 +92,10 @@ Schema<Deck> make_schema() {
       .section("units", &Deck::units, units_schema())
       .section("scene", &Deck::scene, scene_schema());
   add_model(schema);
+  schema.list(
+      "cracks", &Deck::cracks, crack_kind(),
+      {.at_least = 0,
+       .text = "Cracks that run through blocks, whatever their pattern, where the stress sends them."});
   return schema.section("path", &Deck::path, path_schema())
       .section("record", &Deck::record, record_schema())
       .value(

@@ -16,6 +16,7 @@ void add_sides(const Assembly& assembly, const Equilibrium& equilibrium, std::ve
   std::vector<std::int64_t> interface(assembly.sides.size(), -1), blocks;
   for (std::size_t p = 0; p < equilibrium.num_points(); ++p) {
     const InterfacePoint& point = equilibrium.point(p);
+    if (point.cut) continue;
     stiffness[point.side] = point.stiffness;
     interface[point.side] = point.interface;
   }

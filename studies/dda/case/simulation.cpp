@@ -45,8 +45,7 @@ Simulation::Simulation(const Deck& deck, Timings& timings) : deck_(deck), timing
     assembly_ = std::make_unique<const Assembly>(mesh(deck.scene));
   }
   const auto scope = timings.measure("equilibrium");
-  body_ = std::make_unique<const Body>(Body{*assembly_, deck.thickness, materials_of(*assembly_, deck)});
-  equilibrium_ = std::make_unique<const Equilibrium>(*body_, deck);
+  assemble();
   require_loads();
   require_eigenvalues();
   gauges_.gauges = loading().gauges;
@@ -72,6 +71,19 @@ Simulation::Simulation(const Deck& deck, Timings& timings) : deck_(deck), timing
     for (const Spot& corner : {deck.record.detail->from, deck.record.detail->to}) locate(*assembly_, corner);
   if (deck.record.reference_peak)
     for (const auto& [name, value] : deck.record.reference_peak->at) gauge(name, deck.where);
+}
+
+void Simulation::assemble() {
+  if (!deck_.cracks.empty()) crack_geometry_ = std::make_unique<CrackGeometry>(*assembly_);
+  body_ = std::make_unique<const Body>(
+      Body{*assembly_, deck_.thickness, materials_of(*assembly_, deck_), crack_geometry_.get()});
+  if (crack_geometry_) {
+    front_ = std::make_unique<CrackFront>(*crack_geometry_, *body_, deck_);
+    front_->begin();
+  }
+  equilibrium_ = std::make_unique<Equilibrium>(*body_, deck_);
+  if (front_) cracked_ = std::make_unique<CrackedStructure>(*front_, *body_, deck_, *equilibrium_);
+  if (front_) require_cracks();
 }
 
 void Simulation::require_loads() const {
@@ -119,6 +131,12 @@ void Simulation::prepare() {
   stepper_ = std::make_unique<Stepper>(*system_, deck_.path);
   walker_ = std::make_unique<Walker>(*stepper_);
   notices_ = equilibrium_->interfaces().notices;
+  if (front_) {
+    notices_.push_back(
+        "cracks through blocks: stored fields show each block as if it were whole, moved by what lies left "
+        "of its cuts; `deformed.svg` shows the parts, log.jsonl where cracks have grown to");
+    note_coarse_cracks();
+  }
   if (const std::size_t multipliers = equilibrium_->num_unknown_multipliers(); multipliers > 0)
     if (const int redundant = num_redundant(equilibrium_->unperturbed()); redundant > 0)
       notices_.push_back(fmt::format(
@@ -141,6 +159,53 @@ std::string Simulation::apply_dead_loads() {
 
 void Simulation::begin_path() {
   path_ = std::make_unique<Path>(*walker_, deck_.path, gauges_, Route{landings(), legs()});
+  if (front_)
+    path_->run({*cracked_, [this] { return look_up(); },
+                [this](const Growth& growth) {
+                  if (has_grown_) has_grown_(growth);
+                }});
+}
+
+Aims Simulation::look_up() {
+  gauges_.gauges = loading().gauges;
+  return {gauges_, Route{landings(), legs()}};
+}
+
+void Simulation::restore_cracks(const std::vector<Cut>& cuts, std::vector<CrackFront::Memory> memory) {
+  const std::vector<Cut> before = crack_geometry_->cuts();
+  front_->restore(cuts, std::move(memory));
+  walker_->follow([&] { return cracked_->remake(before); });
+  look_up();
+}
+
+void Simulation::require_cracks() const {
+  Findings findings;
+  const Position& where = deck_.cracks.front().where;
+  if (deck_.record.eigenvalues.count > 0)
+    findings.add(where, "eigenvalues (`record.eigenvalues`) are not known of blocks that cracks cut");
+  if (deck_.record.stiffness)
+    findings.add(where,
+                 "the stiffness by contribution (`record.stiffness`) is not known of blocks that cracks cut");
+  if (deck_.path.branch == Branching::to_lowest)
+    findings.add(where, "cracks through blocks follow one branch: `path.branch: follow`");
+  findings.throw_if_any();
+}
+
+void Simulation::note_coarse_cracks() {
+  constexpr double of_zone = 1.0 / 3;
+  const double size = crack_geometry_->block_size();
+  for (std::size_t p = 0; p < equilibrium_->num_active(); ++p) {
+    const InterfacePoint& point = equilibrium_->point(p);
+    const double slope = point.law->steepest_slope();
+    if (!point.cut || slope <= 0) continue;
+    const double zone = body_->material(point.first).modulus() / (2 * slope);  // l_ch of linear softening
+    if (size <= of_zone * zone) return;
+    notices_.push_back(fmt::format(
+        "cracks through blocks: blocks of size {:.3g} are large beside the cohesive zone's length "
+        "E Gf/ft² of {:.3g}; the peak load may be off by several percent, blocks of {:.3g} resolve it",
+        size, zone, of_zone * zone));
+    return;
+  }
 }
 
 const Functional& Simulation::gauge(const std::string& name, const Position& where) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "continuation/path/path.hpp"
@@ -19,6 +20,12 @@ class Simulation {
   const Assembly& assembly() const { return *assembly_; }
   const Body& body() const { return *body_; }
   const Equilibrium& equilibrium() const { return *equilibrium_; }
+  /// Cracks through blocks; null without.
+  const CrackFront* cracks() const { return front_.get(); }
+  /// Cuts the blocks as they were cut in a run that goes on.
+  void restore_cracks(const std::vector<Cut>& cuts, std::vector<CrackFront::Memory> memory);
+  /// Told how unknowns and points follow from earlier ones whenever a crack has changed them.
+  void when_grown(std::function<void(const Growth&)> listener) { has_grown_ = std::move(listener); }
 
   /// Factorises and stands at the start. Call before `walker` and `path`.
   void prepare();
@@ -39,6 +46,7 @@ class Simulation {
   const Loading& loading() const { return equilibrium_->stages().back(); }
 
  private:
+  void assemble();
   /// Throws InputError for stages that apply nothing.
   void require_loads() const;
   /// Throws InputError for a control that names no known gauge, that cannot serve, or whose steps have no size to
@@ -49,12 +57,21 @@ class Simulation {
   std::vector<Landing> landings() const;
   std::vector<Leg> legs() const;
   const Functional& gauge(const std::string& name, const Position& where) const;
+  /// Throws InputError for what structures with cracks through blocks cannot be asked for.
+  void require_cracks() const;
+  /// Blocks that are large beside what the cohesive zone needs.
+  void note_coarse_cracks();
+  Aims look_up();
 
   const Deck& deck_;
   Timings& timings_;
   std::unique_ptr<const Assembly> assembly_;
+  std::unique_ptr<CrackGeometry> crack_geometry_;
   std::unique_ptr<const Body> body_;
-  std::unique_ptr<const Equilibrium> equilibrium_;
+  std::unique_ptr<CrackFront> front_;
+  std::unique_ptr<Equilibrium> equilibrium_;
+  std::unique_ptr<CrackedStructure> cracked_;
+  std::function<void(const Growth&)> has_grown_;
   std::unique_ptr<System> system_;
   std::unique_ptr<Stepper> stepper_;
   std::unique_ptr<Walker> walker_;

@@ -120,11 +120,12 @@ class DeformedState {
   void add_to(svg::Drawing& drawing) const {
     for (std::size_t b = 0; b < fields_.equilibrium().num_blocks(); ++b) {
       if (!shows(fields_.body().block(BlockId(b)).moments.centroid)) continue;
-      svg::Fill fill;
-      fill.is_marked = std::ranges::find(marked_, BlockId(b)) != marked_.end();
-      for (const Vec2& x : fields_.body().assembly.blocks[b].outline.vertices)
-        fill.outline.push_back(moved(x, fields_.displacement(BlockId(b), x, at_.state.d)));
-      drawing.polygons.push_back(std::move(fill));
+      for (const auto& part : fields_.moved_parts(BlockId(b), at_.state.d)) {
+        svg::Fill fill;
+        fill.is_marked = std::ranges::find(marked_, BlockId(b)) != marked_.end();
+        for (const auto& [x, u] : part) fill.outline.push_back(moved(x, u));
+        drawing.polygons.push_back(std::move(fill));
+      }
     }
     add_cracks(drawing);
   }
@@ -140,9 +141,7 @@ class DeformedState {
       const InterfacePoint& point = fields_.equilibrium().point(p);
       if (!shows(point.x)) continue;
       const auto between = [&](const Vec2& x) {
-        return moved(x, (fields_.displacement(point.first, x, at_.state.d) +
-                         fields_.displacement(point.second, x, at_.state.d)) /
-                            2);
+        return moved(x, fields_.displacement_between(p, x, at_.state.d));
       };
       const auto& [start, end] = fields_.segment(p);
       drawing.strokes.push_back({between(start), between(end), quantity_->value(interface.opening[p])});

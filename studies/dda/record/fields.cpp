@@ -4,16 +4,23 @@
 #include <cmath>
 #include <map>
 
+#include "models/body/motion.hpp"
 #include "models/loading.hpp"
 
 namespace dda {
 namespace {
 
-/// Each active point's equal share of its side, in the order in which they stand along it.
+/// Each active point's equal share of its side, in the order in which they stand along it. Points of cuts come behind
+/// those of sides and have none.
 std::vector<std::array<Vec2, 2>> pieces_of_sides(const Assembly& assembly, const Equilibrium& equilibrium) {
   std::map<std::size_t, std::vector<std::size_t>> on_side;
-  for (std::size_t p = 0; p < equilibrium.num_active(); ++p) on_side[equilibrium.point(p).side].push_back(p);
-  std::vector<std::array<Vec2, 2>> out(equilibrium.num_active());
+  std::size_t num_points = 0;
+  for (std::size_t p = 0; p < equilibrium.num_active(); ++p) {
+    if (equilibrium.point(p).cut) continue;
+    on_side[equilibrium.point(p).side].push_back(p);
+    ++num_points;
+  }
+  std::vector<std::array<Vec2, 2>> out(num_points);
   for (auto& [number, points] : on_side) {
     const Side& side = assembly.sides[number];
     const Vec2 along = side.end - side.start;
@@ -70,6 +77,50 @@ Vec2 Fields::displacement(BlockId block, const Vec2& x, std::span<const double> 
          Eigen::Map<const Vec6>(d.data() + block_unknowns * block.value());
 }
 
+Vec2 Fields::displacement_by(std::span<const JumpId> jumps, const Vec2& x, std::span<const double> d) const {
+  Vec2 out = Vec2::Zero();
+  for (const JumpId jump : jumps) {
+    const Motion motion = motion_of(body_, jump, x);
+    out += motion.rows * Eigen::Map<const Vec6>(d.data() + block_unknowns * motion.node.value());
+  }
+  return out;
+}
+
+Vec2 Fields::displacement_between(std::size_t p, const Vec2& x, std::span<const double> d) const {
+  const InterfacePoint& point = equilibrium_.point(p);
+  Vec2 sum = displacement(point.first, x, d) + displacement(point.second, x, d);
+  if (!body_.cracks) return sum / 2;
+  constexpr double aside = 1e-6;  // of the size of a block: inside of the part that lies there
+  const Vec2 off = aside * body_.cracks->block_size() * point.normal;
+  sum += displacement_by(body_.cracks->jumps_at(point.first, x - off), x, d);
+  sum += displacement_by(body_.cracks->jumps_at(point.second, x + off), x, d);
+  return sum / 2;
+}
+
+std::vector<std::vector<Fields::MovedVertex>> Fields::moved_parts(BlockId block,
+                                                                  std::span<const double> d) const {
+  std::vector<std::vector<MovedVertex>> out;
+  const auto add = [&](const std::vector<Vec2>& outline, std::span<const JumpId> jumps) {
+    out.emplace_back();
+    for (const Vec2& x : outline)
+      out.back().push_back({x, displacement(block, x, d) + displacement_by(jumps, x, d)});
+  };
+  if (body_.cracks)
+    for (const Part& part : body_.cracks->parts(block)) add(part.outline.vertices, part.jumps);
+  if (out.empty()) add(body_.block(block).outline.vertices, {});
+  return out;
+}
+
+/// Of a cut each point has the half in which it stands.
+std::array<Vec2, 2> Fields::segment(std::size_t p) const {
+  const InterfacePoint& point = equilibrium_.point(p);
+  if (!point.cut) return segments_[p];
+  const Cut& cut = body_.cracks->cuts()[*point.cut];
+  const Vec2 middle = (cut.start + cut.end) / 2;
+  const bool is_first = (point.x - cut.start).norm() < (point.x - cut.end).norm();
+  return is_first ? std::array{cut.start, middle} : std::array{middle, cut.end};
+}
+
 Fields::Interface Fields::interface_at(const StoredState& at) const {
   const std::size_t n = equilibrium_.num_active();
   std::vector<Vec2> q(n);
@@ -83,6 +134,8 @@ Fields::Interface Fields::interface_at(const StoredState& at) const {
     const Vec2 jump =
         displacement(point.second, point.x, at.state.d) - displacement(point.first, point.x, at.state.d);
     out.jump[p] = {point.normal.dot(jump), cross(point.normal, jump)};
+    for (const JumpRows& cut : point.jumps)
+      out.jump[p] += cut.rows * Eigen::Map<const Vec6>(at.state.d.data() + block_unknowns * cut.node.value());
     out.damage[p] = point.law->damage(at.history[p], point.stiffness);
   }
   return out;
@@ -100,11 +153,7 @@ StoredField Fields::displacement_of_blocks(const State& state) const {
 StoredField Fields::displacement_of_segments(const State& state) const {
   StoredField out{"displacement", units_.length, FieldPlace::segment_end, 2, {}, "x y z"};
   for (std::size_t p = 0; p < segments_.size(); ++p)
-    for (const Vec2& x : segments_[p]) {
-      const InterfacePoint& point = equilibrium_.point(p);
-      append(Vec2((displacement(point.first, x, state.d) + displacement(point.second, x, state.d)) / 2),
-             out.values);
-    }
+    for (const Vec2& x : segments_[p]) append(displacement_between(p, x, state.d), out.values);
   return out;
 }
 
@@ -139,6 +188,8 @@ StoredField Fields::mode_of_blocks(const std::vector<double>& shape, std::size_t
 
 void Fields::add_points(const StoredState& at, Snapshot& out) const {
   Interface here = interface_at(at);
+  for (auto* values : {&here.opening, &here.jump, &here.traction}) values->resize(segments_.size());
+  here.damage.resize(segments_.size());
   const std::string stress = label(dimension::stress, units_);
   out.fields.push_back(displacement_of_segments(at.state));
   out.fields.push_back({"opening", units_.length, FieldPlace::segment, 2, flat(here.opening), "n s"});

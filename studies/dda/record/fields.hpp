@@ -40,14 +40,23 @@ class Fields {
     std::vector<double> damage;
   };
   Interface interface_at(const StoredState& at) const;
-  /// Ends of the piece of side that point p owns [L].
-  const std::array<Vec2, 2>& segment(std::size_t p) const { return segments_[p]; }
-  /// Displacement of a block at x [L].
-  Vec2 displacement(BlockId block, const Vec2& x, std::span<const double> d) const;
+  /// Ends of the piece of side, or of cut, that point p owns [L].
+  std::array<Vec2, 2> segment(std::size_t p) const;
+  /// Mean displacement of both faces of a point's segment at x [L].
+  Vec2 displacement_between(std::size_t p, const Vec2& x, std::span<const double> d) const;
+  /// A vertex of an outline, and its displacement [L].
+  struct MovedVertex {
+    Vec2 x, u;
+  };
+  /// Outlines of a block, or of the parts that cuts leave of it.
+  std::vector<std::vector<MovedVertex>> moved_parts(BlockId block, std::span<const double> d) const;
   const Body& body() const { return body_; }
   const Equilibrium& equilibrium() const { return equilibrium_; }
 
  private:
+  /// Displacement of a block at x, as far as cuts leave it whole [L].
+  Vec2 displacement(BlockId block, const Vec2& x, std::span<const double> d) const;
+  Vec2 displacement_by(std::span<const JumpId> jumps, const Vec2& x, std::span<const double> d) const;
   void add_blocks(const State& state, Snapshot& out) const;
   void add_points(const StoredState& at, Snapshot& out) const;
   StoredField displacement_of_blocks(const State& state) const;

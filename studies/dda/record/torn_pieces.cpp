@@ -30,9 +30,11 @@ double strength_of(const InterfacePoint& point, const History& h) {
 std::vector<bool> holding_sides(const Simulation& simulation, const std::vector<History>& history) {
   const Equilibrium& equilibrium = simulation.equilibrium();
   std::vector<bool> holds(simulation.assembly().sides.size(), false);
-  for (std::size_t p = 0; p < equilibrium.num_points(); ++p)
+  for (std::size_t p = 0; p < equilibrium.num_points(); ++p) {
+    if (equilibrium.point(p).cut) continue;
     if (p >= history.size() || strength_of(equilibrium.point(p), history[p]) >= strength_left)
       holds[equilibrium.point(p).side] = true;
+  }
   return holds;
 }
 

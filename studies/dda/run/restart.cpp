@@ -164,6 +164,67 @@ void restore_walker(const RestartData& data, Walker& walker) {
   walker.restore(std::move(at), take<Effort>(data, "effort"), std::move(leaving));
 }
 
+/// What is stored of a cut.
+struct CutRecord {
+  Cut cut;
+
+  template <class Self, class Visit>
+  static void visit(Self& self, Visit& visit) {
+    auto block = static_cast<int>(self.cut.block.value());
+    auto side = self.cut.side ? std::optional<int>(static_cast<int>(*self.cut.side)) : std::nullopt;
+    visit("block", block);
+    visit("start", self.cut.start);
+    visit("end", self.cut.end);
+    visit("crack", self.cut.crack);
+    visit("side", side);
+    visit("is_provisional", self.cut.is_provisional);
+    if constexpr (!std::is_const_v<Self>) {
+      self.cut.block = BlockId{static_cast<std::size_t>(block)};
+      self.cut.side = side ? std::optional(static_cast<std::size_t>(*side)) : std::nullopt;
+    }
+  }
+};
+
+/// What is stored of a crack beside its cuts.
+struct CrackRecord {
+  Vec2 tip, direction;
+  int aims = 0;
+
+  template <class Self, class Visit>
+  static void visit(Self& self, Visit& visit) {
+    visit("tip", self.tip);
+    visit("direction", self.direction);
+    visit("aims", self.aims);
+  }
+};
+
+void put_cracks(RestartData& data, const CrackFront* cracks) {
+  if (!cracks) return;
+  std::vector<CutRecord> cuts;
+  for (const Cut& cut : cracks->geometry().cuts()) cuts.push_back({cut});
+  put_all(data, "cuts", cuts);
+  std::vector<CrackRecord> records;
+  auto& ends = data.texts["cracks.end"] = {};
+  for (const CrackFront::Memory& memory : cracks->memory()) {
+    records.push_back({memory.tip, memory.direction, memory.aims});
+    ends.push_back(memory.end);
+  }
+  put_all(data, "cracks", records);
+}
+
+void restore_cracks(const RestartData& data, const fs::path& folder, Simulation& simulation) {
+  if (!simulation.cracks()) return;
+  const auto found = data.texts.find("cracks.end");
+  if (found == data.texts.end() || found->second.size() != simulation.cracks()->num_cracks())
+    throw InputError(Position{folder.string()}, "the run had other cracks through its blocks");
+  std::vector<Cut> cuts;
+  for (const CutRecord& record : take_all<CutRecord>(data, "cuts")) cuts.push_back(record.cut);
+  std::vector<CrackFront::Memory> memory;
+  for (const CrackRecord& record : take_all<CrackRecord>(data, "cracks"))
+    memory.push_back({record.tip, record.direction, record.aims, found->second.at(memory.size())});
+  simulation.restore_cracks(cuts, std::move(memory));
+}
+
 /// What each law of the structure remembers, as the law declares it.
 std::vector<std::string> remembered(const Equilibrium& equilibrium) {
   std::set<std::string> out;
@@ -202,6 +263,7 @@ RestartData restart_data(const Simulation& simulation, const RunMemory& memory, 
   out.integers["unknowns"] = {std::int64_t(simulation.equilibrium().num_unknowns())};
   put_walker(out, simulation.walker());
   put_path(out, simulation.path().memory());
+  put_cracks(out, simulation.cracks());
   put(out, "start", memory.start);
   put(out, "peak", memory.peak);
   put_all(out, "first_cracks", memory.first_cracks);
@@ -231,6 +293,7 @@ DeckFile deck_of(const RestartData& data, const fs::path& folder, const std::vec
 }
 
 RunMemory restore(const RestartData& data, const fs::path& folder, Simulation& simulation) {
+  restore_cracks(data, folder, simulation);
   check_structure(data, folder, simulation.equilibrium());
   simulation.walker().begin_stage(simulation.equilibrium().stages().size() - 1);
   restore_walker(data, simulation.walker());

@@ -90,6 +90,7 @@ RunRecorder::RunRecorder(const RunFolder& folder, Simulation& simulation, const 
   simulation.path().report_to([this](const std::string& event, const std::string& text) {
     log_.info(event, {{"step", memory_.last_step + 1}, {"text", text}});
   });
+  simulation.when_grown([this](const Growth& growth) { carry_peak(growth); });
   if (memory) {
     const std::vector<int> steps = results_.steps();
     last_stored_ = steps.empty() ? -1 : steps.back();
@@ -202,6 +203,16 @@ void RunRecorder::keep_peak(const Point& point, const Measurement& now) {
     store(*memory_.peak_state);
     memory_.is_peak_stored = true;
   }
+}
+
+/// The state that is held back must fit the structure when it is stored.
+void RunRecorder::carry_peak(const Growth& growth) {
+  measures_ = measures_of(simulation_, columns_of_parts());
+  if (!memory_.peak_state) return;
+  StoredState& peak = *memory_.peak_state;
+  peak.state.d = growth.unknowns(peak.state.d.all());
+  peak.history = growth.of_points(peak.history);
+  if (!peak.state.multipliers.empty()) peak.state.multipliers = growth.of_points(peak.state.multipliers);
 }
 
 void RunRecorder::store(const StoredState& at) {

@@ -12,7 +12,7 @@ class OnSquare : public testing::Test {
     return gauges()
         .choose(parse_yaml(yaml, "d"))
         .make()
-        ->functional({square_.assembly(), equilibrium.stages().back().reactions});
+        ->functional({square_.body(), equilibrium.stages().back().reactions});
   }
   StageLoads load(const std::string& yaml) const {
     StageLoads out = square_.no_loads();
@@ -157,7 +157,7 @@ TEST_F(OnSquare, RotationOfAPatchIsThatOfARigidMotion) {
   Mat2 turn;
   turn << 0, -0.3, 0.3, 0;
   const Functional rotation =
-      rotation_over(square_.assembly(), {{}, {}, std::vector<Spot>{Spot(1, 0.2), Spot(1, 0.9)}}, {});
+      rotation_over(square_.body(), {{}, {}, std::vector<Spot>{Spot(1, 0.2), Spot(1, 0.9)}}, {});
   EXPECT_NEAR(rotation.value(square_.field({1, 2}, turn), 0), 0.3, 1e-14);
 }
 
@@ -192,7 +192,7 @@ TEST(NamedPoints, ServeWhereverAPlaceIsMeant) {
   Random random(7);
   const std::vector<double> d = random.vector(24, 1);
   const auto value = [&](const std::string& yaml) {
-    return gauges().choose(parse_yaml(yaml, "d")).make()->functional({square.assembly(), {}}).value(d, 0);
+    return gauges().choose(parse_yaml(yaml, "d")).make()->functional({square.body(), {}}).value(d, 0);
   };
   EXPECT_EQ(value("{type: displacement, at: middle, inside: in_c, direction: [0, 1]}"),
             value("{type: displacement, at: [0.6, 0.45], inside: [0.8, 0.8], direction: [0, 1]}"));
@@ -219,7 +219,7 @@ TEST(NamedPoints, AMisspeltNameIsToldWithItsPlaceAndTheNearest) {
       gauges()
           .choose(parse_yaml("type: displacement\nat: " + name + "\ndirection: [0, 1]", "d.yaml"))
           .make()
-          ->functional({of.assembly(), {}});
+          ->functional({of.body(), {}});
     } catch (const InputError& error) {
       return std::string(error.what());
     }

@@ -73,7 +73,7 @@ TEST(Place, BlocksThatMeetShareOrOneIsMeant) {
 TEST(Place, BoundaryPointsCarryTheLengthAndTheNormal) {
   const Structure square(square_deck());
   double length = 0;
-  for (const BoundaryPoint& point : boundary_points(square.assembly(), "right", {})) {
+  for (const BoundaryPoint& point : boundary_points(square.body(), "right", {})) {
     EXPECT_LT((point.normal - Vec2(1, 0)).norm(), 1e-14);
     EXPECT_NEAR(point.x.x(), 1, 1e-14);
     length += point.length;

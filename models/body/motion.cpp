@@ -1,0 +1,39 @@
+#include "models/body/motion.hpp"
+
+#include <cmath>
+
+namespace dda {
+namespace {
+
+double length_of(const Body& body, JumpId jump) {
+  return std::sqrt(body.block(body.cracks->cut_of(jump).block).moments.area);
+}
+
+std::span<const JumpId> jumps_at(const Body& body, BlockId block, const Vec2& x) {
+  return body.cracks ? body.cracks->jumps_at(block, x) : std::span<const JumpId>();
+}
+
+}  // namespace
+
+Motion motion_of(const Body& body, JumpId jump, const Vec2& x) {
+  const Cut& cut = body.cracks->cut_of(jump);
+  const Vec2 from_middle = (x - (cut.start + cut.end) / 2) / length_of(body, jump);
+  Mat26 rows = Mat26::Zero();
+  rows.leftCols<3>() << 1, 0, -from_middle.y(), 0, 1, from_middle.x();
+  return {body.node_of(jump), rows};
+}
+
+std::vector<Motion> motions_at(const Body& body, BlockId block, const Vec2& x) {
+  std::vector<Motion> out{{block, displacement_rows(x - body.block(block).moments.centroid)}};
+  for (const JumpId jump : jumps_at(body, block, x)) out.push_back(motion_of(body, jump, x));
+  return out;
+}
+
+std::vector<std::pair<BlockId, Vec6>> rotations_at(const Body& body, BlockId block, const Vec2& x) {
+  std::vector<std::pair<BlockId, Vec6>> out{{block, Vec6::Unit(2)}};
+  for (const JumpId jump : jumps_at(body, block, x))
+    out.emplace_back(body.node_of(jump), Vec6::Unit(2) / length_of(body, jump));
+  return out;
+}
+
+}  // namespace dda

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "framework/deck/family.hpp"
+#include "models/kinematics/first_order.hpp"
+
+namespace dda {
+
+/// The end of a crack, and what lies around it.
+struct CrackTip {
+  Vec2 at;
+  Vec2 direction;         ///< of its last segment, a unit vector
+  double strength = 0;    ///< of the law in tension [F/L²]
+  double block_size = 0;  ///< √(median area of the blocks) [L]
+  /// (σx, σy, τxy) at a point; nothing outside of the body [F/L²].
+  std::function<std::optional<Vec3>(const Vec2&)> stress;
+};
+
+/// Which way a crack goes on when the first point ahead of it has reached its strength. When that is, is none of its
+/// business.
+class CrackDirection {
+ public:
+  virtual ~CrackDirection() = default;
+  /// A unit vector.
+  virtual Vec2 aim(const CrackTip& tip) const = 0;
+};
+
+using CrackDirectionFamily = Family<CrackDirection>;
+using CrackDirectionChoice = Choice<CrackDirection>;
+
+/// The registry of direction rules.
+CrackDirectionFamily& crack_directions();
+
+}  // namespace dda

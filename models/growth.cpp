@@ -1,0 +1,79 @@
+#include "models/growth.hpp"
+
+#include <algorithm>
+
+namespace dda {
+namespace {
+
+using Found = std::optional<std::size_t>;
+
+/// Where an active point stands.
+struct Stand {
+  std::optional<Cut> cut;
+  Vec2 x;
+};
+
+std::vector<Stand> stands(const Equilibrium& equilibrium, const std::vector<Cut>& cuts) {
+  std::vector<Stand> out;
+  for (std::size_t p = 0; p < equilibrium.num_active(); ++p) {
+    const InterfacePoint& point = equilibrium.point(p);
+    out.push_back({point.cut ? std::optional(cuts[*point.cut]) : std::nullopt, point.x});
+  }
+  return out;
+}
+
+std::vector<Cut> through_blocks(const std::vector<Cut>& cuts) {
+  std::vector<Cut> out;
+  std::ranges::copy_if(cuts, std::back_inserter(out), [](const Cut& cut) { return !cut.side; });
+  return out;
+}
+
+std::vector<Found> nodes_of(std::size_t blocks, std::size_t multipliers, const std::vector<Cut>& before,
+                            const std::vector<Cut>& now) {
+  std::vector<Found> out;
+  for (std::size_t b = 0; b < blocks; ++b) out.emplace_back(b);
+  for (const Cut& cut : now) {
+    const auto old = std::ranges::find_if(before, [&](const Cut& other) { return other.is_at(cut); });
+    out.push_back(old == before.end() ? Found() : blocks + static_cast<std::size_t>(old - before.begin()));
+  }
+  for (std::size_t m = 0; m < multipliers; ++m) out.emplace_back(blocks + before.size() + m);
+  return out;
+}
+
+std::vector<Found> points_of(const std::vector<Stand>& before, const std::vector<Stand>& now) {
+  std::vector<Found> out;
+  for (const Stand& stand : now) {
+    if (!stand.cut) {  // points of sides come first, always the same ones
+      out.emplace_back(out.size());
+      continue;
+    }
+    const auto old = std::ranges::find_if(before, [&](const Stand& other) {
+      return other.cut && other.cut->is_at(*stand.cut) && other.x == stand.x;
+    });
+    out.push_back(old == before.end() ? Found() : static_cast<std::size_t>(old - before.begin()));
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<double> Growth::unknowns(const std::vector<double>& before) const {
+  std::vector<double> out(block_unknowns * nodes.size(), 0.0);
+  for (std::size_t node = 0; node < nodes.size(); ++node)
+    if (nodes[node])
+      std::copy_n(before.begin() + static_cast<std::ptrdiff_t>(block_unknowns * *nodes[node]), block_unknowns,
+                  out.begin() + static_cast<std::ptrdiff_t>(block_unknowns * node));
+  return out;
+}
+
+Growth CrackedStructure::remake(const std::vector<Cut>& before) {
+  const std::vector<Stand> stood = stands(equilibrium_, before);
+  equilibrium_.remake(body_, model_);
+  const std::vector<Cut>& now = front_.geometry().cuts();
+  const std::size_t leading = equilibrium_.num_blocks() + equilibrium_.num_jumps();
+  return {.nodes = nodes_of(equilibrium_.num_blocks(), equilibrium_.num_nodes() - leading,
+                            through_blocks(before), through_blocks(now)),
+          .points = points_of(stood, stands(equilibrium_, now))};
+}
+
+}  // namespace dda

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "models/crack_front.hpp"
+#include "models/equilibrium.hpp"
+
+namespace dda {
+
+/// How the unknowns and points of a structure follow from those it had before its cuts changed: blocks, sides and the
+/// cuts that are still there are the same ones, new jumps are closed and new points intact.
+struct Growth {
+  /// The number each had before; nothing of new ones.
+  std::vector<std::optional<std::size_t>> nodes, points;
+
+  /// Unknowns, six per node; those of new nodes are zero.
+  std::vector<double> unknowns(const std::vector<double>& before) const;
+  /// What is known of each active point.
+  template <class T>
+  std::vector<T> of_points(const std::vector<T>& before) const {
+    std::vector<T> out;
+    for (const auto& point : points) out.push_back(point ? before[*point] : T{});
+    return out;
+  }
+};
+
+/// A structure that cracks run through: what changes its cuts, and what is made of them.
+class CrackedStructure {
+ public:
+  CrackedStructure(CrackFront& front, const Body& body, const ModelParameters& model,
+                   Equilibrium& equilibrium)
+      : front_(front), body_(body), model_(model), equilibrium_(equilibrium) {}
+
+  CrackFront& front() { return front_; }
+  const CrackFront& front() const { return front_; }
+  const Body& body() const { return body_; }
+  /// Makes the equilibrium anew for the cuts that there are now; `before` are those that it was made for.
+  Growth remake(const std::vector<Cut>& before);
+
+ private:
+  CrackFront& front_;
+  const Body& body_;
+  const ModelParameters& model_;
+  Equilibrium& equilibrium_;
+};
+
+}  // namespace dda

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "models/body/body.hpp"
+#include "models/body/random_field.hpp"
+#include "models/parameters.hpp"
+
+namespace dda {
+
+/// An interface of the deck, made.
+struct Interface {
+  std::string name;
+  std::shared_ptr<const InterfaceLaw> law;
+  std::shared_ptr<const Treatment> treatment;
+  PointRule points = PointRule::gauss;
+  std::optional<RandomField> field = {};
+  double energy_exponent = 0;
+  Position where;
+  int index = -1;
+  // What the sides asked for, for one message per interface.
+  std::size_t raised = 0, refused = 0;
+  double worst_ratio = std::numeric_limits<double>::infinity();  ///< reachable k over the slope
+  double worst_size = 0;                                         ///< [L]
+};
+
+/// Cracks through the blocks of some regions: the interface whose law they have, and the bonds that the inner sides of
+/// these regions become.
+struct ThroughBlocks {
+  Interface bond;
+  std::size_t law = 0;   ///< of the interfaces
+  double stiffness = 0;  ///< k of a cut in units of that of the block's sides
+};
+
+/// The interfaces of a deck, made, and which of them a side belongs to. What does not fit together is a finding.
+class InterfaceBook {
+ public:
+  InterfaceBook(const Body& body, const ModelParameters& model, Findings& findings);
+
+  /// By curve, else a bond in regions through which cracks run, else by material pair, else a bond.
+  Interface& of_side(const Side& side);
+  /// Of the entry of `cracks` to which a crack belongs.
+  const ThroughBlocks& of_crack(int crack) const { return through_[model_.entry_of_crack(crack)]; }
+  Interface& law_of(const ThroughBlocks& through) { return interfaces_[through.law]; }
+  std::vector<Interface>& interfaces() { return interfaces_; }
+  const Interface& bond() const { return bond_; }
+
+ private:
+  void add(const std::string& name, const InterfaceParameters& p);
+  void check_release(const InterfaceParameters& p, const Interface& made);
+  void add_field(const FieldParameters& field, Interface& interface);
+  void check_names();
+  std::string unknown_material(const std::string& name) const;
+  void add_crack(const CrackParameters& p);
+  std::optional<std::size_t> law_through(const CrackParameters& p, const std::string& material);
+  const std::string& material_name(BlockId id) const {
+    return body_.assembly.regions[static_cast<std::size_t>(body_.block(id).region)].material;
+  }
+
+  const Body& body_;
+  const ModelParameters& model_;
+  Findings& findings_;
+  std::vector<Interface> interfaces_;
+  Interface bond_;
+  std::vector<ThroughBlocks> through_;
+  std::map<int, std::size_t> by_region_;  ///< index into through_
+  std::map<std::string, int> by_curve_;
+  std::map<std::pair<std::string, std::string>, int> by_pair_;
+};
+
+}  // namespace dda

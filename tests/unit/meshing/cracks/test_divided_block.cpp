@@ -1,0 +1,55 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "meshing/cracks/divided_block.hpp"
+
+namespace dda {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+const Polygon square{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}};
+constexpr DividedBlock::Smallest smallest{1e-9, 1e-9};
+const JumpId a{0}, b{1}, c{2};
+
+TEST(DividedBlock, WhatLiesRightOfACutJumps) {
+  DividedBlock block(square);
+  ASSERT_TRUE(block.divide(a, {1, 0}, {1, 4}, smallest));
+  EXPECT_THAT(block.part_at({0.5, 2}).jumps, IsEmpty());
+  EXPECT_THAT(block.part_at({3, 2}).jumps, ElementsAre(a));
+  EXPECT_DOUBLE_EQ(signed_area(block.parts()[0].outline) + signed_area(block.parts()[1].outline), 16);
+}
+
+/// Three strips, cut in either order and direction: across each cut the displacement jumps by its own jump alone.
+TEST(DividedBlock, PartsBeyondALaterCutMoveWithIt) {
+  DividedBlock block(square);
+  ASSERT_TRUE(block.divide(a, {1, 0}, {1, 4}, smallest));
+  ASSERT_TRUE(block.divide(b, {3, 4}, {3, 0}, smallest));
+  EXPECT_THAT(block.part_at({3.5, 2}).jumps, ElementsAre(a));
+  EXPECT_THAT(block.part_at({2, 2}).jumps, ElementsAre(a, b)) << "right of a downward cut lies the left";
+  EXPECT_THAT(block.part_at({0.5, 2}).jumps, ElementsAre(b)) << "hangs on what lies right of the second cut";
+  ASSERT_FALSE(block.divide(c, {1, 2}, {0, 2}, smallest)) << "begins on another cut";
+}
+
+TEST(DividedBlock, RefusesWhatIsNoCut) {
+  DividedBlock block(square);
+  EXPECT_FALSE(block.divide(a, {0, 0}, {4, 0}, smallest)) << "along an edge";
+  EXPECT_FALSE(block.divide(a, {1, 0}, {1, 3}, smallest)) << "ends within";
+  EXPECT_FALSE(block.divide(a, {1, 1}, {1, 4}, smallest)) << "begins within";
+  EXPECT_FALSE(block.divide(a, {1e-10, 0}, {0, 1e-10}, smallest)) << "cuts nothing off";
+  ASSERT_TRUE(block.divide(a, {1, 0}, {1, 4}, smallest));
+  EXPECT_FALSE(block.divide(b, {0, 2}, {4, 2}, smallest)) << "crosses another cut";
+  EXPECT_FALSE(block.divide(b, {0, 2}, {1, 2}, smallest)) << "ends on another cut";
+  EXPECT_EQ(block.parts().size(), 2u);
+}
+
+TEST(DividedBlock, TakesASliver) {
+  DividedBlock block(square);
+  EXPECT_TRUE(block.divide(a, {4 - 1e-6, 0}, {4 - 1e-6, 4}, smallest));
+  EXPECT_THAT(block.part_at({4, 2}).jumps, ElementsAre(a));
+  EXPECT_THAT(block.part_at({3.9, 2}).jumps, IsEmpty());
+}
+
+}  // namespace
+}  // namespace dda

@@ -1,0 +1,95 @@
+// Cracks through blocks: a beam in three-point bending breaks as one with a straight crack does, whatever the pattern
+// of its blocks. Peaks of the straight crack are those of a node-release solution with 240 elements over the depth.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "studies/dda/case/simulation.hpp"
+
+namespace dda::verification {
+namespace {
+
+std::string beam(const std::string& subdivision, double fracture_energy) {
+  return fmt::format(
+      "scene:\n  regions:\n    - {{name: beam, material: concrete, vertices: [[0, 0], [300, 0], [300, 100], "
+      "[0, "
+      "100]]}}\n"
+      "  subdivision: {}\n"
+      "thickness: 100\nplane: stress\n"
+      "materials: {{concrete: {{type: linear_elastic, young_modulus: 30000, poisson_ratio: 0.2}}}}\n"
+      "interfaces: {{joints: {{between: [concrete, concrete], law: {{type: linear_softening, "
+      "tensile_strength: 3, "
+      "fracture_energy: {}}}}}}}\n"
+      "cracks: [{{through_blocks: [beam], begin: [{{at: [150, 0], direction: [0, 1]}}]}}]\n"
+      "supports: {{left: {{at: [0, 0], fix: xy}}, right: {{at: [300, 0], fix: y}}}}\n"
+      "stages: [{{loads: [{{type: point_load, over: [[145, 100], [155, 100]], force: [0, -1]}}]}}]\n"
+      "path: {{stop: {{load_below: 0.3}}}}\n",
+      subdivision, fracture_energy);
+}
+
+/// What a path has come to.
+struct Followed {
+  Ending::Kind ending = {};
+  double peak = 0;
+  double largest_jump = 0;     ///< of the load where a crack grows, in parts of the peak
+  double work_over_spent = 0;  ///< what was put in and is not stored, over the dissipated energy
+  double tip = 0;              ///< height that the crack has reached
+};
+
+Followed follow(const std::string& text) {
+  const DeckFile file = deck_from_text(text, "beam.yaml", {});
+  Timings timings;
+  Simulation simulation(file.deck, timings);
+  simulation.prepare();
+  simulation.begin_path();
+  Followed out;
+  double before = 0;
+  for (const Point& point : simulation.path()) {
+    const double load = simulation.walker().here().load;
+    if (point.kind == StepKind::growth)
+      out.largest_jump = std::max(out.largest_jump, std::abs(load - before));
+    out.peak = std::max(out.peak, load);
+    before = load;
+  }
+  const Candidate& here = simulation.walker().here();
+  out.ending = simulation.path().ending().kind;
+  out.largest_jump /= out.peak;
+  out.work_over_spent = (here.work - here.stored) / here.dissipated;
+  out.tip = simulation.cracks()->tip(0).y();
+  return out;
+}
+
+void expect_straight_crack(const std::string& subdivision, double fracture_energy, double peak) {
+  const Followed found = follow(beam(subdivision, fracture_energy));
+  constexpr double coarse = 0.022, jump = 2e-3, balance = 1e-3;
+  EXPECT_EQ(found.ending, Ending::Kind::goal_reached) << subdivision;
+  EXPECT_GT(found.peak, peak) << subdivision;
+  EXPECT_LT(found.peak, (1 + coarse) * peak) << subdivision;
+  EXPECT_LT(found.largest_jump, jump) << subdivision;
+  EXPECT_NEAR(found.work_over_spent, 1, balance) << subdivision;
+  EXPECT_GT(found.tip, 70) << subdivision;
+}
+
+TEST(CracksThroughBlocks, BreakABeamOfAnyPatternAtTheLoadOfAStraightCrack) {
+  for (const char* pattern :
+       {"{type: voronoi, blocks: 320, seed: 1}", "{type: voronoi, blocks: 320, seed: 2}",
+        "{type: voronoi, blocks: 320, seed: 3}", "{type: quads, size: 9.7}", "{type: triangles, size: 14}"})
+    expect_straight_crack(pattern, 0.1, 11676.0);
+}
+
+TEST(CracksThroughBlocks, BreakABrittleBeamAtTheLoadOfAStraightCrack) {
+  expect_straight_crack("{type: voronoi, blocks: 320, seed: 1}", 0.02, 8881.5);
+}
+
+TEST(CracksThroughBlocks, ConvergeToTheLoadOfAStraightCrack) {
+  constexpr double fine = 0.008;
+  const Followed found = follow(beam("{type: voronoi, blocks: 1300, seed: 1}", 0.1));
+  EXPECT_EQ(found.ending, Ending::Kind::goal_reached);
+  EXPECT_NEAR(found.peak, 11676.0, fine * 11676.0);
+  EXPECT_NEAR(found.work_over_spent, 1, 1e-3);
+}
+
+}  // namespace
+}  // namespace dda::verification
