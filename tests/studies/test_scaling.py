@@ -32,9 +32,10 @@ class Exponent(unittest.TestCase):
         self.assertIsNone(report.exponent(rows(1, (1000, 3000, 10_000)), "total"))
 
     def test_a_limit_that_is_missed_is_said(self):
-        said = " ".join(report.verdicts([row | {"one reduced iteration": 1} for row in rows(1.5)]))
+        said = " ".join(report.verdicts([row | {"one reduced iteration": 1, "one step": 1} for row in rows(1.5)]))
         self.assertIn("Exponent of total: 1.50, at most 1.45: **no**", said)
         self.assertIn("Exponent of one reduced iteration: 0.00, at most 0.7: yes", said)
+        self.assertIn("Exponent of one step: 0.00, at most 0.75: yes", said)
 
 
 class Quick(unittest.TestCase):
