@@ -117,8 +117,8 @@ class LinearSystem {
   /// x −= Z s for each x, s in the columns of `shares`, 2 rows per point.
   void subtract_columns(std::span<const std::size_t> points, const Eigen::MatrixXd& shares,
                         std::span<const std::span<double>> solutions);
-  /// As a sum where every active point has columns, by which all that a step asks for is told; else, and at the
-  /// latest when K_base changes, at all nodes.
+  /// As a sum where the active points are so few that all get their columns together: these tell all that a step
+  /// asks for. Else, and at the latest when K_base changes, at all nodes.
   Displacements combined(Combination of);
   /// What displacements are a sum of; nothing where they are known at all nodes and no more.
   static std::optional<Combination> combination_of(const Displacements& d);
