@@ -91,8 +91,10 @@ std::optional<Point> growth_step(PathState& path, int crack) {
   if (auto next = settled(path)) {
     const double step = path.memory.step;
     constexpr double of_cuts = 1e-3;  // a closed cut that is taken back was not rigid
+    Tangent onward = path.walker.leaving();
     auto point = jump_to(path, *std::move(next), StepKind::growth, of_cuts * path.walker.here().stored);
     path.memory.step = step;
+    if (point && onward.dissipates) path.walker.turn_to(std::move(onward), path.walker.here().history);
     if (point) return point;
   }
   const std::vector<Cut> refused = front.geometry().cuts();

@@ -36,6 +36,7 @@ struct Followed {
   double largest_jump = 0;     ///< of the load where a crack grows, in parts of the peak
   double work_over_spent = 0;  ///< what was put in and is not stored, over the dissipated energy
   double tip = 0;              ///< height that the crack has reached
+  int steps = 0;
 };
 
 Followed follow(const std::string& text) {
@@ -58,6 +59,7 @@ Followed follow(const std::string& text) {
   out.largest_jump /= out.peak;
   out.work_over_spent = (here.work - here.stored) / here.dissipated;
   out.tip = simulation.cracks()->tip(0).y();
+  out.steps = simulation.walker().effort().accepted;
   return out;
 }
 
@@ -89,6 +91,8 @@ TEST(CracksThroughBlocks, ConvergeToTheLoadOfAStraightCrack) {
   EXPECT_EQ(found.ending, Ending::Kind::goal_reached);
   EXPECT_NEAR(found.peak, 11676.0, fine * 11676.0);
   EXPECT_NEAR(found.work_over_spent, 1, 1e-3);
+  constexpr int of_straight_steps = 190;  // the path keeps its pace where the crack grows
+  EXPECT_LT(found.steps, of_straight_steps);
 }
 
 }  // namespace
