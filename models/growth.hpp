@@ -14,6 +14,8 @@ namespace dda {
 struct Growth {
   /// The number each had before; nothing of new ones.
   std::vector<std::optional<std::size_t>> nodes, points;
+  std::size_t same_cuts = 0;     ///< the first cuts, which are what they were, in the same order
+  bool keeps_stiffness = false;  ///< the intact stiffness of the blocks is what it was, but for rounding
 
   /// Unknowns, six per node; those of new nodes are zero.
   std::vector<double> unknowns(const std::vector<double>& before) const;

@@ -55,7 +55,6 @@ class System {
   /// is.
   System(const Equilibrium& equilibrium, const DirectSolverChoice& solver, LinearSystem::Update update);
   /// Lets the equilibrium be made anew, with other cuts, and follows: cuts that are still there keep their history.
-  /// Every base is factorised anew.
   Growth follow(const std::function<Growth()>& remake);
   /// Times the phases of a step there from now on.
   void measure_with(Timings& timings);
