@@ -349,19 +349,23 @@ void LinearSystem::correct(std::span<const std::span<double>> solutions) {
   if (!active_.empty()) subtract_columns(active_, shares_of(solutions), solutions);
 }
 
-std::optional<Eigen::MatrixXd> LinearSystem::flexibility(std::span<const std::size_t> points) {
+std::optional<Eigen::MatrixXd> LinearSystem::flexibility(std::span<const Hinge> hinges) {
   std::vector<std::size_t> unknown;
-  std::ranges::copy_if(points, std::back_inserter(unknown), [&](std::size_t p) { return !has_columns(p); });
+  for (const Hinge& hinge : hinges)
+    if (!has_columns(hinge.point)) unknown.push_back(hinge.point);
   if (!updates() || (!unknown.empty() && !make_columns(unknown))) return {};
-  const auto at = [](std::size_t i) { return 2 * static_cast<Eigen::Index>(i); };
-  const Eigen::Index n = at(points.size()), r = at(active_.size());
+  const auto n = std::ssize(hinges), r = 2 * std::ssize(active_);
   Eigen::MatrixXd out(n, n), left(r, n), right(r, n);
-  for (std::size_t j = 0; j < points.size(); ++j) {
-    for (std::size_t i = 0; i < points.size(); ++i)
-      out.block<2, 2>(at(i), at(j)) = coupling(points[i], points[j]);
-    for (std::size_t a = 0; a < active_.size(); ++a) {
-      left.block<2, 2>(at(a), at(j)) = coupling(points[j], active_[a]).transpose();
-      right.block<2, 2>(at(a), at(j)) = update_of(active_[a]) * coupling(active_[a], points[j]);
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const Hinge& at = hinges[static_cast<std::size_t>(j)];
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const Hinge& seen = hinges[static_cast<std::size_t>(i)];
+      out(i, j) = seen.component.dot(coupling(seen.point, at.point) * at.force);
+    }
+    for (Eigen::Index row = 0; row < r; row += 2) {
+      const std::size_t p = active_[static_cast<std::size_t>(row / 2)];
+      left.block<2, 1>(row, j) = coupling(at.point, p).transpose() * at.component;
+      right.block<2, 1>(row, j) = update_of(p) * (coupling(p, at.point) * at.force);
     }
   }
   if (r > 0) out -= product_of_transpose(left, small_.solve(std::move(right)));
