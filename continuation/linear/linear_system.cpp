@@ -5,7 +5,6 @@
 #include <functional>
 #include <utility>
 
-#include "continuation/linear/dense_product.hpp"
 #include "framework/base/threads.hpp"
 
 namespace dda {
@@ -301,25 +300,6 @@ void LinearSystem::solve(std::span<const double> b, std::span<double> x) {
 
 void LinearSystem::correct(std::span<const std::span<double>> solutions) {
   if (!active_.empty()) subtract_columns(active_, shares_of(solutions), solutions);
-}
-
-std::optional<Eigen::MatrixXd> LinearSystem::flexibility(std::span<const std::size_t> points) {
-  std::vector<std::size_t> unknown;
-  std::ranges::copy_if(points, std::back_inserter(unknown), [&](std::size_t p) { return !has_columns(p); });
-  if (!updates() || (!unknown.empty() && !make_columns(unknown))) return {};
-  const auto at = [](std::size_t i) { return 2 * static_cast<Eigen::Index>(i); };
-  const Eigen::Index n = at(points.size()), r = at(active_.size());
-  Eigen::MatrixXd out(n, n), left(r, n), right(r, n);
-  for (std::size_t j = 0; j < points.size(); ++j) {
-    for (std::size_t i = 0; i < points.size(); ++i)
-      out.block<2, 2>(at(i), at(j)) = coupling(points[i], points[j]);
-    for (std::size_t a = 0; a < active_.size(); ++a) {
-      left.block<2, 2>(at(a), at(j)) = coupling(points[j], active_[a]).transpose();
-      right.block<2, 2>(at(a), at(j)) = update_of(active_[a]) * coupling(active_[a], points[j]);
-    }
-  }
-  if (r > 0) out -= product_of_transpose(left, small_.solve(std::move(right)));
-  return out;
 }
 
 Eigen::MatrixXd LinearSystem::shares_of(std::span<const std::span<double>> solutions) const {

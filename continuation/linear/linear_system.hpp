@@ -89,9 +89,14 @@ class LinearSystem {
   ///
   /// False where that is no cheaper than a solve, or columns would have to be made for it.
   bool solve_base_residual(const Iterate& at, std::span<double> y);
-  /// U K⁻¹ Uᵀ of some points, 2 × 2 for each pair, from couplings alone; nothing where nothing is updated or
-  /// columns for all of them are too many.
-  std::optional<Eigen::MatrixXd> flexibility(std::span<const std::size_t> points);
+  /// A force at a point, and the component of its opening that is asked for.
+  struct Hinge {
+    std::size_t point;
+    Vec2 component, force;
+  };
+  /// cᵢ · (U K⁻¹ Uᵀ)ᵢⱼ fⱼ of hinges, from couplings alone; nothing where nothing is updated or columns for all
+  /// of them are too many.
+  std::optional<Eigen::MatrixXd> flexibility(std::span<const Hinge> hinges);
   /// The stiffness with these D, 2 × 2 per active point, whatever the present tangent is.
   BlockMatrix matrix_with(std::span<const Mat2> tangents) const;
   /// y = K x.
