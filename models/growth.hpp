@@ -19,12 +19,21 @@ struct Growth {
 
   /// Unknowns, six per node; those of new nodes are zero.
   std::vector<double> unknowns(const std::vector<double>& before) const;
-  /// What is known of each active point.
+  /// What is known of each active point; zero of new ones.
   template <class T>
   std::vector<T> of_points(const std::vector<T>& before) const {
     std::vector<T> out;
-    for (const auto& point : points) out.push_back(point ? before[*point] : T{});
+    for (const auto& point : points) out.push_back(point ? before[*point] : zero<T>());
     return out;
+  }
+
+ private:
+  template <class T>
+  static T zero() {
+    if constexpr (requires { T::Zero(); })
+      return T::Zero();
+    else
+      return {};
   }
 };
 

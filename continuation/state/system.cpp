@@ -41,8 +41,6 @@ Growth System::follow(const std::function<Growth()>& remake) {
   Growth growth = remake();
   history_ = growth.of_points(history_);
   if (!multipliers_.empty()) multipliers_ = growth.of_points(multipliers_);
-  for (std::size_t p = 0; p < multipliers_.size(); ++p)
-    if (!growth.points[p]) multipliers_[p].setZero();
   path_tangent_.clear();
   used_stamp_ = 0;
   for (LinearSystem* linear : {&linear_, physical_.get(), contact_.get()})

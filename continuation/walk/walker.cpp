@@ -8,18 +8,6 @@
 #include "continuation/state/history_guard.hpp"
 
 namespace dda {
-namespace {
-
-/// Of new points none.
-std::vector<Vec2> rates_after(const Growth& growth, const std::vector<Vec2>& before) {
-  std::vector<Vec2> out = growth.of_points(before);
-  for (std::size_t p = 0; p < out.size(); ++p)
-    if (!growth.points[p]) out[p].setZero();
-  return out;
-}
-
-}  // namespace
-
 Walker::Walker(Stepper& stepper) : stepper_(stepper), system_(stepper.system()) {
   here_.state.d = std::vector<double>(system_.equilibrium().num_unknowns(), 0.0);
   here_.state.multipliers = system_.multipliers();
@@ -182,7 +170,7 @@ Growth Walker::follow(const std::function<Growth()>& remake) {
   here_.arriving = {};
   if (!along.empty()) leaving_.d = growth.unknowns(along);
   for (auto* rates : {&leaving_.opening, &leaving_.multipliers})
-    if (!rates->empty()) *rates = rates_after(growth, *rates);
+    if (!rates->empty()) *rates = growth.of_points(*rates);
   return growth;
 }
 
