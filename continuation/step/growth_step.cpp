@@ -77,6 +77,7 @@ std::optional<int> crack_to_grow(PathState& path) {
 
 std::optional<Point> growth_step(PathState& path, int crack) {
   CrackFront& front = path.cracks->structure.front();
+  if (path.cracks->grows) path.cracks->grows();
   const std::vector<Cut> cuts = front.geometry().cuts();
   const std::vector<CrackFront::Memory> memory = front.memory();
   const bool is_aimed = front.aim(crack, stress_around(path));
