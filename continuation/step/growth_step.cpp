@@ -150,6 +150,7 @@ std::optional<Point> step_on(PathState& path) {
 
 std::optional<Point> growth_step(PathState& path, int crack) {
   CrackFront& front = path.cracks->structure.front();
+  if (path.cracks->grows) path.cracks->grows();
   const std::vector<Cut> cuts = front.geometry().cuts();
   const std::vector<CrackFront::Memory> memory = front.memory();
   front.grow(crack);

@@ -29,8 +29,21 @@ std::vector<int> stored_steps(const fs::path& run_folder) {
 }
 
 std::string dataset_of(const std::string& field, FieldPlace place) {
-  const bool on_segments = place == FieldPlace::segment || place == FieldPlace::segment_end;
-  return (on_segments ? "/segments/" : "/") + field;
+  switch (place) {
+    case FieldPlace::block:
+    case FieldPlace::block_vertex:
+      break;
+    case FieldPlace::segment:
+    case FieldPlace::segment_end:
+      return "/segments/" + field;
+    case FieldPlace::part:
+    case FieldPlace::part_vertex:
+      return "/parts/" + field;
+    case FieldPlace::crack:
+    case FieldPlace::crack_end:
+      return "/cracks/" + field;
+  }
+  return "/" + field;
 }
 
 }  // namespace dda

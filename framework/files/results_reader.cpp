@@ -19,15 +19,22 @@ std::vector<Vec2> plane(const std::vector<double>& values) {
   return out;
 }
 
-std::vector<std::vector<Vec2>> outlines(const Hdf5File& file) {
-  const std::vector<Vec2> vertices = plane(file.numbers("/mesh/vertices"));
-  const std::vector<std::int64_t> offsets = file.integers("/mesh/offsets");
+std::vector<std::vector<Vec2>> outlines(const Hdf5File& file, const std::string& group) {
+  const std::vector<Vec2> vertices = plane(file.numbers(group + "/vertices"));
+  const std::vector<std::int64_t> offsets = file.integers(group + "/offsets");
   if (offsets.empty() || offsets.back() != static_cast<std::int64_t>(vertices.size()))
     throw Hdf5Error("its blocks do not fit its vertices");
   if (offsets.front() < 0 || !std::ranges::is_sorted(offsets)) throw Hdf5Error("its blocks are in no order");
   std::vector<std::vector<Vec2>> out;
   for (std::size_t b = 0; b + 1 < offsets.size(); ++b)
     out.emplace_back(vertices.begin() + offsets[b], vertices.begin() + offsets[b + 1]);
+  return out;
+}
+
+std::vector<std::array<Vec2, 2>> lines(const Hdf5File& file, const std::string& name) {
+  const std::vector<Vec2> ends = plane(file.numbers(name));
+  std::vector<std::array<Vec2, 2>> out;
+  for (std::size_t i = 0; i + 1 < ends.size(); i += 2) out.push_back({ends[i], ends[i + 1]});
   return out;
 }
 
@@ -49,13 +56,27 @@ ResultsReader::ResultsReader(const fs::path& folder) : folder_(folder), steps_(s
 
 ResultsMesh ResultsReader::mesh() const {
   return reading(folder_ / mesh_file, [](const Hdf5File& file) {
-    ResultsMesh out{.blocks = outlines(file), .block_region = {}, .segments = {}, .length_unit = {}};
+    ResultsMesh out{.blocks = outlines(file, "/mesh"),
+                    .block_region = {},
+                    .segments = lines(file, "/mesh/segment_ends"),
+                    .length_unit = {}};
     if (file.has("/mesh/region"))
       for (const std::int64_t region : file.integers("/mesh/region"))
         out.block_region.push_back(static_cast<int>(region));
-    const std::vector<Vec2> ends = plane(file.numbers("/mesh/segment_ends"));
-    for (std::size_t i = 0; i + 1 < ends.size(); i += 2) out.segments.push_back({ends[i], ends[i + 1]});
     out.length_unit = file.text_attribute("/mesh/vertices", "unit");
+    return out;
+  });
+}
+
+CutBlocks ResultsReader::cut(int step) const {
+  return reading(folder_ / step_file(step), [](const Hdf5File& file) {
+    CutBlocks out;
+    if (file.has("/parts")) {
+      out.parts = outlines(file, "/parts");
+      for (const std::int64_t block : file.integers("/parts/block"))
+        out.part_block.push_back(static_cast<std::size_t>(block));
+    }
+    if (file.has("/cracks")) out.pieces = lines(file, "/cracks/ends");
     return out;
   });
 }
@@ -66,6 +87,10 @@ bool ResultsReader::has(int step, const std::string& field) const {
 
 std::vector<double> ResultsReader::values(int step, const std::string& field) const {
   return reading(folder_ / step_file(step), [&](const Hdf5File& file) { return file.numbers("/" + field); });
+}
+
+std::vector<std::int64_t> ResultsReader::integers(int step, const std::string& table) const {
+  return reading(folder_ / step_file(step), [&](const Hdf5File& file) { return file.integers("/" + table); });
 }
 
 std::string ResultsReader::unit(int step, const std::string& field) const {

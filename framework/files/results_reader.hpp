@@ -20,8 +20,11 @@ class ResultsReader {
   /// Numbers of the stored steps, increasing.
   const std::vector<int>& steps() const { return steps_; }
   bool has(int step, const std::string& field) const;
+  /// What cracks have made of the blocks, without its tables.
+  CutBlocks cut(int step) const;
   /// Row-major; plane vectors have three components, the last one zero.
   std::vector<double> values(int step, const std::string& field) const;
+  std::vector<std::int64_t> integers(int step, const std::string& table) const;
   std::string unit(int step, const std::string& field) const;
   ResultsTexts provenance() const;
 

@@ -22,10 +22,13 @@ std::vector<double> in_space(const std::vector<Vec2>& points) {
   return values;
 }
 
-void write_blocks(Hdf5File& file, const ResultsMesh& mesh) {
+using Outlines = std::vector<std::vector<Vec2>>;
+
+/// Polygons of a group: each its own vertices.
+void write_outlines(Hdf5File& file, const std::string& group, const Outlines& outlines) {
   std::vector<Vec2> vertices;
   std::vector<std::int64_t> mixed, offsets = {0};
-  for (const auto& outline : mesh.blocks) {
+  for (const auto& outline : outlines) {
     mixed.insert(mixed.end(), {xdmf_polygon, static_cast<std::int64_t>(outline.size())});
     for (const Vec2& vertex : outline) {
       mixed.push_back(static_cast<std::int64_t>(vertices.size()));
@@ -33,25 +36,38 @@ void write_blocks(Hdf5File& file, const ResultsMesh& mesh) {
     }
     offsets.push_back(static_cast<std::int64_t>(vertices.size()));
   }
-  file.write("/mesh/vertices", in_space(vertices), 3);
-  file.write("/mesh/offsets", offsets);
-  file.write("/mesh/mixed", mixed);
+  file.write(group + "/vertices", in_space(vertices), 3);
+  file.write(group + "/offsets", offsets);
+  file.write(group + "/mixed", mixed);
 }
 
-void write_segments(Hdf5File& file, const ResultsMesh& mesh) {
-  std::vector<Vec2> ends;
-  std::vector<std::int64_t> pairs;
-  for (const auto& [start, end] : mesh.segments) {
-    ends.insert(ends.end(), {start, end});
-    pairs.insert(pairs.end(),
-                 {static_cast<std::int64_t>(ends.size()) - 2, static_cast<std::int64_t>(ends.size()) - 1});
+/// The blocks with those left out that are cut: what is left of them has no area.
+std::vector<std::int64_t> whole_blocks(const std::vector<std::int64_t>& offsets, const CutBlocks& cut) {
+  std::vector<std::int64_t> out;
+  for (std::size_t b = 0; b + 1 < offsets.size(); ++b) {
+    const bool is_cut = std::ranges::binary_search(cut.part_block, b);
+    const std::int64_t count = is_cut ? 3 : offsets[b + 1] - offsets[b];
+    out.insert(out.end(), {xdmf_polygon, count});
+    for (std::int64_t v = 0; v < count; ++v) out.push_back(offsets[b] + (is_cut ? 0 : v));
   }
-  file.write("/mesh/segment_ends", in_space(ends), 3);
-  file.write("/mesh/segments", pairs, 2);
+  return out;
 }
 
-void write_table(Hdf5File& file, const ResultsTable& table) {
-  const std::string name = "/model/" + table.name;
+void write_lines(Hdf5File& file, const std::string& lines, const std::string& ends,
+                 const std::vector<std::array<Vec2, 2>>& segments) {
+  std::vector<Vec2> points;
+  std::vector<std::int64_t> pairs;
+  for (const auto& [start, end] : segments) {
+    const auto first = static_cast<std::int64_t>(points.size());
+    points.insert(points.end(), {start, end});
+    pairs.insert(pairs.end(), {first, first + 1});
+  }
+  file.write(ends, in_space(points), 3);
+  file.write(lines, pairs, 2);
+}
+
+void write_table(Hdf5File& file, const std::string& group, const ResultsTable& table) {
+  const std::string name = group + "/" + table.name;
   if (!table.texts.empty())
     file.write(name, table.texts);
   else if (!table.integers.empty())
@@ -61,18 +77,27 @@ void write_table(Hdf5File& file, const ResultsTable& table) {
 }
 
 void write_mesh(Hdf5File& file, const ResultsMesh& mesh) {
-  write_blocks(file, mesh);
-  write_segments(file, mesh);
+  write_outlines(file, "/mesh", mesh.blocks);
+  write_lines(file, "/mesh/segments", "/mesh/segment_ends", mesh.segments);
   const std::vector<std::int64_t> region(mesh.block_region.begin(), mesh.block_region.end());
   if (!region.empty()) file.write("/mesh/region", region);
   file.set_attribute("/mesh/vertices", "unit", mesh.length_unit);
   file.set_attribute("/mesh/segment_ends", "unit", mesh.length_unit);
-  for (const ResultsTable& table : mesh.model) write_table(file, table);
+  for (const ResultsTable& table : mesh.model) write_table(file, "/model", table);
 }
 
 XdmfSizes sizes_of(const Hdf5File& file) {
   return {file.num_rows("/mesh/offsets") - 1, file.num_rows("/mesh/vertices"), file.num_rows("/mesh/mixed"),
           file.num_rows("/mesh/segments"), file.has("/mesh/region")};
+}
+
+XdmfCuts cuts_of(const Hdf5File& file) {
+  XdmfCuts out;
+  if (file.has("/parts"))
+    out = {file.num_rows("/parts/block"), file.num_rows("/parts/vertices"), file.num_rows("/parts/mixed"),
+           file.num_rows("/parts/whole")};
+  if (file.has("/cracks")) out.pieces = file.num_rows("/cracks/lines");
+  return out;
 }
 
 XdmfField entry_of(const StoredField& field) {
@@ -95,6 +120,16 @@ void write_field(Hdf5File& file, const StoredField& field) {
   file.set_attribute(dataset, "unit", field.unit);
   file.set_attribute(dataset, "components", field.labels);
   file.set_attribute(dataset, "place", static_cast<std::int64_t>(field.place));
+}
+
+void write_cut(Hdf5File& file, const CutBlocks& cut, const std::vector<std::int64_t>& offsets) {
+  if (!cut.parts.empty()) {
+    write_outlines(file, "/parts", cut.parts);
+    file.write("/parts/block", std::vector<std::int64_t>(cut.part_block.begin(), cut.part_block.end()));
+    file.write("/parts/whole", whole_blocks(offsets, cut));
+  }
+  if (!cut.pieces.empty()) write_lines(file, "/cracks/lines", "/cracks/ends", cut.pieces);
+  for (const ResultsTable& table : cut.tables) write_table(file, "", table);
 }
 
 void write_step(Hdf5File& file, const Snapshot& snapshot) {
@@ -136,10 +171,11 @@ XdmfField read_entry(const Hdf5File& file, const std::string& dataset) {
 XdmfStep read_step(const Hdf5File& file) {
   XdmfStep step{
       static_cast<int>(file.integer_attribute("/", "step")), file.number_attribute("/", "time"), {}};
-  for (const std::string& name : file.members("/"))
-    if (name != "segments") step.fields.push_back(read_entry(file, "/" + name));
-  for (const std::string& name : file.members("/segments"))
-    step.fields.push_back(read_entry(file, "/segments/" + name));
+  step.cuts = cuts_of(file);
+  for (const std::string group : {"", "/segments", "/parts", "/cracks"})
+    for (const std::string& name : file.members(group.empty() ? "/" : group))
+      if (const std::string dataset = group + "/" + name; file.has_attribute(dataset, "place"))
+        step.fields.push_back(read_entry(file, dataset));
   return step;
 }
 
@@ -173,6 +209,7 @@ ResultsWriter::ResultsWriter(const fs::path& folder, const ResultsMesh& mesh, co
     write_mesh(file, mesh);
     for (const auto& [name, text] : provenance) file.write("/provenance/" + name, std::vector{text});
     sizes_ = sizes_of(file);
+    offsets_ = file.integers("/mesh/offsets");
   });
   write_xdmf();
 }
@@ -181,18 +218,21 @@ ResultsWriter ResultsWriter::resume(const fs::path& folder, int last_step) {
   ResultsWriter result(folder);
   make_room(folder / fields_folder, last_step);
   result.sizes_ = read_again(folder / mesh_file, sizes_of);
+  result.offsets_ =
+      read_again(folder / mesh_file, [](const Hdf5File& file) { return file.integers("/mesh/offsets"); });
   for (const int step : stored_steps(folder))
     result.steps_.push_back(read_again(folder / step_file(step), read_step));
   result.write_xdmf();
   return result;
 }
 
-void ResultsWriter::check(const Snapshot& snapshot) const {
+void ResultsWriter::check(const Snapshot& snapshot, const XdmfCuts& cuts) const {
   if (!steps_.empty() && snapshot.step <= steps_.back().step) {
     throw std::invalid_argument(fmt::format("step {} is stored after {}", snapshot.step, steps_.back().step));
   }
   for (const StoredField& field : snapshot.fields) {
-    const std::size_t wanted = num_places(sizes_, field.place) * static_cast<std::size_t>(field.components);
+    const std::size_t wanted =
+        num_places(sizes_, cuts, field.place) * static_cast<std::size_t>(field.components);
     if (field.values.size() == wanted) continue;
     throw std::invalid_argument(
         fmt::format("field '{}' has {} values, {} are wanted", field.name, field.values.size(), wanted));
@@ -200,9 +240,13 @@ void ResultsWriter::check(const Snapshot& snapshot) const {
 }
 
 void ResultsWriter::store(const Snapshot& snapshot) {
-  check(snapshot);
-  write_file(folder_ / step_file(snapshot.step), [&](Hdf5File& file) { write_step(file, snapshot); });
   XdmfStep entry{snapshot.step, snapshot.time, {}};
+  write_file(folder_ / step_file(snapshot.step), [&](Hdf5File& file) {
+    write_cut(file, snapshot.cut, offsets_);
+    entry.cuts = cuts_of(file);
+    check(snapshot, entry.cuts);
+    write_step(file, snapshot);
+  });
   for (const StoredField& field : snapshot.fields) entry.fields.push_back(entry_of(field));
   steps_.push_back(std::move(entry));
   write_xdmf();

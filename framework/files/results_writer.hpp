@@ -26,10 +26,11 @@ class ResultsWriter {
  private:
   explicit ResultsWriter(std::filesystem::path folder) : folder_(std::move(folder)) {}
   void write_xdmf() const;
-  void check(const Snapshot& snapshot) const;
+  void check(const Snapshot& snapshot, const XdmfCuts& cuts) const;
 
   std::filesystem::path folder_;
   XdmfSizes sizes_;
+  std::vector<std::int64_t> offsets_;  ///< of the blocks' vertices
   std::vector<XdmfStep> steps_;
 };
 

@@ -35,8 +35,9 @@ class Writer {
   std::string step(const XdmfStep& entry) const {
     return fmt::format(
         "      <Grid Name=\"step {}\" GridType=\"Collection\" CollectionType=\"Spatial\">\n"
-        "        <Time Value=\"{}\"/>\n{}{}      </Grid>\n",
-        entry.step, shortest(entry.time), blocks(entry), sizes_.segments > 0 ? segments(entry) : "");
+        "        <Time Value=\"{}\"/>\n{}{}{}{}      </Grid>\n",
+        entry.step, shortest(entry.time), blocks(entry), sizes_.segments > 0 ? segments(entry) : "",
+        entry.cuts.parts > 0 ? parts(entry) : "", entry.cuts.pieces > 0 ? cracks(entry) : "");
   }
 
  private:
@@ -47,56 +48,89 @@ class Writer {
         extent, escaped(place));
   }
 
-  static std::string of_mesh(const std::string& dataset, const std::string& extent, const char* type) {
-    return item(fmt::format("{}:/mesh/{}", mesh_file, dataset), extent, type);
+  static std::string of_mesh(const std::string& dataset) {
+    return fmt::format("{}:/mesh/{}", mesh_file, dataset);
+  }
+  static std::string of_step(const XdmfStep& entry, const std::string& dataset) {
+    return fmt::format("{}:{}", step_file(entry.step), dataset);
   }
 
-  std::string of_field(int step, const XdmfField& field) const {
-    const std::size_t rows = num_places(sizes_, field.place);
-    return item(fmt::format("{}:{}", step_file(step), dataset_of(field.name, field.place)),
+  std::string of_field(const XdmfStep& entry, const XdmfField& field) const {
+    const std::size_t rows = num_places(sizes_, entry.cuts, field.place);
+    return item(of_step(entry, dataset_of(field.name, field.place)),
                 field.components == 1 ? std::to_string(rows) : fmt::format("{} {}", rows, field.components),
                 "Float");
   }
 
-  static std::string points(const std::string& dataset, std::size_t count) {
+  static std::string points(const std::string& place, std::size_t count) {
     return fmt::format("          <Geometry GeometryType=\"XYZ\">{}</Geometry>\n",
-                       of_mesh(dataset, fmt::format("{} 3", count), "Float"));
+                       item(place, fmt::format("{} 3", count), "Float"));
+  }
+
+  static std::string polygons(const std::string& place, std::size_t count, std::size_t size) {
+    return fmt::format("          <Topology TopologyType=\"Mixed\" NumberOfElements=\"{}\">{}</Topology>\n",
+                       count, item(place, std::to_string(size), "Int"));
+  }
+
+  static std::string lines(const std::string& place, std::size_t count) {
+    return fmt::format(
+        "          <Topology TopologyType=\"Polyline\" NodesPerElement=\"2\" NumberOfElements=\"{0}\">{1}"
+        "</Topology>\n",
+        count, item(place, fmt::format("{} 2", count), "Int"));
   }
 
   std::string blocks(const XdmfStep& entry) const {
     const std::string topology =
-        fmt::format("          <Topology TopologyType=\"Mixed\" NumberOfElements=\"{}\">{}</Topology>\n",
-                    sizes_.blocks, of_mesh("mixed", std::to_string(sizes_.mixed), "Int"));
-    return grid("blocks", topology + points("vertices", sizes_.vertices) + region() +
+        entry.cuts.parts > 0 ? polygons(of_step(entry, "/parts/whole"), sizes_.blocks, entry.cuts.whole)
+                             : polygons(of_mesh("mixed"), sizes_.blocks, sizes_.mixed);
+    return grid("blocks", topology + points(of_mesh("vertices"), sizes_.vertices) + region() +
                               fields(entry, FieldPlace::block, FieldPlace::block_vertex));
   }
 
   std::string segments(const XdmfStep& entry) const {
-    const std::string topology = fmt::format(
-        "          <Topology TopologyType=\"Polyline\" NodesPerElement=\"2\" NumberOfElements=\"{0}\">{1}"
-        "</Topology>\n",
-        sizes_.segments, of_mesh("segments", fmt::format("{} 2", sizes_.segments), "Int"));
-    return grid("interfaces", topology + points("segment_ends", 2 * sizes_.segments) +
+    return grid("interfaces", lines(of_mesh("segments"), sizes_.segments) +
+                                  points(of_mesh("segment_ends"), 2 * sizes_.segments) +
                                   fields(entry, FieldPlace::segment, FieldPlace::segment_end));
+  }
+
+  std::string parts(const XdmfStep& entry) const {
+    const XdmfCuts& cuts = entry.cuts;
+    return grid("parts", polygons(of_step(entry, "/parts/mixed"), cuts.parts, cuts.mixed) +
+                             points(of_step(entry, "/parts/vertices"), cuts.vertices) +
+                             number("block", of_step(entry, "/parts/block"), cuts.parts) +
+                             fields(entry, FieldPlace::part, FieldPlace::part_vertex));
+  }
+
+  std::string cracks(const XdmfStep& entry) const {
+    const std::size_t count = entry.cuts.pieces;
+    return grid("cracks", lines(of_step(entry, "/cracks/lines"), count) +
+                              points(of_step(entry, "/cracks/ends"), 2 * count) +
+                              number("crack", of_step(entry, "/cracks/crack"), count) +
+                              number("is_provisional", of_step(entry, "/cracks/is_provisional"), count) +
+                              fields(entry, FieldPlace::crack, FieldPlace::crack_end));
   }
 
   static std::string grid(const char* name, const std::string& content) {
     return fmt::format("        <Grid Name=\"{}\" GridType=\"Uniform\">\n{}        </Grid>\n", name, content);
   }
 
-  std::string region() const {
-    if (!sizes_.has_region) return "";
+  /// Whole numbers, one per cell.
+  static std::string number(const char* name, const std::string& place, std::size_t count) {
     return fmt::format(
-        "          <Attribute Name=\"region\" AttributeType=\"Scalar\" Center=\"Cell\">{}</Attribute>\n",
-        of_mesh("region", std::to_string(sizes_.blocks), "Int"));
+        "          <Attribute Name=\"{}\" AttributeType=\"Scalar\" Center=\"Cell\">{}</Attribute>\n", name,
+        item(place, std::to_string(count), "Int"));
+  }
+
+  std::string region() const {
+    return sizes_.has_region ? number("region", of_mesh("region"), sizes_.blocks) : "";
   }
 
   std::string fields(const XdmfStep& entry, FieldPlace cell, FieldPlace node) const {
     std::string text;
     for (const XdmfField& field : entry.fields) {
       if (field.place != cell && field.place != node) continue;
-      const std::string numbers = of_field(entry.step, field);
-      text += field.labels == "n s" ? normal_and_sliding(field, numbers)
+      const std::string numbers = of_field(entry, field);
+      text += field.labels == "n s" ? normal_and_sliding(field, numbers, num_places(sizes_, entry.cuts, cell))
                                     : attribute(field, numbers, field.place == node);
     }
     return text;
@@ -108,8 +142,8 @@ class Writer {
   }
 
   /// Two numbers, not one vector: its magnitude would call a slip an opening.
-  std::string normal_and_sliding(const XdmfField& field, const std::string& numbers) const {
-    const std::size_t rows = num_places(sizes_, field.place);
+  static std::string normal_and_sliding(const XdmfField& field, const std::string& numbers,
+                                        std::size_t rows) {
     std::string text;
     for (int component = 0; component < 2; ++component)
       text += fmt::format(
@@ -131,7 +165,7 @@ class Writer {
 
 }  // namespace
 
-std::size_t num_places(const XdmfSizes& sizes, FieldPlace place) {
+std::size_t num_places(const XdmfSizes& sizes, const XdmfCuts& cuts, FieldPlace place) {
   switch (place) {
     case FieldPlace::block:
       return sizes.blocks;
@@ -141,6 +175,14 @@ std::size_t num_places(const XdmfSizes& sizes, FieldPlace place) {
       return sizes.segments;
     case FieldPlace::segment_end:
       return 2 * sizes.segments;
+    case FieldPlace::part:
+      return cuts.parts;
+    case FieldPlace::part_vertex:
+      return cuts.vertices;
+    case FieldPlace::crack:
+      return cuts.pieces;
+    case FieldPlace::crack_end:
+      return 2 * cuts.pieces;
   }
   return 0;
 }

@@ -131,12 +131,7 @@ void Simulation::prepare() {
   stepper_ = std::make_unique<Stepper>(*system_, deck_.path);
   walker_ = std::make_unique<Walker>(*stepper_);
   notices_ = equilibrium_->interfaces().notices;
-  if (front_) {
-    notices_.push_back(
-        "cracks through blocks: stored fields show each block as if it were whole, moved by what lies left "
-        "of its cuts; `deformed.svg` shows the parts, log.jsonl where cracks have grown to");
-    note_coarse_cracks();
-  }
+  if (front_) note_coarse_cracks();
   if (const std::size_t multipliers = equilibrium_->num_unknown_multipliers(); multipliers > 0)
     if (const int redundant = num_redundant(equilibrium_->unperturbed()); redundant > 0)
       notices_.push_back(fmt::format(
@@ -161,6 +156,9 @@ void Simulation::begin_path() {
   path_ = std::make_unique<Path>(*walker_, deck_.path, gauges_, Route{landings(), legs()});
   if (front_)
     path_->run({*cracked_, [this] { return look_up(); },
+                [this] {
+                  if (grows_) grows_();
+                },
                 [this](const Growth& growth) {
                   if (has_grown_) has_grown_(growth);
                 }});

@@ -90,7 +90,7 @@ RunRecorder::RunRecorder(const RunFolder& folder, Simulation& simulation, const 
   simulation.path().report_to([this](const std::string& event, const std::string& text) {
     log_.info(event, {{"step", memory_.last_step + 1}, {"text", text}});
   });
-  simulation.when_grown([this](const Growth& growth) { carry_peak(growth); });
+  simulation.when_grown([this] { store_peak(); }, [this](const Growth& growth) { carry_peak(growth); });
   if (memory) {
     const std::vector<int> steps = results_.steps();
     last_stored_ = steps.empty() ? -1 : steps.back();
@@ -193,19 +193,25 @@ void RunRecorder::look_for_crawling() {
   goal_before_ = goal;
 }
 
-/// The state of the highest load is held back until the load falls, so that only the peak itself is stored.
+/// The state of the highest load is held back until the load falls, so that only the peak itself is stored; or until a
+/// crack grows, whose new cuts would not be in equilibrium in it.
 void RunRecorder::keep_peak(const Point& point, const Measurement& now) {
   if (point.is_highest) {
     memory_.peak = now;
     memory_.peak_state = here();
     memory_.is_peak_stored = false;
-  } else if (!memory_.is_peak_stored) {
-    store(*memory_.peak_state);
-    memory_.is_peak_stored = true;
+  } else {
+    store_peak();
   }
 }
 
-/// The state that is held back must fit the structure when it is stored.
+void RunRecorder::store_peak() {
+  if (!memory_.peak_state || memory_.is_peak_stored) return;
+  store(*memory_.peak_state);
+  memory_.is_peak_stored = true;
+}
+
+/// Figures draw the peak in the structure of the end.
 void RunRecorder::carry_peak(const Growth& growth) {
   measures_ = measures_of(simulation_, columns_of_parts());
   if (!memory_.peak_state) return;

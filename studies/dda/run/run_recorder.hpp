@@ -45,6 +45,7 @@ class RunRecorder {
  private:
   void start();
   void keep_peak(const Point& point, const Measurement& now);
+  void store_peak();
   void carry_peak(const Growth& growth);
   void store(const StoredState& at);
   void store_here();

@@ -92,6 +92,60 @@ TEST(ResultsWriter, StoresFieldsStepByStep) {
   EXPECT_EQ(file.numbers("/displacement").size(), 21u) << "two components are stored as three";
 }
 
+/// The square cut in two, with a piece of a crack between its parts.
+Snapshot cut_snapshot(int step) {
+  Snapshot out = snapshot(step);
+  out.cut = {.parts = {{{1, 0}, {1.5, 0}, {1.5, 1}, {1, 1}}, {{1.5, 0}, {2, 0}, {2, 1}, {1.5, 1}}},
+             .part_block = {1, 1},
+             .pieces = {{Vec2{1.5, 0}, Vec2{1.5, 1}}},
+             .tables = {{"cracks/crack", {}, {0}, {}, 1}, {"parts/moves", {}, {1, 0}, {}, 2}}};
+  out.fields.push_back({"displacement", "mm", FieldPlace::part_vertex, 2, std::vector<double>(16, 1), "x y"});
+  out.fields.push_back({"damage", "", FieldPlace::crack, 1, {0.25}, ""});
+  return out;
+}
+
+TEST(ResultsWriter, StoresWhatCracksHaveCut) {
+  const Scratch scratch;
+  ResultsWriter results(scratch.path(), small_mesh(), {});
+  results.store(snapshot(3));
+  results.store(cut_snapshot(34));
+  const Hdf5File file = reading(scratch, "fields/000034.h5");
+  EXPECT_THAT(file.integers("/parts/block"), ElementsAre(1, 1));
+  EXPECT_THAT(file.integers("/parts/mixed"), ElementsAre(3, 4, 0, 1, 2, 3, 3, 4, 4, 5, 6, 7));
+  EXPECT_THAT(file.integers("/parts/whole"), ElementsAre(3, 3, 0, 1, 2, 3, 3, 3, 3, 3))
+      << "the triangle as it is, of the square its first vertex";
+  EXPECT_THAT(file.integers("/parts/moves"), ElementsAre(1, 0));
+  EXPECT_THAT(file.numbers("/cracks/ends"), ElementsAre(1.5, 0, 0, 1.5, 1, 0));
+  EXPECT_THAT(file.integers("/cracks/crack"), ElementsAre(0));
+  EXPECT_THAT(file.numbers("/cracks/damage"), ElementsAre(0.25));
+  EXPECT_EQ(file.num_rows("/parts/displacement"), 8u);
+  EXPECT_FALSE(reading(scratch, "fields/000003.h5").has("/parts"));
+}
+
+TEST(ResultsWriter, KnowsTheCutsOfAnEarlierRun) {
+  const Scratch scratch;
+  {
+    ResultsWriter results(scratch.path(), small_mesh(), {});
+    results.store(cut_snapshot(2));
+    results.store(snapshot(3));
+  }
+  const std::string before = test::content(scratch / "run.xdmf");
+  EXPECT_THAT(before, HasSubstr("fields/000002.h5:/parts/displacement"));
+  ResultsWriter results = ResultsWriter::resume(scratch.path(), 3);
+  EXPECT_EQ(test::content(scratch / "run.xdmf"), before);
+  results.store(cut_snapshot(4));
+  EXPECT_EQ(reading(scratch, "fields/000004.h5").num_rows("/parts/whole"), 10u);
+}
+
+TEST(ResultsWriter, RejectsFieldsThatDoNotFitTheParts) {
+  const Scratch scratch;
+  ResultsWriter results(scratch.path(), small_mesh(), {});
+  Snapshot wrong = cut_snapshot(1);
+  wrong.fields.back().values.push_back(1);
+  EXPECT_THROW(results.store(wrong), std::invalid_argument);
+  EXPECT_THAT(field_files(scratch), ElementsAre("mesh.h5"));
+}
+
 TEST(ResultsWriter, RejectsFieldsThatDoNotFit) {
   const Scratch scratch;
   ResultsWriter results(scratch.path(), small_mesh(), {});

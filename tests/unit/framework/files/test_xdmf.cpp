@@ -67,6 +67,32 @@ TEST(Xdmf, NoInterfaceGridWithoutSegments) {
   EXPECT_THAT(xdmf_text(blocks_only, two_steps()), Not(HasSubstr("interfaces")));
 }
 
+/// Where cracks have cut blocks the step has its own geometry, and no other step is told of it.
+TEST(Xdmf, CutBlocksAndCracksAreGridsOfTheirOwn) {
+  std::vector<XdmfStep> steps = two_steps();
+  steps[1].cuts = {.parts = 2, .vertices = 8, .mixed = 12, .whole = 10, .pieces = 4};
+  steps[1].fields.push_back({"stress", FieldPlace::part, 3});
+  steps[1].fields.push_back({"displacement", FieldPlace::part_vertex, 3});
+  steps[1].fields.push_back({"opening", FieldPlace::crack, 3, "n s"});
+  steps[1].fields.push_back({"displacement", FieldPlace::crack_end, 3});
+  const std::string text = xdmf_text(sizes, steps);
+  EXPECT_TRUE(is_balanced(text));
+  EXPECT_THAT(text, HasSubstr("Dimensions=\"11\">fields/mesh.h5:/mesh/mixed"));
+  EXPECT_THAT(text, HasSubstr("NumberOfElements=\"2\"><DataItem Format=\"HDF\" NumberType=\"Int\" "
+                              "Precision=\"8\" Dimensions=\"10\">fields/000002.h5:/parts/whole"));
+  EXPECT_THAT(text, HasSubstr("<Grid Name=\"parts\" GridType=\"Uniform\">"));
+  EXPECT_THAT(text, HasSubstr("NumberOfElements=\"2\"><DataItem Format=\"HDF\" NumberType=\"Int\" "
+                              "Precision=\"8\" Dimensions=\"12\">fields/000002.h5:/parts/mixed"));
+  EXPECT_THAT(text, HasSubstr("Dimensions=\"8 3\">fields/000002.h5:/parts/vertices"));
+  EXPECT_THAT(text, HasSubstr("Dimensions=\"2 3\">fields/000002.h5:/parts/stress"));
+  EXPECT_THAT(text, HasSubstr("Dimensions=\"8 3\">fields/000002.h5:/parts/displacement"));
+  EXPECT_THAT(text, HasSubstr("<Grid Name=\"cracks\" GridType=\"Uniform\">"));
+  EXPECT_THAT(text, HasSubstr("NodesPerElement=\"2\" NumberOfElements=\"4\""));
+  EXPECT_THAT(text, HasSubstr("Dimensions=\"8 3\">fields/000002.h5:/cracks/ends"));
+  EXPECT_THAT(text, HasSubstr("Format=\"XML\">0 0 1 1 4 1</DataItem>"));
+  EXPECT_THAT(text, Not(HasSubstr("fields/000001.h5:/parts")));
+}
+
 TEST(Xdmf, NamesAreEscaped) {
   const std::string text = xdmf_text(sizes, {{1, 1, {{"<\"x\">", FieldPlace::block, 1}}}});
   EXPECT_THAT(text, HasSubstr(".h5:/&lt;"));
