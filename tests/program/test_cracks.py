@@ -35,6 +35,8 @@ LEGS = [{**BEAM["stages"][0], "until": {"cmod": 0.04}}, {"name": "unloading", "u
 UPWARD = {"supports": {"top": {"at": [117, 100], "fix": "xy"}, "beside": {"at": [129, 100], "fix": "y"}},
           "stages": [{"loads": [{"type": "point_load", "at": [x, 0], "force": [0, 1]} for x in (0, 300)]}],
           "gauges": {"lift": {"type": "displacement", "at": [0, 0], "direction": [0, 1]}}}
+CLAMPED = UPWARD | {"scene.boundaries": {"top": [[90, 100], [150, 100]]}, "supports": {"top": {"on": "top", "fix": "xy"}},
+                    "path.stop": {"gauges": {"lift": 0.5}}}
 VARIANTS = {
     "as it is": {},
     "quads": {"scene.subdivision": {"type": "quads", "size": 10}},
@@ -45,6 +47,7 @@ VARIANTS = {
     "of random strength": {"interfaces.joints.field": {"coefficient_of_variation": 0.15, "correlation_length": 30}},
     "unloaded and loaded again": {"stages": LEGS},
     "cut between its supports": {**UPWARD, "path.stop.load_below": 0.02},
+    "cut up to where it is held": CLAMPED,
 }
 
 
