@@ -15,7 +15,7 @@ struct Growth {
   /// The number each had before; nothing of new ones.
   std::vector<std::optional<std::size_t>> nodes, points;
 
-  /// Unknowns, six per node; those of new nodes are zero.
+  /// Unknowns, six per node; zero of new nodes, and of those behind the last that is given.
   std::vector<double> unknowns(const std::vector<double>& before) const;
   /// What is known of each active point.
   template <class T>
