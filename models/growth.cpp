@@ -55,6 +55,12 @@ std::vector<Found> points_of(const std::vector<Stand>& before, const std::vector
   return out;
 }
 
+std::size_t num_same(const std::vector<Cut>& before, const std::vector<Cut>& now) {
+  const auto other = std::ranges::mismatch(
+      before, now, [](const Cut& a, const Cut& b) { return a.is_at(b) && a.side == b.side; });
+  return static_cast<std::size_t>(other.in1 - before.begin());
+}
+
 }  // namespace
 
 std::vector<double> Growth::unknowns(const std::vector<double>& before) const {
@@ -68,12 +74,14 @@ std::vector<double> Growth::unknowns(const std::vector<double>& before) const {
 
 Growth CrackedStructure::remake(const std::vector<Cut>& before) {
   const std::vector<Stand> stood = stands(equilibrium_, before);
-  equilibrium_.remake(body_, model_);
+  const bool keeps_stiffness = equilibrium_.remake(body_, model_);
   const std::vector<Cut>& now = front_.geometry().cuts();
   const std::size_t leading = equilibrium_.num_blocks() + equilibrium_.num_jumps();
   return {.nodes = nodes_of(equilibrium_.num_blocks(), equilibrium_.num_nodes() - leading,
                             through_blocks(before), through_blocks(now)),
-          .points = points_of(stood, stands(equilibrium_, now))};
+          .points = points_of(stood, stands(equilibrium_, now)),
+          .same_cuts = num_same(before, now),
+          .keeps_stiffness = keeps_stiffness};
 }
 
 }  // namespace dda

@@ -180,6 +180,7 @@ void CrackedEquations::refine() {
     origin_ = std::make_shared<const std::vector<double>>(std::move(origin));
     z_origin_ = z_;
     difference_.setZero();
+    coupled_.reset();
   }
   const State at = state_here();
   for (std::size_t i = 0; i < points_.size(); ++i)
@@ -291,6 +292,7 @@ void CrackedEquations::evaluate() {
     change_[i] = point.weight * (now.tangent - linear_.base()[p]);
   }
   difference_ = z_ - z_origin_;
+  coupled_.reset();
 }
 
 /// A fingerprint of the pieces of their laws that the points are on.
@@ -306,7 +308,8 @@ std::size_t CrackedEquations::pieces() const {
 
 /// q − q_dead − λ q_ref + G (z − z₀).
 Eigen::VectorXd CrackedEquations::gap() const {
-  return q_ - dead_ - load_factor_ * live_ + linear_.coupled(difference_).head(length());
+  if (!coupled_) coupled_ = linear_.coupled(difference_).head(length());
+  return q_ - dead_ - load_factor_ * live_ + *coupled_;
 }
 
 /// Gauge and energy spent, as the control adds them.

@@ -111,6 +111,7 @@ class CrackedEquations final : public WalkedEquations {
 
   // at the last iterate
   Vector q_, z_, difference_, spending_;
+  mutable std::optional<Vector> coupled_;  ///< G (z − z₀), once it was asked for
   double load_factor_ = 0, spent_ = 0;
   double carried_ = 0;               ///< largest t/(E/h) of the points [L]
   double scale_ = 0;                 ///< size of the openings of the loads alone and of the guess [L]
