@@ -66,7 +66,7 @@ std::size_t num_same(const std::vector<Cut>& before, const std::vector<Cut>& now
 std::vector<double> Growth::unknowns(const std::vector<double>& before) const {
   std::vector<double> out(block_unknowns * nodes.size(), 0.0);
   for (std::size_t node = 0; node < nodes.size(); ++node)
-    if (nodes[node])
+    if (nodes[node] && block_unknowns * *nodes[node] < before.size())
       std::copy_n(before.begin() + static_cast<std::ptrdiff_t>(block_unknowns * *nodes[node]), block_unknowns,
                   out.begin() + static_cast<std::ptrdiff_t>(block_unknowns * node));
   return out;

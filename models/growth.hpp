@@ -17,7 +17,7 @@ struct Growth {
   std::size_t same_cuts = 0;     ///< the first cuts, which are what they were, in the same order
   bool keeps_stiffness = false;  ///< the intact stiffness of the blocks is what it was, but for rounding
 
-  /// Unknowns, six per node; those of new nodes are zero.
+  /// Unknowns, six per node; zero of new nodes, and of those behind the last that is given.
   std::vector<double> unknowns(const std::vector<double>& before) const;
   /// What is known of each active point; zero of new ones.
   template <class T>

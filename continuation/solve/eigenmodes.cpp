@@ -42,7 +42,7 @@ Eigenmodes lowest_by_shift(const EigenProblem& problem, const Eigenmodes& neares
 
 Eigenmodes dense_eigenmodes(const EigenProblem& problem, const InverseOperator& solve, double shift) {
   const auto n = static_cast<Eigen::Index>(problem.n());
-  Eigen::MatrixXd inverse(n, n), root = Eigen::MatrixXd::Zero(n, n);
+  Eigen::MatrixXd inverse(n, n);
   std::vector<double> unit(problem.n(), 0.0), column(problem.n());
   for (Eigen::Index i = 0; i < n; ++i) {
     unit[static_cast<std::size_t>(i)] = 1;
@@ -50,9 +50,7 @@ Eigenmodes dense_eigenmodes(const EigenProblem& problem, const InverseOperator& 
     unit[static_cast<std::size_t>(i)] = 0;
     inverse.col(i) = Vector(column.data(), n);
   }
-  for (std::size_t b = 0; b < problem.mass.size(); ++b)
-    root.block<6, 6>(6 * static_cast<Eigen::Index>(b), 6 * static_cast<Eigen::Index>(b)) =
-        problem.mass[b].llt().matrixL();
+  const Eigen::MatrixXd root = problem.mass.dense().llt().matrixL();
   // M = R Rᵀ: Rᵀ (K + s M)⁻¹ R x = ν x is symmetric, and φ = R⁻ᵀ x.
   const Eigen::MatrixXd reduced = root.transpose() * inverse * root;
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> own(0.5 * (reduced + reduced.transpose()));
@@ -114,10 +112,11 @@ Eigenmodes lowest_eigenmodes(const EigenProblem& problem) {
   return lowest_of(found, problem.count);
 }
 
-double modal_assurance(std::span<const double> a, std::span<const double> b, std::span<const Mat6> mass) {
-  double sum = 0;
-  for (std::size_t i = 0; i < mass.size(); ++i)
-    sum += Eigen::Map<const Vec6>(a.data() + 6 * i).dot(mass[i] * Eigen::Map<const Vec6>(b.data() + 6 * i));
+double modal_assurance(std::span<const double> a, std::span<const double> b, const Mass& mass) {
+  const auto n = static_cast<Eigen::Index>(block_unknowns * mass.num_nodes());
+  std::vector<double> moved(static_cast<std::size_t>(n));
+  mass.multiply(b, moved);
+  const double sum = Vector(a.data(), n).dot(Vector(moved.data(), n));
   return sum * sum;
 }
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "models/kinematics/first_order.hpp"
+#include "models/body/mass.hpp"
 
 namespace dda {
 
@@ -13,7 +13,7 @@ namespace dda {
 /// its overhead.
 inline constexpr std::size_t dense_below = 240;
 
-/// Lowest eigenpairs of K φ = μ M φ, K symmetric, M block-diagonal and positive definite.
+/// Lowest eigenpairs of K φ = μ M φ, K symmetric, M positive definite.
 struct Eigenmodes {
   std::vector<double> values;               ///< μ, ascending
   std::vector<std::vector<double>> shapes;  ///< φ, of size n each, φᵀ M φ = 1
@@ -27,11 +27,11 @@ struct EigenProblem {
   InverseOperator solve;  ///< K⁻¹
   /// (K + s M)⁻¹ for s > 0; empty where K + s M is not positive definite.
   std::function<InverseOperator(double s)> shifted;
-  std::vector<Mat6> mass;                ///< M, one per node; identities for K φ = μ φ
+  Mass mass;                             ///< M; identities for K φ = μ φ
   int count = 6;                         ///< of eigenpairs
   std::optional<int> num_negative = {};  ///< eigenvalues of K below zero, where they are known
 
-  std::size_t n() const { return block_unknowns * mass.size(); }
+  std::size_t n() const { return block_unknowns * mass.num_nodes(); }
 };
 
 /// The `count` algebraically lowest pairs.
@@ -48,6 +48,6 @@ Eigenmodes lowest_eigenmodes(const EigenProblem& problem);
 Eigenmodes dense_eigenmodes(const EigenProblem& problem);
 
 /// Modal assurance criterion, (φᵀ M ψ)² of two shapes with unit norm: 1 for the same mode.
-double modal_assurance(std::span<const double> a, std::span<const double> b, std::span<const Mat6> mass);
+double modal_assurance(std::span<const double> a, std::span<const double> b, const Mass& mass);
 
 }  // namespace dda

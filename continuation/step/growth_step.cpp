@@ -176,6 +176,7 @@ std::optional<Point> aim_step(PathState& path, int crack, const PlaceBefore& bef
   const PlaceBefore reached(path);
   const std::vector<Cut> cuts = front.geometry().cuts();
   const std::vector<CrackFront::Memory> memory = front.memory();
+  if (path.cracks->grows) path.cracks->grows();
   if (!front.aim(crack, stress_around(path))) return {};
   before.go_back(path);
   const double bearable = energy_ahead(path, crack);

@@ -5,6 +5,7 @@ restarts and threads bit for bit, the same beam turned, mirrored and in other un
 """
 
 import copy
+import json
 import math
 import random
 import subprocess
@@ -185,6 +186,59 @@ class Restart(InScratch):
                 run = self.run_(legs | {"path.stop.after_steps": step}, "part")
                 resume(run.folder, "path.stop.after_steps=0")
                 self.assertEqual((run.folder / "curve.csv").read_bytes(), (whole.folder / "curve.csv").read_bytes())
+
+
+class Stability(InScratch):
+    @classmethod
+    def setUpClass(cls):
+        scratch = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(scratch.cleanup)
+        wanted = {"record.eigenvalues": {"count": 3}, "scene.subdivision.blocks": 60}
+        cls.whole = ddapath.run(deck_with(wanted), folder=Path(scratch.name) / "run")
+
+    def test_one_eigenvalue_is_negative_where_the_load_falls(self):
+        """Three that are found apart: the lowest mode, the pivots' signs, and the rate of the load along the path."""
+        curve = self.whole.curve
+        falls = curve["current_stiffness"] < 0
+        self.assertTrue(10 < falls.sum() < len(curve) - 10)
+        self.assertEqual((curve["mu_1"] < 0).tolist(), falls.tolist())
+        self.assertEqual(curve["negative_eigenvalues"].tolist(), falls.astype(int).tolist())
+        self.assertTrue((curve["mu_2"] > 0).all(), "one crack, one direction in which the load falls")
+
+    def test_modes_go_on_where_a_crack_grows(self):
+        """Damage frozen before as after, a closed cut ahead changes next to nothing, however many unknowns it brings."""
+        curve = self.whole.curve
+        is_frozen = curve["control"].isin(["growth", "event"])
+        grown = curve.index[(curve["control"] == "growth") & is_frozen.shift(fill_value=False)]
+        self.assertGreater(len(grown), 2)
+        for name in ("mu_1", "mu_2", "mu_3", "mu_ratio_1", "mu_ratio_2", "mu_ratio_3"):
+            np.testing.assert_allclose(curve[name][grown].to_numpy(), curve[name][grown - 1].to_numpy(), rtol=1e-3)
+        self.assertFalse(curve[["mu_ratio_2", "mu_ratio_3"]].isna().any(axis=None))
+
+    def test_modes_are_stored_for_parts(self):
+        fields = self.whole.fields()
+        moved = np.hypot(fields.part_vertices["mode_1_x"], fields.part_vertices["mode_1_y"])
+        of_blocks = np.hypot(fields.vertices["mode_1_x"], fields.vertices["mode_1_y"])
+        self.assertAlmostEqual(max(moved.max(), of_blocks.max()), 1, places=12)
+        self.assertGreater(moved.max(), 0)
+
+    def test_resumed_with_modes_bit_for_bit(self):
+        whole = self.whole.folder
+        for step in range(4, len(self.whole.curve) - 1, 13):
+            part = self.run_({"record.eigenvalues": {"count": 3}, "scene.subdivision.blocks": 60, "path.stop.after_steps": step}, "part")
+            resume(part.folder, "path.stop.after_steps=0")
+            self.assertEqual((part.folder / "curve.csv").read_bytes(), (whole / "curve.csv").read_bytes())
+
+    def test_the_stiffness_by_contribution_has_the_jumps(self):
+        few = {"scene.subdivision": {"type": "voronoi", "blocks": 9, "seed": 2}, "record.stiffness": True, "scene.slits": {},
+               "cracks": [{"through_blocks": ["beam"], "begin": [{"at": [120, 0], "direction": [0, 1]}]}], "gauges": {}}
+        run = self.run_(few)
+        through = (run.fields().cut.cuts["side"] < 0).sum()
+        self.assertGreater(through, 0)
+        stiffness = json.loads((run.folder / "stiffness.json").read_text())["end"]["physical"]
+        for name in ("strain", "contact", "support", "weak"):
+            self.assertEqual(np.array(stiffness[name]).shape, 2 * (6 * (run.summary["blocks"] + through),))
+        self.assertIn("and jump 1", (run.folder / "stiffness.txt").read_text())
 
 
 GRID = (24, 8)  # blocks

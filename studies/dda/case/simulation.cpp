@@ -179,11 +179,6 @@ void Simulation::restore_cracks(const std::vector<Cut>& cuts, std::vector<CrackF
 void Simulation::require_cracks() const {
   Findings findings;
   const Position& where = deck_.cracks.front().where;
-  if (deck_.record.eigenvalues.count > 0)
-    findings.add(where, "eigenvalues (`record.eigenvalues`) are not known of blocks that cracks cut");
-  if (deck_.record.stiffness)
-    findings.add(where,
-                 "the stiffness by contribution (`record.stiffness`) is not known of blocks that cracks cut");
   if (deck_.path.branch == Branching::to_lowest)
     findings.add(where, "cracks through blocks follow one branch: `path.branch: follow`");
   findings.throw_if_any();

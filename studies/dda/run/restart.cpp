@@ -302,6 +302,7 @@ RestartData restart_data(const Simulation& simulation, const RunMemory& memory, 
   put(out, "start", memory.start);
   put(out, "peak", memory.peak);
   put_all(out, "first_cracks", memory.first_cracks);
+  put_all(out, "grown", memory.grown);
   if (memory.peak_state) put_state(out, "peak_state", *memory.peak_state);
   put(out, "run", memory);
   out.integers["factorisations"] = {memory.num_factorisations + num_factorisations(simulation)};
@@ -347,6 +348,7 @@ RunMemory restore(const RestartData& data, const fs::path& folder, Simulation& s
   out.stiffness = {nlohmann::ordered_json::parse(stiffness.at(0)), stiffness.at(1)};
   out.num_factorisations = data.integers.at("factorisations").at(0) - num_factorisations(simulation);
   out.first_cracks = take_all<FirstCrack>(data, "first_cracks");
+  out.grown = take_all<GrownSegment>(data, "grown");
   return out;
 }
 

@@ -90,7 +90,7 @@ RunRecorder::RunRecorder(const RunFolder& folder, Simulation& simulation, const 
   simulation.path().report_to([this](const std::string& event, const std::string& text) {
     log_.info(event, {{"step", memory_.last_step + 1}, {"text", text}});
   });
-  simulation.when_grown([this] { store_peak(); }, [this](const Growth& growth) { carry_peak(growth); });
+  simulation.when_grown([this] { store_peak(); }, [this](const Growth& growth) { follow(growth); });
   if (memory) {
     const std::vector<int> steps = results_.steps();
     last_stored_ = steps.empty() ? -1 : steps.back();
@@ -163,6 +163,7 @@ void RunRecorder::record(const Point& point) {
       events_.add(point, simulation_.walker(), simulation_.path().ending().kind != Ending::Kind::running);
   memory_.events = events_.list();
   append_row(now, point);
+  if (simulation_.cracks()) note_growth(*simulation_.cracks(), now, memory_.grown);
   keep_peak(point, now);
   log_step(point, now);
   look_for_crawling();
@@ -211,13 +212,16 @@ void RunRecorder::store_peak() {
   memory_.is_peak_stored = true;
 }
 
-/// Figures draw the peak in the structure of the end.
-void RunRecorder::carry_peak(const Growth& growth) {
+/// Figures draw the peak in the structure of the end, and modes are looked for in those before.
+void RunRecorder::follow(const Growth& growth) {
   measures_ = measures_of(simulation_, columns_of_parts());
+  indicator_.follow(growth);
+  memory_.indicator = indicator_.memory();
   if (!memory_.peak_state) return;
   StoredState& peak = *memory_.peak_state;
   peak.state.d = growth.unknowns(peak.state.d.all());
   peak.history = growth.of_points(peak.history);
+  for (std::vector<double>& mode : peak.modes) mode = indicator_.followed(mode, growth);
   if (!peak.state.multipliers.empty()) peak.state.multipliers = growth.of_points(peak.state.multipliers);
 }
 
@@ -289,6 +293,8 @@ nlohmann::ordered_json RunRecorder::finish(const Ending& ending) {
   out = summarise(simulation_, memory_, measures_, ending);
   out["stability"] = stability_counts(curve);
   out["interfaces"] = interfaces_.summary(fields_, here());
+  if (simulation_.cracks())
+    out["cracks"] = cracks_summary(*simulation_.cracks(), memory_.grown, fields_, here());
   out["notices"] = notices_;
   if (!torn_.empty()) out["torn_out"] = to_json(simulation_, torn_);
   if (deck_.deck.record.condition) {

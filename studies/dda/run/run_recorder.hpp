@@ -46,7 +46,7 @@ class RunRecorder {
   void start();
   void keep_peak(const Point& point, const Measurement& now);
   void store_peak();
-  void carry_peak(const Growth& growth);
+  void follow(const Growth& growth);
   void store(const StoredState& at);
   void store_here();
   void write_restart_file();
