@@ -187,11 +187,13 @@ struct CutRecord {
 
 /// What is stored of a crack beside its cuts.
 struct CrackRecord {
+  int entry = 0;
   Vec2 tip, direction;
   int aims = 0;
 
   template <class Self, class Visit>
   static void visit(Self& self, Visit& visit) {
+    visit("entry", self.entry);
     visit("tip", self.tip);
     visit("direction", self.direction);
     visit("aims", self.aims);
@@ -206,7 +208,7 @@ void put_cracks(RestartData& data, const CrackFront* cracks) {
   std::vector<CrackRecord> records;
   auto& ends = data.texts["cracks.end"] = {};
   for (const CrackFront::Memory& memory : cracks->memory()) {
-    records.push_back({memory.tip, memory.direction, memory.aims});
+    records.push_back({static_cast<int>(memory.entry), memory.tip, memory.direction, memory.aims});
     ends.push_back(memory.end);
   }
   put_all(data, "cracks", records);
@@ -221,7 +223,8 @@ void restore_cracks(const RestartData& data, const fs::path& folder, Simulation&
   for (const CutRecord& record : take_all<CutRecord>(data, "cuts")) cuts.push_back(record.cut);
   std::vector<CrackFront::Memory> memory;
   for (const CrackRecord& record : take_all<CrackRecord>(data, "cracks"))
-    memory.push_back({record.tip, record.direction, record.aims, found->second.at(memory.size())});
+    memory.push_back({static_cast<std::size_t>(record.entry), record.tip, record.direction, record.aims,
+                      found->second.at(memory.size())});
   simulation.restore_cracks(cuts, std::move(memory));
 }
 

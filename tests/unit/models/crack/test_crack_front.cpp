@@ -92,15 +92,28 @@ TEST(CrackFront, AimsASegmentThreeTimesAtMost) {
   EXPECT_TRUE(beam.front->aim(0, tension(-0.5)));
 }
 
-TEST(CrackFront, EndsAtAnotherCrackAndLeavesItsCutsAlone) {
-  Fronts beam(voronoi, {Fronts::at(15.2, 0, {0, 1}), Fronts::at(0, 5, {1, 0.01})});
-  while (beam.front->grow(0)) {
+TEST(CrackFront, EndsOnAnotherCrack) {
+  for (const std::string& pattern : {voronoi, grid}) {
+    Fronts beam(pattern, {Fronts::at(15, 0, {0, 1}), Fronts::at(0, 5.3, {1, 0.01})});
+    while (beam.front->grow(0)) {
+    }
+    while (beam.front->grow(1)) {
+    }
+    EXPECT_EQ(beam.front->end_of(0), "the boundary");
+    EXPECT_EQ(beam.front->end_of(1), "another crack");
+    EXPECT_NEAR(beam.front->tip(1).x(), 15, 1e-9) << "no piece is left between them";
+    EXPECT_NEAR(beam.front->tip(1).y(), 5.45, 1e-9);
   }
+}
+
+TEST(CrackFront, ASegmentOnWhichAnotherCrackEndsStaysWhereItIs) {
+  Fronts beam(voronoi, {Fronts::at(15.2, 0, {0, 1}), Fronts::at(0, 0.4, {1, 0.001})});
   while (beam.front->grow(1)) {
   }
-  EXPECT_EQ(beam.front->end_of(0), "the boundary");
-  EXPECT_EQ(beam.front->end_of(1), "another crack");
-  EXPECT_LT(beam.front->tip(1).x(), 15.2);
+  ASSERT_EQ(beam.front->end_of(1), "another crack");
+  EXPECT_FALSE(beam.front->aim(0, tension(0.5)));
+  beam.front->grow(0);
+  EXPECT_TRUE(beam.front->aim(0, tension(0.5)));
 }
 
 TEST(CrackFront, AimingOneCrackKeepsTheOthers) {
