@@ -164,8 +164,7 @@ void sort_by_centroid(std::vector<Polygon>& cells) {
 /// Of mean size `size`.
 std::vector<Polygon> cells_of(const std::vector<Vec2>& sites, const Clipper& region, double size) {
   std::vector<Polygon> cells;
-  for (const Pieces& pieces :
-       clipped_cells(sites, region, bounding_box(region.figure().outline.vertices)))
+  for (const Pieces& pieces : clipped_cells(sites, region, bounding_box(region.figure().outline.vertices)))
     for (const Figure& piece : pieces) add_without_holes(piece, cells);
   cells = without_short_edges(cells, region.figure(), size);
   sort_by_centroid(cells);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "models/interface_book.hpp"
 
@@ -16,12 +17,18 @@ constexpr double degree = std::numbers::pi / 180;
 constexpr double grazing = 6 * degree, largest_way_along = 60 * degree, same_aim = 1 * degree;
 constexpr double sliver_turn = 2 * degree;
 constexpr int most_turns = 12, most_aims = 3;
-constexpr std::size_t most_blocks = 6;  // of a segment
+constexpr std::size_t most_blocks = 12;  // of a segment
 
 double angle_between(const Vec2& a, const Vec2& b) { return std::abs(std::atan2(cross(a, b), a.dot(b))); }
 
 /// 0, then to either side in turn, further and further.
 double turn_of_try(int n) { return (n % 2 == 1 ? 1 : -1) * ((n + 1) / 2) * sliver_turn; }
+
+/// ΔΠ ∝ ℓ^m between the lengths ℓ of two ways.
+double at_length(double length, const std::pair<double, double>& one, const std::pair<double, double>& two) {
+  const double m = std::log(two.second / one.second) / std::log(two.first / one.first);
+  return one.second * std::pow(length / one.first, m);
+}
 
 }  // namespace
 
@@ -79,12 +86,14 @@ void CrackFront::begin_where_asked(const BlockStress& elastic) {
   for (std::size_t e = 0; e < model_.cracks.size(); ++e) {
     if (!model_.cracks[e].is_automatic()) continue;
     const auto places = CrackStarts(geometry_, body_).places(elastic, wish_of(e));
-    const auto cut = std::ranges::find_if(
-        places, [&](const CrackStart& place) { return start({e, place, std::nullopt}).has_value(); });
+    const auto cut = std::ranges::find_if(places, [&](const CrackStart& place) {
+      return start({e, place, std::nullopt}).has_value();
+    });
     if (cut == places.end())
-      throw InputError(model_.cracks[e].where,
-                       "no crack can begin by itself: the loads cause no tension where the regions end, or none "
-                       "that is as far from other cracks as `apart` says");
+      throw InputError(
+          model_.cracks[e].where,
+          "no crack can begin by itself: the loads cause no tension where the regions end, or none "
+          "that is as far from other cracks as `apart` says");
   }
 }
 
@@ -107,7 +116,7 @@ std::optional<CrackFront::Asked> CrackFront::asked_of(std::size_t entry, const B
   for (int crack = 0; crack < static_cast<int>(num_cracks()); ++crack) {
     if (at(crack).entry != entry) continue;
     ++count;
-    if (!has_grown(crack)) wish.except = crack;
+    if (!has_grown(crack) && !is_met(ahead_of(crack))) wish.except = crack;
   }
   if (count >= model_.cracks[entry].most.value_or(1) && !wish.except) return {};
   const auto places = CrackStarts(geometry_, body_).places(stress, wish);
@@ -145,8 +154,7 @@ std::vector<Cut> CrackFront::ahead_of(int crack) const {
 bool CrackFront::is_met(const std::vector<Cut>& ahead) const {
   return std::ranges::any_of(ahead, [&](const Cut& mine) {
     return std::ranges::any_of(geometry_.cuts(), [&](const Cut& other) {
-      return other.crack != mine.crack &&
-             distance(other.end, mine.start, mine.end) <= geometry_.tolerance();
+      return other.crack != mine.crack && distance(other.end, mine.start, mine.end) <= geometry_.tolerance();
     });
   });
 }
@@ -202,10 +210,13 @@ std::optional<Vec2> CrackFront::cut_once(int crack, const Vec2& from, const Vec2
 }
 
 bool CrackFront::cut_ahead(int crack, const Vec2& direction) {
+  return cut_ahead(crack, direction, parameters(crack).shortest_segment * geometry_.block_size());
+}
+
+bool CrackFront::cut_ahead(int crack, const Vec2& direction, double length) {
   Vec2 from = at(crack).tip;
   std::size_t cuts = 0;
-  const double wanted = parameters(crack).shortest_segment * geometry_.block_size();
-  while (cuts < most_blocks && (cuts == 0 || (from - at(crack).tip).norm() < wanted)) {
+  while (cuts < most_blocks && (cuts == 0 || (from - at(crack).tip).norm() < length)) {
     const auto end = cut_once(crack, from, direction);
     if (!end) break;
     from = *end;
@@ -237,20 +248,46 @@ void CrackFront::drop_ahead(int crack) {
     if (!cut.is_provisional) geometry_.confirm(cut);
 }
 
-bool CrackFront::aim(int crack, const Stress& stress) {
-  Memory& memory = at(crack);
+std::optional<double> CrackFront::released(int crack, const Vec2& way, double length,
+                                           const Surroundings& around) {
+  const std::vector<Cut> cuts = geometry_.cuts();
+  const std::vector<Memory> memory = cracks_;
+  drop_ahead(crack);
+  cut_ahead(crack, way, length);
+  const std::vector<Cut> tried = ahead_of(crack);
+  const auto up_to = [&](std::size_t count) {
+    const double reached = (tried[count - 1].end - tried.front().start).norm();
+    return std::pair(reached, around.released(std::span(tried).first(count)));
+  };
+  std::optional<double> out;
+  if (tried.size() > 1)
+    out = at_length(length, up_to(tried.size() - 1), up_to(tried.size()));
+  else if (tried.size() == 1)
+    out = at_length(length, {0.5 * up_to(1).first, 0.25 * up_to(1).second}, up_to(1));
+  restore(cuts, memory);
+  return out;
+}
+
+bool CrackFront::aim(int crack, const Surroundings& around) {
+  const Memory memory = at(crack);
   const std::vector<Cut> ahead = ahead_of(crack);
   if (ahead.empty() || memory.aims >= most_aims || is_met(ahead)) return false;
   const int region = body_.block(ahead.front().block).region;
   const auto& [strength, characteristic_length] = resistance_.at(region);
-  const CrackTip tip{memory.tip, memory.direction, strength, geometry_.block_size(), characteristic_length, stress};
+  const CrackTip tip{memory.tip,
+                     memory.direction,
+                     strength,
+                     geometry_.block_size(),
+                     characteristic_length,
+                     around.stress,
+                     [&](const Vec2& way, double length) { return released(crack, way, length, around); }};
   const Vec2 wanted = rule_[memory.entry]->aim(tip);
-  ++memory.aims;
+  ++at(crack).aims;
   if (angle_between(wanted, ahead.back().end - memory.tip) <= same_aim) return false;
   drop_ahead(crack);
   if (!cut_ahead(crack, wanted)) {
     for (const Cut& cut : ahead) replay(cut);
-    memory.end.clear();
+    at(crack).end.clear();
     return false;
   }
   const std::vector<Cut> now = ahead_of(crack);
@@ -265,6 +302,19 @@ bool CrackFront::grow(int crack) {
   memory.tip = ahead.back().end;
   memory.aims = 0;
   return cut_ahead(crack, memory.direction);
+}
+
+bool CrackFront::may_have(const std::vector<Memory>& cracks) const {
+  std::vector<std::size_t> count(model_.cracks.size(), 0);
+  for (const Memory& crack : cracks) {
+    if (crack.entry >= count.size()) return false;
+    ++count[crack.entry];
+  }
+  for (std::size_t e = 0; e < count.size(); ++e) {
+    const CrackParameters& entry = model_.cracks[e];
+    if (entry.is_automatic() ? count[e] == 0 : count[e] != entry.begin.size()) return false;
+  }
+  return true;
 }
 
 void CrackFront::restore(const std::vector<Cut>& cuts, std::vector<Memory> memory) {

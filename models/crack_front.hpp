@@ -3,6 +3,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -41,8 +42,13 @@ class CrackFront {
   /// Throws InputError for cracks that do not begin on the outline of a block.
   CrackFront(CrackGeometry& geometry, const Body& body, const ModelParameters& model);
 
-  /// Stress (σx, σy, τxy) at a point; nothing outside of the body.
-  using Stress = std::function<std::optional<Vec3>(const Vec2&)>;
+  /// What is known of the structure as it stands.
+  struct Surroundings {
+    /// Stress (σx, σy, τxy) at a point; nothing outside of the body.
+    std::function<std::optional<Vec3>(const Vec2&)> stress;
+    /// Energy that is released once some cuts, of the geometry as it is now, bear no traction [FL].
+    std::function<double(std::span<const Cut> free)> released;
+  };
 
   const CrackGeometry& geometry() const { return geometry_; }
   std::size_t num_cracks() const { return cracks_.size(); }
@@ -62,7 +68,7 @@ class CrackFront {
   /// Cuts its first segment; its number, or nothing where that cannot be cut.
   std::optional<int> start(const Asked& crack);
   /// Aims the segment ahead of a crack; whether it is another one now.
-  bool aim(int crack, const Stress& stress);
+  bool aim(int crack, const Surroundings& around);
   /// The crack has grown by the segment ahead; whether there is a next one.
   bool grow(int crack);
   /// Why it goes no farther; "" while it does.
@@ -73,11 +79,14 @@ class CrackFront {
   /// What is remembered of a crack beside its cuts.
   struct Memory {
     std::size_t entry = 0;  ///< of the deck's `cracks`
-    Vec2 tip, direction;  ///< of what has grown
-    int aims = 0;         ///< of the segment ahead
+    Vec2 tip, direction;    ///< of what has grown
+    int aims = 0;           ///< of the segment ahead
     std::string end;
   };
   const std::vector<Memory>& memory() const { return cracks_; }
+  /// Whether cracks may be those of this structure: as many of each entry as begin at given places, and any number
+  /// of an entry whose cracks begin by themselves.
+  bool may_have(const std::vector<Memory>& cracks) const;
   /// Replays cuts as they were.
   void restore(const std::vector<Cut>& cuts, std::vector<Memory> memory);
 
@@ -85,8 +94,11 @@ class CrackFront {
   Memory& at(int crack) { return cracks_[static_cast<std::size_t>(crack)]; }
   const Memory& at(int crack) const { return cracks_[static_cast<std::size_t>(crack)]; }
   const CrackParameters& parameters(int crack) const { return model_.cracks[at(crack).entry]; }
-  /// Cuts the segment ahead; whether any cut was made.
+  /// Cuts the segment ahead, at least so long; whether any cut was made.
+  bool cut_ahead(int crack, const Vec2& direction, double length);
   bool cut_ahead(int crack, const Vec2& direction);
+  /// Energy that a straight way would release, between what its cuts up to either side of that length do.
+  std::optional<double> released(int crack, const Vec2& way, double length, const Surroundings& around);
   /// Cuts on from a point; where that leads, or nothing.
   std::optional<Vec2> cut_once(int crack, const Vec2& from, const Vec2& direction);
   std::optional<Vec2> open_side(int crack, const Vec2& from, const Vec2& direction, double within);

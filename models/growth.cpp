@@ -55,6 +55,19 @@ std::vector<Found> points_of(const std::vector<Stand>& before, const std::vector
   return out;
 }
 
+/// An equilibrium as it was.
+struct Before {
+  const std::vector<Stand>& points;
+  const std::vector<Cut>& cuts;
+};
+
+Growth growth(const Before& before, const Equilibrium& now, const std::vector<Cut>& cuts) {
+  const std::size_t leading = now.num_blocks() + now.num_jumps();
+  return {.nodes = nodes_of(now.num_blocks(), now.num_nodes() - leading, through_blocks(before.cuts),
+                            through_blocks(cuts)),
+          .points = points_of(before.points, stands(now, cuts))};
+}
+
 }  // namespace
 
 std::vector<double> Growth::unknowns(const std::vector<double>& before) const {
@@ -69,11 +82,24 @@ std::vector<double> Growth::unknowns(const std::vector<double>& before) const {
 Growth CrackedStructure::remake(const std::vector<Cut>& before) {
   const std::vector<Stand> stood = stands(equilibrium_, before);
   equilibrium_.remake(body_, model_);
-  const std::vector<Cut>& now = front_.geometry().cuts();
-  const std::size_t leading = equilibrium_.num_blocks() + equilibrium_.num_jumps();
-  return {.nodes = nodes_of(equilibrium_.num_blocks(), equilibrium_.num_nodes() - leading,
-                            through_blocks(before), through_blocks(now)),
-          .points = points_of(stood, stands(equilibrium_, now))};
+  return growth({stood, before}, equilibrium_, front_.geometry().cuts());
+}
+
+std::pair<Equilibrium, Growth> CrackedStructure::tried(const std::vector<Cut>& before) const {
+  std::pair<Equilibrium, Growth> out{Equilibrium(body_, model_), {}};
+  out.second = growth({stands(equilibrium_, before), before}, out.first, front_.geometry().cuts());
+  return out;
+}
+
+std::vector<Vec3> CrackedStructure::stress(const Loading& loading, std::span<const double> d,
+                                           double load_factor) const {
+  std::vector<Vec3> out;
+  for (std::size_t b = 0; b < body_.assembly.num_blocks(); ++b) {
+    const Eigen::Map<const Vec3> strain(d.data() + block_unknowns * b + 3);
+    out.emplace_back(body_.material(BlockId{b}).stiffness() * strain +
+                     loading.initial_stress(b, load_factor));
+  }
+  return out;
 }
 
 }  // namespace dda

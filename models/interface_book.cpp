@@ -72,12 +72,10 @@ void InterfaceBook::add_through(int region, const CrackParameters& p) {
     findings_.add(p.where, fmt::format("region '{}' is in two entries of `cracks`, which must agree on its "
                                        "`law` and `stiffness`",
                                        through.name));
-  through_[region] = {.bond = {.name = "bond",
-                               .law = bond_.law,
-                               .treatment = interfaces_[*law].treatment,
-                               .where = p.where},
-                      .law = *law,
-                      .stiffness = p.stiffness};
+  through_[region] = {
+      .bond = {.name = "bond", .law = bond_.law, .treatment = interfaces_[*law].treatment, .where = p.where},
+      .law = *law,
+      .stiffness = p.stiffness};
 }
 
 /// The interface that a crack through this material takes.
@@ -98,10 +96,11 @@ std::optional<std::size_t> InterfaceBook::law_through(const CrackParameters& p, 
                                    : static_cast<std::size_t>(by_name - interfaces_.begin());
   const auto& parameters = model_.interfaces[found].second;
   if (parameters.crack_normal)
-    findings_.add(p.where,
-                  fmt::format("cracks through blocks run where the stress sends them; the `crack_normal` of the "
-                              "interface '{}' is for cracks along sides",
-                              interfaces_[found].name));
+    findings_.add(
+        p.where,
+        fmt::format("cracks through blocks run where the stress sends them; the `crack_normal` of the "
+                    "interface '{}' is for cracks along sides",
+                    interfaces_[found].name));
   if (parameters.treatment.name() != "consistent")
     findings_.add(p.where,
                   fmt::format("cracks through blocks need the treatment 'consistent' of the interface '{}'",

@@ -22,12 +22,13 @@ Kind<InterfaceParameters> interface_kind() {
                "Interface points of a side: two Gauss points, its ends, its middle. Without it the ends for "
                "treatments with multipliers, Gauss points for the others."})
       .section("field", &P::field, field_schema())
-      .point("crack_normal", &P::crack_normal,
-             {.dimension = dimension::none,
-              .text = "Normal n of the plane in which the structure is known to crack, any length. A heuristic "
-                      "for blocks that cracks run between: strength and fracture energy of a side with normal m "
-                      "are max(|n·m|, 0.3) times those of the law, so that a zigzag costs what its projection "
-                      "does. Where the plane is not known `cracks` through blocks need no such correction."})
+      .point(
+          "crack_normal", &P::crack_normal,
+          {.dimension = dimension::none,
+           .text = "Normal n of the plane in which the structure is known to crack, any length. A heuristic "
+                   "for blocks that cracks run between: strength and fracture energy of a side with normal m "
+                   "are max(|n·m|, 0.3) times those of the law, so that a zigzag costs what its projection "
+                   "does. Where the plane is not known `cracks` through blocks need no such correction."})
       .check([](const P& p, const Position& where, Findings& findings) {
         if (p.crack_normal && p.crack_normal->norm() == 0)
           findings.add(where, "`crack_normal` must not be zero");

@@ -54,7 +54,7 @@ struct CrackBegin {
 struct CrackParameters {
   std::vector<std::string> through_blocks;  ///< regions
   std::string law;  ///< interface whose law a crack has; "": that of the region's material with itself
-  std::vector<CrackBegin> begin;  ///< where cracks begin; none: wherever stress asks for one
+  std::vector<CrackBegin> begin;     ///< where cracks begin; none: wherever stress asks for one
   std::optional<std::int64_t> most;  ///< cracks that begin where stress asks for one
   std::optional<double> apart;       ///< least distance of such a crack to any other [L]
   CrackDirectionChoice direction;

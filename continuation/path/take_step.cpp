@@ -13,6 +13,9 @@ namespace dda {
 
 std::optional<Point> take_step(PathState& path) {
   if (const auto crack = crack_to_grow(path)) return growth_step(path, *crack);
+  if (const auto crack = crack_to_start(path))
+    if (auto point = start_step(path, *crack); point || path.ending.kind != Ending::Kind::running)
+      return point;
   if (path.leg().unloads) return unload_step(path);
   if (path.releases_at_once && path.control->load_increment() == 0 &&
       is_release_pending(path.walker.system()))

@@ -3,35 +3,13 @@
 #include <cmath>
 
 #include "continuation/follow/trial.hpp"
+#include "continuation/step/cuts.hpp"
 #include "continuation/step/steps.hpp"
 
 namespace dda {
 namespace {
 
 constexpr double at_strength = 1 - 1e-6;
-
-/// σ of the block at a point.
-CrackFront::Stress stress_around(PathState& path) {
-  const State& at = path.walker.state();
-  return [&path, d = at.d.all(), load_factor = at.load_factor](const Vec2& x) -> std::optional<Vec3> {
-    const CrackedStructure& structure = path.cracks->structure;
-    const auto blocks = structure.front().geometry().blocks_near(x);
-    if (blocks.empty()) return {};
-    const std::size_t b = blocks.front().value();
-    const Eigen::Map<const Vec3> strain(d.data() + block_unknowns * b + 3);
-    const Loading& loading = path.walker.system().loading();
-    return Vec3(structure.body().material(blocks.front()).stiffness() * strain +
-                loading.initial_stress(b, load_factor));
-  };
-}
-
-/// Makes the structure anew for the cuts that there are now.
-void follow(PathState& path, const std::vector<Cut>& before) {
-  const RunningCracks& cracks = *path.cracks;
-  const Growth growth = path.walker.follow([&] { return cracks.structure.remake(before); });
-  path.look_up(cracks.look_up());
-  if (cracks.has_grown) cracks.has_grown(growth);
-}
 
 /// The equilibrium with these cuts, damage as it is, whose first point stands at its strength.
 std::optional<Candidate> settled(PathState& path) {
@@ -79,16 +57,18 @@ std::optional<Point> growth_step(PathState& path, int crack) {
   CrackFront& front = path.cracks->structure.front();
   const std::vector<Cut> cuts = front.geometry().cuts();
   const std::vector<CrackFront::Memory> memory = front.memory();
-  const bool is_aimed = front.aim(crack, stress_around(path));
+  const bool is_aimed = front.aim(crack, around(path));
   if (!is_aimed) front.grow(crack);
-  follow(path, cuts);
+  follow_cuts(path, cuts);
   path.report(
       is_aimed ? "aimed" : "grown",
       is_aimed ? fmt::format("crack {} is aimed anew from {}", crack, place(front.tip(crack)))
       : front.end_of(crack).empty()
           ? fmt::format("crack {} has grown to {}", crack, place(front.tip(crack)))
           : fmt::format("crack {} ends at {}: {}", crack, place(front.tip(crack)), front.end_of(crack)));
-  if (auto next = settled(path)) {
+  auto next = settled(path);
+  if (!next) next = at_same_displacement(path);
+  if (next) {
     const double step = path.memory.step;
     constexpr double of_cuts = 1e-3;  // a closed cut that is taken back was not rigid
     auto point = jump_to(path, *std::move(next), StepKind::growth, of_cuts * path.walker.here().stored);
@@ -97,7 +77,7 @@ std::optional<Point> growth_step(PathState& path, int crack) {
   }
   const std::vector<Cut> refused = front.geometry().cuts();
   front.restore(cuts, memory);
-  follow(path, refused);
+  follow_cuts(path, refused);
   return path.end(
       Ending::Kind::stopped_early,
       fmt::format("no equilibrium was found next to the last one once the crack at {} had grown: {}",

@@ -37,13 +37,22 @@ std::optional<Point> unload_step(PathState& path);
 /// jump.
 std::optional<Point> release_step(PathState& path);
 
+/// The crack that stress asks for where the walker stands, once something has cracked.
+std::optional<CrackFront::Asked> crack_to_start(PathState& path);
+
+/// Cuts its first segment, closed, and stands at the same displacement of the load; what that differs by is booked as
+/// a jump. Nothing, and nothing changed, where it cannot be cut.
+std::optional<Point> start_step(PathState& path, const CrackFront::Asked& asked);
+
 /// The crack through blocks whose segment ahead has a point at its strength where the walker stands; nothing when
 /// there is none.
 std::optional<int> crack_to_grow(PathState& path);
 
 /// Aims the segment ahead of a crack once more or, where it is aimed well, takes it as grown and cuts the next one;
 /// then the equilibrium in which the first of all points stands at its strength, their damage staying as it is. Closed
-/// cuts are all but rigid, so that this is hardly another state; what it differs by is booked as a jump.
+/// cuts are all but rigid, so that this is hardly another state; what it differs by is booked as a jump. Where the load
+/// would have to change by a fifth of its peak for that, as under a dead load that has passed strengths, the equilibrium
+/// at the same displacement, damage growing as it must.
 std::optional<Point> growth_step(PathState& path, int crack);
 
 /// The load raised by the largest of halved increments that still finds an equilibrium.

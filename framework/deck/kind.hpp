@@ -52,7 +52,7 @@ struct KindInfo {
   Form form = Form::anything;
   Dimension dimension{};
   Bounds bounds{};
-  std::vector<std::string> names{};             ///< of a name: what may be chosen; of a list: words in its place
+  std::vector<std::string> names{};  ///< of a name: what may be chosen; of a list: words in its place
   std::shared_ptr<const SchemaBase> section{};  ///< of a section
   const FamilyBase* family = nullptr;           ///< of a member of a family
   std::shared_ptr<const KindInfo> item{};       ///< of a list or map

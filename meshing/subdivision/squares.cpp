@@ -33,7 +33,8 @@ class Squares final : public Subdivision {
 Schema<SquaresParameters> schema() {
   using P = SquaresParameters;
   return Schema<P>(
-             "Squares in rows turned by an angle, cut at the outline; interfaces and slits are followed. Of any "
+             "Squares in rows turned by an angle, cut at the outline; interfaces and slits are followed. Of "
+             "any "
              "region, to see what a pattern does to a crack.")
       .number("size", &P::size,
               {.dimension = dimension::length, .bounds = above(0), .text = "Side of a square."})

@@ -98,11 +98,12 @@ Schema<NonlocalStressParameters> schema() {
            .bounds = at_least(0),
            .text = "Share of the tensile strength that keeps the crack straight; below 0.5 cracks in ductile "
                    "structures may curl, more lags behind on curves."})
-      .number("least_size", &P::least_size,
-              {.fallback = 1.0 / 60,
-               .bounds = at_least(0),
-               .text = "Blocks count as no smaller than this share of l_ch = E Gf/ft²; the inertia grows by as "
-                       "much, so that what the crack sees and by how much it lags stay the material's."})
+      .number(
+          "least_size", &P::least_size,
+          {.fallback = 1.0 / 60,
+           .bounds = at_least(0),
+           .text = "Blocks count as no smaller than this share of l_ch = E Gf/ft²; the inertia grows by as "
+                   "much, so that what the crack sees and by how much it lags stay the material's."})
       .number("largest_turn", &P::largest_turn,
               {.fallback = 60.0, .bounds = between(0, 90), .text = "Of one segment, in degrees."});
 }

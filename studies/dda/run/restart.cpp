@@ -217,14 +217,15 @@ void put_cracks(RestartData& data, const CrackFront* cracks) {
 void restore_cracks(const RestartData& data, const fs::path& folder, Simulation& simulation) {
   if (!simulation.cracks()) return;
   const auto found = data.texts.find("cracks.end");
-  if (found == data.texts.end() || found->second.size() != simulation.cracks()->num_cracks())
+  std::vector<CrackFront::Memory> memory;
+  if (found != data.texts.end())
+    for (const CrackRecord& record : take_all<CrackRecord>(data, "cracks"))
+      memory.push_back({static_cast<std::size_t>(record.entry), record.tip, record.direction, record.aims,
+                        found->second.at(memory.size())});
+  if (!simulation.cracks()->may_have(memory))
     throw InputError(Position{folder.string()}, "the run had other cracks through its blocks");
   std::vector<Cut> cuts;
   for (const CutRecord& record : take_all<CutRecord>(data, "cuts")) cuts.push_back(record.cut);
-  std::vector<CrackFront::Memory> memory;
-  for (const CrackRecord& record : take_all<CrackRecord>(data, "cracks"))
-    memory.push_back({static_cast<std::size_t>(record.entry), record.tip, record.direction, record.aims,
-                      found->second.at(memory.size())});
   simulation.restore_cracks(cuts, std::move(memory));
 }
 
