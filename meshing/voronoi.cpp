@@ -161,6 +161,28 @@ void sort_by_centroid(std::vector<Polygon>& cells) {
   for (std::size_t i = 0; i < cells.size(); ++i) cells[i] = std::move(placed[i].second);
 }
 
+/// Of mean size `size`.
+std::vector<Polygon> cells_of(const std::vector<Vec2>& sites, const Clipper& region, double size) {
+  std::vector<Polygon> cells;
+  for (const Pieces& pieces : clipped_cells(sites, region, bounding_box(region.figure().outline.vertices)))
+    for (const Figure& piece : pieces) add_without_holes(piece, cells);
+  cells = without_short_edges(cells, region.figure(), size);
+  sort_by_centroid(cells);
+  return cells;
+}
+
+std::vector<Vec2> lattice_sites(const Clipper& region, double size, double angle) {
+  const Box box = bounding_box(region.figure().outline.vertices);
+  const Vec2 along(size * std::cos(angle), size * std::sin(angle)), across(-along.y(), along.x());
+  const auto reach = static_cast<int>((box.high - box.low).norm() / 2 / size) + 1;
+  std::vector<Vec2> sites;
+  for (int i = -reach; i <= reach; ++i)
+    for (int j = -reach; j <= reach; ++j)
+      if (const Vec2 site = box.centre() + i * along + j * across; region.holds(site)) sites.push_back(site);
+  if (sites.empty()) sites.push_back(point_inside(region.figure().outline));
+  return sites;
+}
+
 }  // namespace
 
 std::vector<Polygon> centroidal_voronoi(const Figure& figure, const VoronoiWish& wish) {
@@ -168,13 +190,12 @@ std::vector<Polygon> centroidal_voronoi(const Figure& figure, const VoronoiWish&
   const Box box = bounding_box(figure.outline.vertices);
   std::vector<Vec2> sites = random_sites(*region, box, wish);
   for (int i = 0; i < wish.iterations; ++i) sites = relaxed(sites, *region, box);
-  std::vector<Polygon> cells;
-  for (const Pieces& pieces : clipped_cells(sites, *region, box))
-    for (const Figure& piece : pieces) add_without_holes(piece, cells);
-  const double size = std::sqrt(area(figure) / static_cast<double>(wish.blocks));
-  cells = without_short_edges(cells, figure, size);
-  sort_by_centroid(cells);
-  return cells;
+  return cells_of(sites, *region, std::sqrt(area(figure) / static_cast<double>(wish.blocks)));
+}
+
+std::vector<Polygon> square_cells(const Figure& figure, double size, double angle) {
+  const std::unique_ptr<const Clipper> region = Clipper::of(figure);
+  return cells_of(lattice_sites(*region, size, angle), *region, size);
 }
 
 std::vector<std::size_t> share(std::size_t count, const std::vector<double>& areas) {

@@ -22,6 +22,12 @@ struct VoronoiWish {
 /// Vertices closer than 1e-6 of the mean cell size √(area/blocks) become one.
 std::vector<Polygon> centroidal_voronoi(const Figure& figure, const VoronoiWish& wish);
 
+/// Squares of a size in rows that are turned by an angle [rad], as cells of a lattice of sites: one site is the middle
+/// of the figure's box. Beside the outline they are cut, and take in what is left of squares whose middle lies outside,
+/// so that no cell is narrower than half a square but where the figure is. Sorted, and pieces and vertices treated, as
+/// the cells above.
+std::vector<Polygon> square_cells(const Figure& figure, double size, double angle);
+
 /// Shares a number of cells over areas in proportion, at least one each (largest remainder).
 std::vector<std::size_t> share(std::size_t count, const std::vector<double>& areas);
 

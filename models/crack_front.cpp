@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "models/interface_book.hpp"
 
@@ -16,12 +17,18 @@ constexpr double degree = std::numbers::pi / 180;
 constexpr double grazing = 6 * degree, largest_way_along = 60 * degree, same_aim = 1 * degree;
 constexpr double sliver_turn = 2 * degree;
 constexpr int most_turns = 12, most_aims = 3;
-constexpr std::size_t most_blocks = 6;  // of a segment
+constexpr std::size_t most_blocks = 12;  // of a segment
 
 double angle_between(const Vec2& a, const Vec2& b) { return std::abs(std::atan2(cross(a, b), a.dot(b))); }
 
 /// 0, then to either side in turn, further and further.
 double turn_of_try(int n) { return (n % 2 == 1 ? 1 : -1) * ((n + 1) / 2) * sliver_turn; }
+
+/// ΔΠ ∝ ℓ^m between the lengths ℓ of two ways.
+double at_length(double length, const std::pair<double, double>& one, const std::pair<double, double>& two) {
+  const double m = std::log(two.second / one.second) / std::log(two.first / one.first);
+  return one.second * std::pow(length / one.first, m);
+}
 
 }  // namespace
 
@@ -30,14 +37,19 @@ CrackFront::CrackFront(CrackGeometry& geometry, const Body& body, const ModelPar
   Findings findings;
   InterfaceBook book(body, model, findings);
   findings.throw_if_any();
-  for (const CrackParameters& entry : model.cracks) {
-    rule_.push_back(entry.direction.make());
-    for (const CrackBegin& begin : entry.begin) {
-      const auto crack = static_cast<int>(cracks_.size());
-      constexpr double any = 1;
-      strength_.push_back(any * book.law_of(book.of_crack(crack)).law->initial_kappa(any));
-      cracks_.push_back({locate(body.assembly, begin.at), begin.direction.normalized(), 0, {}});
+  constexpr double any = 1;
+  for (int region = 0; region < static_cast<int>(body.assembly.regions.size()); ++region)
+    if (const ThroughBlocks* through = book.through(region)) {
+      const InterfaceLaw& law = *book.law_of(*through).law;
+      const double slope = law.steepest_slope(),
+                   modulus = body.materials[static_cast<std::size_t>(region)]->modulus();
+      resistance_[region] = {any * law.initial_kappa(any), slope > 0 ? modulus / (2 * slope) : 0};
     }
+  for (std::size_t e = 0; e < model.cracks.size(); ++e) {
+    const CrackParameters& entry = model.cracks[e];
+    rule_.push_back(entry.direction.make());
+    for (const CrackBegin& begin : entry.begin)
+      cracks_.push_back({e, locate(body.assembly, begin.at), begin.direction.normalized(), 0, {}});
   }
 }
 
@@ -51,6 +63,87 @@ void CrackFront::begin() {
   }
 }
 
+bool CrackFront::is_automatic() const {
+  return std::ranges::any_of(model_.cracks, &CrackParameters::is_automatic);
+}
+
+CrackStarts::Wish CrackFront::wish_of(std::size_t entry) const {
+  constexpr double block_sizes = 4, of_zone = 0.3;
+  const CrackParameters& p = model_.cracks[entry];
+  CrackStarts::Wish out;
+  double zone = 0;
+  for (const auto& [region, resistance] : resistance_) {
+    const std::string& name = body_.assembly.regions[static_cast<std::size_t>(region)].name;
+    if (std::ranges::find(p.through_blocks, name) == p.through_blocks.end()) continue;
+    out.strength[region] = resistance.strength;
+    zone = std::max(zone, resistance.characteristic_length);
+  }
+  out.apart = p.apart.value_or(std::max(block_sizes * geometry_.block_size(), of_zone * zone));
+  return out;
+}
+
+void CrackFront::begin_where_asked(const BlockStress& elastic) {
+  for (std::size_t e = 0; e < model_.cracks.size(); ++e) {
+    if (!model_.cracks[e].is_automatic()) continue;
+    const auto places = CrackStarts(geometry_, body_).places(elastic, wish_of(e));
+    const auto cut = std::ranges::find_if(places, [&](const CrackStart& place) {
+      return start({e, place, std::nullopt}).has_value();
+    });
+    if (cut == places.end())
+      throw InputError(
+          model_.cracks[e].where,
+          "no crack can begin by itself: the loads cause no tension where the regions end, or none "
+          "that is as far from other cracks as `apart` says");
+  }
+}
+
+bool CrackFront::has_grown(int crack) const {
+  return std::ranges::any_of(geometry_.cuts(),
+                             [&](const Cut& cut) { return cut.crack == crack && !cut.is_provisional; });
+}
+
+std::optional<CrackFront::Asked> CrackFront::asked(const std::vector<Vec3>& stress) const {
+  const BlockStress all{std::vector<Vec3>(stress.size(), Vec3::Zero()), stress};
+  for (std::size_t e = 0; e < model_.cracks.size(); ++e)
+    if (auto out = model_.cracks[e].is_automatic() ? asked_of(e, all) : std::nullopt) return out;
+  return {};
+}
+
+std::optional<CrackFront::Asked> CrackFront::asked_of(std::size_t entry, const BlockStress& stress) const {
+  constexpr double enough = 0.9, block_sizes = 2;
+  std::int64_t count = 0;
+  CrackStarts::Wish wish = wish_of(entry);
+  for (int crack = 0; crack < static_cast<int>(num_cracks()); ++crack) {
+    if (at(crack).entry != entry) continue;
+    ++count;
+    if (!has_grown(crack) && !is_met(ahead_of(crack))) wish.except = crack;
+  }
+  if (count >= model_.cracks[entry].most.value_or(1) && !wish.except) return {};
+  const auto places = CrackStarts(geometry_, body_).places(stress, wish);
+  if (places.empty() || places.front().load_factor > 1 / enough) return {};
+  const double near = block_sizes * geometry_.block_size();
+  if (wish.except && (places.front().at - at(*wish.except).tip).norm() <= near) return {};
+  return Asked{entry, places.front(), wish.except};
+}
+
+std::optional<int> CrackFront::start(const Asked& crack) {
+  const int number = crack.moved.value_or(static_cast<int>(num_cracks()));
+  const Memory made{crack.entry, crack.start.at, crack.start.direction, 0, {}};
+  if (crack.moved)
+    drop_ahead(number);
+  else
+    cracks_.emplace_back();
+  Memory before = std::exchange(at(number), made);
+  if (cut_ahead(number, made.direction)) return number;
+  if (crack.moved) {
+    at(number) = std::move(before);
+    cut_ahead(number, at(number).direction);
+  } else {
+    cracks_.pop_back();
+  }
+  return {};
+}
+
 std::vector<Cut> CrackFront::ahead_of(int crack) const {
   std::vector<Cut> out;
   std::ranges::copy_if(geometry_.cuts(), std::back_inserter(out),
@@ -58,10 +151,12 @@ std::vector<Cut> CrackFront::ahead_of(int crack) const {
   return out;
 }
 
-bool CrackFront::is_inside(int crack, BlockId block) const {
-  const auto& regions = parameters(crack).through_blocks;
-  const auto region = static_cast<std::size_t>(body_.block(block).region);
-  return std::ranges::find(regions, body_.assembly.regions[region].name) != regions.end();
+bool CrackFront::is_met(const std::vector<Cut>& ahead) const {
+  return std::ranges::any_of(ahead, [&](const Cut& mine) {
+    return std::ranges::any_of(geometry_.cuts(), [&](const Cut& other) {
+      return other.crack != mine.crack && distance(other.end, mine.start, mine.end) <= geometry_.tolerance();
+    });
+  });
 }
 
 bool CrackFront::passes(int crack, std::size_t side) const {
@@ -77,17 +172,20 @@ std::string CrackFront::end_at(int crack, const Vec2& x, const Vec2& direction) 
   if (stop != sides.end())
     return "interface '" +
            body_.assembly.curves[static_cast<std::size_t>(*body_.assembly.sides[*stop].curve)] + "'";
+  if (geometry_.is_on_crack(x, crack)) return "another crack";
   const auto block = geometry_.block_ahead(x, direction);
   if (!block) return "the boundary";
-  if (!is_inside(crack, *block)) return "another region";
-  return {};
+  const int region = body_.block(*block).region;
+  if (is_open_to_cracks(region)) return {};
+  return "region '" + body_.assembly.regions[static_cast<std::size_t>(region)].name + "'";
 }
 
 std::optional<Vec2> CrackFront::open_side(int crack, const Vec2& from, const Vec2& direction, double within) {
   const auto way = geometry_.way_along(from, direction);
   if (!way || way->angle > within) return {};
   const Side& side = body_.assembly.sides[way->side];
-  if (side.curve || !is_inside(crack, side.first) || !is_inside(crack, side.second)) return {};
+  const int region = body_.block(side.first).region;
+  if (side.curve || body_.block(side.second).region != region || !is_open_to_cracks(region)) return {};
   if (!geometry_.open(way->side, from, way->end, crack)) return {};
   return way->end;
 }
@@ -105,22 +203,20 @@ std::optional<Vec2> CrackFront::cut_once(int crack, const Vec2& from, const Vec2
   for (int n = 0; n <= most_turns; ++n) {
     const Vec2 along = Eigen::Rotation2Dd(turn_of_try(n)) * direction;
     const auto exit = geometry_.exit(block, from, along);
-    if (!exit) continue;
-    if (exit->on_cut) {
-      at(crack).end = "another crack";
-      return {};
-    }
-    if (geometry_.cut(block, from, exit->at, crack)) return exit->at;
+    if (exit && geometry_.cut(block, from, *exit, crack)) return exit;
   }
   at(crack).end = "a corner that cannot be cut";
   return {};
 }
 
 bool CrackFront::cut_ahead(int crack, const Vec2& direction) {
+  return cut_ahead(crack, direction, parameters(crack).shortest_segment * geometry_.block_size());
+}
+
+bool CrackFront::cut_ahead(int crack, const Vec2& direction, double length) {
   Vec2 from = at(crack).tip;
   std::size_t cuts = 0;
-  const double wanted = parameters(crack).shortest_segment * geometry_.block_size();
-  while (cuts < most_blocks && (cuts == 0 || (from - at(crack).tip).norm() < wanted)) {
+  while (cuts < most_blocks && (cuts == 0 || (from - at(crack).tip).norm() < length)) {
     const auto end = cut_once(crack, from, direction);
     if (!end) break;
     from = *end;
@@ -152,19 +248,46 @@ void CrackFront::drop_ahead(int crack) {
     if (!cut.is_provisional) geometry_.confirm(cut);
 }
 
-bool CrackFront::aim(int crack, const Stress& stress) {
-  Memory& memory = at(crack);
+std::optional<double> CrackFront::released(int crack, const Vec2& way, double length,
+                                           const Surroundings& around) {
+  const std::vector<Cut> cuts = geometry_.cuts();
+  const std::vector<Memory> memory = cracks_;
+  drop_ahead(crack);
+  cut_ahead(crack, way, length);
+  const std::vector<Cut> tried = ahead_of(crack);
+  const auto up_to = [&](std::size_t count) {
+    const double reached = (tried[count - 1].end - tried.front().start).norm();
+    return std::pair(reached, around.released(std::span(tried).first(count)));
+  };
+  std::optional<double> out;
+  if (tried.size() > 1)
+    out = at_length(length, up_to(tried.size() - 1), up_to(tried.size()));
+  else if (tried.size() == 1)
+    out = at_length(length, {0.5 * up_to(1).first, 0.25 * up_to(1).second}, up_to(1));
+  restore(cuts, memory);
+  return out;
+}
+
+bool CrackFront::aim(int crack, const Surroundings& around) {
+  const Memory memory = at(crack);
   const std::vector<Cut> ahead = ahead_of(crack);
-  if (ahead.empty() || memory.aims >= most_aims) return false;
-  const CrackTip tip{memory.tip, memory.direction, strength_[static_cast<std::size_t>(crack)],
-                     geometry_.block_size(), stress};
-  const Vec2 wanted = rule_[model_.entry_of_crack(crack)]->aim(tip);
-  ++memory.aims;
+  if (ahead.empty() || memory.aims >= most_aims || is_met(ahead)) return false;
+  const int region = body_.block(ahead.front().block).region;
+  const auto& [strength, characteristic_length] = resistance_.at(region);
+  const CrackTip tip{memory.tip,
+                     memory.direction,
+                     strength,
+                     geometry_.block_size(),
+                     characteristic_length,
+                     around.stress,
+                     [&](const Vec2& way, double length) { return released(crack, way, length, around); }};
+  const Vec2 wanted = rule_[memory.entry]->aim(tip);
+  ++at(crack).aims;
   if (angle_between(wanted, ahead.back().end - memory.tip) <= same_aim) return false;
   drop_ahead(crack);
   if (!cut_ahead(crack, wanted)) {
     for (const Cut& cut : ahead) replay(cut);
-    memory.end.clear();
+    at(crack).end.clear();
     return false;
   }
   const std::vector<Cut> now = ahead_of(crack);
@@ -179,6 +302,19 @@ bool CrackFront::grow(int crack) {
   memory.tip = ahead.back().end;
   memory.aims = 0;
   return cut_ahead(crack, memory.direction);
+}
+
+bool CrackFront::may_have(const std::vector<Memory>& cracks) const {
+  std::vector<std::size_t> count(model_.cracks.size(), 0);
+  for (const Memory& crack : cracks) {
+    if (crack.entry >= count.size()) return false;
+    ++count[crack.entry];
+  }
+  for (std::size_t e = 0; e < count.size(); ++e) {
+    const CrackParameters& entry = model_.cracks[e];
+    if (entry.is_automatic() ? count[e] == 0 : count[e] != entry.begin.size()) return false;
+  }
+  return true;
 }
 
 void CrackFront::restore(const std::vector<Cut>& cuts, std::vector<Memory> memory) {

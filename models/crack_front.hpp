@@ -1,11 +1,14 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "models/body/body.hpp"
+#include "models/crack/initiation.hpp"
 #include "models/parameters.hpp"
 
 namespace dda {
@@ -19,21 +22,53 @@ namespace dda {
 /// opened instead of a cut, and so is the closest one where the way leads back into the block just cut. Where no part
 /// of a block would be large enough the way is turned by two degrees, up to twelve times.
 ///
-/// A crack ends at the boundary, at an interface where it is told to, at another region, and at another crack.
+/// Where `begin` is `automatic`, the first crack of an entry stands from the start where tension first reaches the
+/// strength by the elastic solution. Once something has cracked, further ones begin, and one that has not grown yet moves,
+/// where tension is 0.9 of the strength; its own points decide when it grows.
+///
+/// A crack ends at the boundary, at an interface where it is told to, and at a region through which no cracks run. Any
+/// other interface it may cross: the segment ahead then lies beyond it and has the law of the region there, and what
+/// comes first decides. With the traction t of the intact structure, tension t_n = n·σn normal to the straight way,
+///
+///     it crosses        where first  ⟨t_n⟩² + (t_s/β)² = ft²   of the region beyond, at a point of the segment
+///     runs along        where first the same holds of the interface's law, at a point of the interface
+///     stops             where neither does,
+///
+/// and from there on the fracture energies of both laws decide how far each opens. At another crack it ends: the part
+/// of the block up to there is cut off, and moves beside that crack by the jumps of both. A segment on which another
+/// crack ends is aimed no more.
 class CrackFront {
  public:
   /// Throws InputError for cracks that do not begin on the outline of a block.
   CrackFront(CrackGeometry& geometry, const Body& body, const ModelParameters& model);
 
-  /// Stress (σx, σy, τxy) at a point; nothing outside of the body.
-  using Stress = std::function<std::optional<Vec3>(const Vec2&)>;
+  /// What is known of the structure as it stands.
+  struct Surroundings {
+    /// Stress (σx, σy, τxy) at a point; nothing outside of the body.
+    std::function<std::optional<Vec3>(const Vec2&)> stress;
+    /// Energy that is released once some cuts, of the geometry as it is now, bear no traction [FL].
+    std::function<double(std::span<const Cut> free)> released;
+  };
 
   const CrackGeometry& geometry() const { return geometry_; }
   std::size_t num_cracks() const { return cracks_.size(); }
-  /// Cuts the first segment of every crack.
+  /// Cuts the first segment of every crack whose place is given.
   void begin();
+  bool is_automatic() const;
+  /// The same of the first crack of entries that begin by themselves: σ + λ dσ/dλ of the whole structure.
+  void begin_where_asked(const BlockStress& elastic);
+  /// A crack that stress asks for.
+  struct Asked {
+    std::size_t entry;
+    CrackStart start;
+    std::optional<int> moved;  ///< one that has not grown, and moves there
+  };
+  /// By the stresses σ now. Nothing where no entry asks for a crack.
+  std::optional<Asked> asked(const std::vector<Vec3>& stress) const;
+  /// Cuts its first segment; its number, or nothing where that cannot be cut.
+  std::optional<int> start(const Asked& crack);
   /// Aims the segment ahead of a crack; whether it is another one now.
-  bool aim(int crack, const Stress& stress);
+  bool aim(int crack, const Surroundings& around);
   /// The crack has grown by the segment ahead; whether there is a next one.
   bool grow(int crack);
   /// Why it goes no farther; "" while it does.
@@ -43,26 +78,38 @@ class CrackFront {
 
   /// What is remembered of a crack beside its cuts.
   struct Memory {
-    Vec2 tip, direction;  ///< of what has grown
-    int aims = 0;         ///< of the segment ahead
+    std::size_t entry = 0;  ///< of the deck's `cracks`
+    Vec2 tip, direction;    ///< of what has grown
+    int aims = 0;           ///< of the segment ahead
     std::string end;
   };
   const std::vector<Memory>& memory() const { return cracks_; }
+  /// Whether cracks may be those of this structure: as many of each entry as begin at given places, and any number
+  /// of an entry whose cracks begin by themselves.
+  bool may_have(const std::vector<Memory>& cracks) const;
   /// Replays cuts as they were.
   void restore(const std::vector<Cut>& cuts, std::vector<Memory> memory);
 
  private:
   Memory& at(int crack) { return cracks_[static_cast<std::size_t>(crack)]; }
   const Memory& at(int crack) const { return cracks_[static_cast<std::size_t>(crack)]; }
-  const CrackParameters& parameters(int crack) const { return model_.cracks[model_.entry_of_crack(crack)]; }
-  /// Cuts the segment ahead; whether any cut was made.
+  const CrackParameters& parameters(int crack) const { return model_.cracks[at(crack).entry]; }
+  /// Cuts the segment ahead, at least so long; whether any cut was made.
+  bool cut_ahead(int crack, const Vec2& direction, double length);
   bool cut_ahead(int crack, const Vec2& direction);
+  /// Energy that a straight way would release, between what its cuts up to either side of that length do.
+  std::optional<double> released(int crack, const Vec2& way, double length, const Surroundings& around);
   /// Cuts on from a point; where that leads, or nothing.
   std::optional<Vec2> cut_once(int crack, const Vec2& from, const Vec2& direction);
   std::optional<Vec2> open_side(int crack, const Vec2& from, const Vec2& direction, double within);
   std::string end_at(int crack, const Vec2& x, const Vec2& direction) const;
   bool passes(int crack, std::size_t side) const;
-  bool is_inside(int crack, BlockId block) const;
+  bool is_open_to_cracks(int region) const { return resistance_.contains(region); }
+  /// Whether another crack ends on one of its cuts.
+  bool is_met(const std::vector<Cut>& ahead) const;
+  CrackStarts::Wish wish_of(std::size_t entry) const;
+  bool has_grown(int crack) const;
+  std::optional<Asked> asked_of(std::size_t entry, const BlockStress& stress) const;
   std::vector<Cut> ahead_of(int crack) const;
   void drop_ahead(int crack);
   void replay(const Cut& cut);
@@ -71,7 +118,12 @@ class CrackFront {
   const Body& body_;
   const ModelParameters& model_;
   std::vector<Memory> cracks_;
-  std::vector<double> strength_;                             ///< of the law of each crack [F/L²]
+  /// Of the law that cracks have in a region.
+  struct Resistance {
+    double strength = 0;               ///< [F/L²]
+    double characteristic_length = 0;  ///< of the cohesive zone [L]
+  };
+  std::map<int, Resistance> resistance_;                     ///< by region
   std::vector<std::shared_ptr<const CrackDirection>> rule_;  ///< of each entry
 };
 

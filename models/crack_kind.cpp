@@ -15,18 +15,42 @@ Kind<CrackBegin> crack_begin_kind() {
       .kind();
 }
 
+/// Where cracks begin.
+Schema<CrackParameters> with_begin(Schema<CrackParameters> schema) {
+  using P = CrackParameters;
+  return schema
+      .value(
+          "begin", &P::begin, list_or_word(crack_begin_kind(), "automatic"),
+          {.text = "Where cracks begin, one each; or `automatic`: where the boundary or an interface of the "
+                   "regions bears the largest tension in parts of the strength, once it is 0.9 of it."})
+      .integer(
+          "most", &P::most,
+          {.bounds = between(1, 1000), .text = "Of `begin: automatic`: the number of cracks; 1 without it."})
+      .number(
+          "apart", &P::apart,
+          {.dimension = dimension::length,
+           .bounds = at_least(0),
+           .text = "Of `begin: automatic`: least distance of a new crack to any other; without it 4 block "
+                   "sizes or 0.3 E Gf/ft², whichever is more."})
+      .check([](const P& p, const Position& where, Findings& findings) {
+        if (!p.is_automatic() && (p.most || p.apart))
+          findings.add(where, "`most` and `apart` are for `begin: automatic`");
+      });
+}
+
 }  // namespace
 
 Kind<CrackParameters> crack_kind() {
   using P = CrackParameters;
-  return Schema<P>("Cracks through the blocks of some regions, whose inner sides are bonded from then on.")
+  return with_begin(
+             Schema<P>(
+                 "Cracks through the blocks of some regions, whose inner sides are bonded from then on."))
       .texts("through_blocks", &P::through_blocks, {.at_least = 1, .text = "Names of the regions."})
       .text(
           "law", &P::law,
           {.fallback = "",
            .text = "Interface whose law the cracks have; if empty the one between the region's material and "
                    "itself."})
-      .list("begin", &P::begin, crack_begin_kind(), {.at_least = 1, .text = "Where cracks begin, one each."})
       .choice("direction", &P::direction, crack_directions(),
               {.fallback = "nonlocal_stress", .text = "Which way they go on."})
       .number(

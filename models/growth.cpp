@@ -61,6 +61,20 @@ std::size_t num_same(const std::vector<Cut>& before, const std::vector<Cut>& now
   return static_cast<std::size_t>(other.in1 - before.begin());
 }
 
+/// An equilibrium as it was.
+struct Before {
+  const std::vector<Stand>& points;
+  const std::vector<Cut>& cuts;
+};
+
+Growth growth(const Before& before, const Equilibrium& now, const std::vector<Cut>& cuts) {
+  const std::size_t leading = now.num_blocks() + now.num_jumps();
+  return {.nodes = nodes_of(now.num_blocks(), now.num_nodes() - leading, through_blocks(before.cuts),
+                            through_blocks(cuts)),
+          .points = points_of(before.points, stands(now, cuts)),
+          .same_cuts = num_same(before.cuts, cuts)};
+}
+
 }  // namespace
 
 std::vector<double> Growth::unknowns(const std::vector<double>& before) const {
@@ -75,13 +89,26 @@ std::vector<double> Growth::unknowns(const std::vector<double>& before) const {
 Growth CrackedStructure::remake(const std::vector<Cut>& before) {
   const std::vector<Stand> stood = stands(equilibrium_, before);
   const bool keeps_stiffness = equilibrium_.remake(body_, model_);
-  const std::vector<Cut>& now = front_.geometry().cuts();
-  const std::size_t leading = equilibrium_.num_blocks() + equilibrium_.num_jumps();
-  return {.nodes = nodes_of(equilibrium_.num_blocks(), equilibrium_.num_nodes() - leading,
-                            through_blocks(before), through_blocks(now)),
-          .points = points_of(stood, stands(equilibrium_, now)),
-          .same_cuts = num_same(before, now),
-          .keeps_stiffness = keeps_stiffness};
+  Growth out = growth({stood, before}, equilibrium_, front_.geometry().cuts());
+  out.keeps_stiffness = keeps_stiffness;
+  return out;
+}
+
+std::pair<Equilibrium, Growth> CrackedStructure::tried(const std::vector<Cut>& before) const {
+  std::pair<Equilibrium, Growth> out{Equilibrium(body_, model_), {}};
+  out.second = growth({stands(equilibrium_, before), before}, out.first, front_.geometry().cuts());
+  return out;
+}
+
+std::vector<Vec3> CrackedStructure::stress(const Loading& loading, std::span<const double> d,
+                                           double load_factor) const {
+  std::vector<Vec3> out;
+  for (std::size_t b = 0; b < body_.assembly.num_blocks(); ++b) {
+    const Eigen::Map<const Vec3> strain(d.data() + block_unknowns * b + 3);
+    out.emplace_back(body_.material(BlockId{b}).stiffness() * strain +
+                     loading.initial_stress(b, load_factor));
+  }
+  return out;
 }
 
 }  // namespace dda

@@ -2,6 +2,8 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "models/crack_front.hpp"
@@ -46,9 +48,12 @@ class CrackedStructure {
 
   CrackFront& front() { return front_; }
   const CrackFront& front() const { return front_; }
-  const Body& body() const { return body_; }
   /// Makes the equilibrium anew for the cuts that there are now; `before` are those that it was made for.
   Growth remake(const std::vector<Cut>& before);
+  /// Another equilibrium for the cuts that there are now, and how its unknowns follow from those of this one.
+  std::pair<Equilibrium, Growth> tried(const std::vector<Cut>& before) const;
+  /// σ of each block: (σx, σy, τxy) [F/L²].
+  std::vector<Vec3> stress(const Loading& loading, std::span<const double> d, double load_factor) const;
 
  private:
   CrackFront& front_;

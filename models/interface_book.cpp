@@ -41,6 +41,7 @@ void InterfaceBook::add(const std::string& name, const InterfaceParameters& p) {
   made.points = p.points.value_or(usual_points(*made.treatment));
   check_release(p, made);
   if (p.field) add_field(*p.field, made);
+  if (p.crack_normal) add_crack_normal(*p.crack_normal, made);
   if (p.between.empty())
     by_curve_[name] = made.index;
   else
@@ -51,19 +52,30 @@ void InterfaceBook::add(const std::string& name, const InterfaceParameters& p) {
 }
 
 void InterfaceBook::add_crack(const CrackParameters& p) {
-  ThroughBlocks made{.bond = {.name = "bond", .law = bond_.law, .treatment = {}, .where = p.where},
-                     .stiffness = p.stiffness};
+  std::vector<std::string> known;
+  for (const Region& region : body_.assembly.regions) known.push_back(region.name);
   for (const std::string& name : p.through_blocks) {
-    const auto region = std::ranges::find(body_.assembly.regions, name, &Region::name);
-    if (region == body_.assembly.regions.end()) {
-      findings_.add(p.where, fmt::format("unknown region '{}'", name));
-      continue;
-    }
-    by_region_[static_cast<int>(region - body_.assembly.regions.begin())] = through_.size();
-    if (const auto law = law_through(p, region->material)) made.law = *law;
+    const auto region = std::ranges::find(known, name);
+    if (region == known.end())
+      findings_.add(p.where, fmt::format("unknown region '{}'{}", name, suggest(name, known)));
+    else
+      add_through(static_cast<int>(region - known.begin()), p);
   }
-  if (made.law < interfaces_.size()) made.bond.treatment = interfaces_[made.law].treatment;
-  through_.push_back(std::move(made));
+}
+
+void InterfaceBook::add_through(int region, const CrackParameters& p) {
+  const Region& through = body_.assembly.regions[static_cast<std::size_t>(region)];
+  const auto law = law_through(p, through.material);
+  if (!law) return;
+  const auto before = through_.find(region);
+  if (before != through_.end() && (before->second.law != *law || before->second.stiffness != p.stiffness))
+    findings_.add(p.where, fmt::format("region '{}' is in two entries of `cracks`, which must agree on its "
+                                       "`law` and `stiffness`",
+                                       through.name));
+  through_[region] = {
+      .bond = {.name = "bond", .law = bond_.law, .treatment = interfaces_[*law].treatment, .where = p.where},
+      .law = *law,
+      .stiffness = p.stiffness};
 }
 
 /// The interface that a crack through this material takes.
@@ -83,6 +95,12 @@ std::optional<std::size_t> InterfaceBook::law_through(const CrackParameters& p, 
   const auto found = p.law.empty() ? static_cast<std::size_t>(by_pair->second)
                                    : static_cast<std::size_t>(by_name - interfaces_.begin());
   const auto& parameters = model_.interfaces[found].second;
+  if (parameters.crack_normal)
+    findings_.add(
+        p.where,
+        fmt::format("cracks through blocks run where the stress sends them; the `crack_normal` of the "
+                    "interface '{}' is for cracks along sides",
+                    interfaces_[found].name));
   if (parameters.treatment.name() != "consistent")
     findings_.add(p.where,
                   fmt::format("cracks through blocks need the treatment 'consistent' of the interface '{}'",
@@ -108,6 +126,12 @@ void InterfaceBook::add_field(const FieldParameters& field, Interface& interface
   if (field.coefficient_of_variation == 0) return;
   interface.field.emplace(field);
   interface.energy_exponent = field.energy_exponent;
+}
+
+void InterfaceBook::add_crack_normal(const Vec2& normal, Interface& interface) {
+  if (!std::isfinite(interface.law->initial_kappa(1)))
+    findings_.add(interface.where, "`crack_normal` needs a law with a strength");
+  interface.crack_normal = normal.normalized();
 }
 
 void InterfaceBook::check_names() {
@@ -138,9 +162,9 @@ Interface& InterfaceBook::of_side(const Side& side) {
         found != by_curve_.end())
       return interfaces_[static_cast<std::size_t>(found->second)];
   const int region = body_.block(side.first).region;
-  if (const auto inner = by_region_.find(region);
-      inner != by_region_.end() && body_.block(side.second).region == region)
-    return through_[inner->second].bond;
+  if (const auto inner = through_.find(region);
+      inner != through_.end() && body_.block(side.second).region == region)
+    return inner->second.bond;
   const auto found = by_pair_.find(ordered(material_name(side.first), material_name(side.second)));
   return found != by_pair_.end() ? interfaces_[static_cast<std::size_t>(found->second)] : bond_;
 }

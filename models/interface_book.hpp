@@ -21,16 +21,20 @@ struct Interface {
   PointRule points = PointRule::gauss;
   std::optional<RandomField> field = {};
   double energy_exponent = 0;
+  std::optional<Vec2> crack_normal = {};  ///< a unit vector
   Position where;
   int index = -1;
   // What the sides asked for, for one message per interface.
   std::size_t raised = 0, refused = 0;
   double worst_ratio = std::numeric_limits<double>::infinity();  ///< reachable k over the slope
   double worst_size = 0;                                         ///< [L]
+
+  /// Whether its points have laws of their own.
+  bool is_local() const { return field.has_value() || crack_normal.has_value(); }
 };
 
-/// Cracks through the blocks of some regions: the interface whose law they have, and the bonds that the inner sides of
-/// these regions become.
+/// Cracks through the blocks of a region: the interface whose law they have there, and the bonds that its inner sides
+/// become.
 struct ThroughBlocks {
   Interface bond;
   std::size_t law = 0;   ///< of the interfaces
@@ -44,8 +48,11 @@ class InterfaceBook {
 
   /// By curve, else a bond in regions through which cracks run, else by material pair, else a bond.
   Interface& of_side(const Side& side);
-  /// Of the entry of `cracks` to which a crack belongs.
-  const ThroughBlocks& of_crack(int crack) const { return through_[model_.entry_of_crack(crack)]; }
+  /// Of a region that some entry of `cracks` names; null of others.
+  const ThroughBlocks* through(int region) const {
+    const auto found = through_.find(region);
+    return found == through_.end() ? nullptr : &found->second;
+  }
   Interface& law_of(const ThroughBlocks& through) { return interfaces_[through.law]; }
   std::vector<Interface>& interfaces() { return interfaces_; }
   const Interface& bond() const { return bond_; }
@@ -54,9 +61,11 @@ class InterfaceBook {
   void add(const std::string& name, const InterfaceParameters& p);
   void check_release(const InterfaceParameters& p, const Interface& made);
   void add_field(const FieldParameters& field, Interface& interface);
+  void add_crack_normal(const Vec2& normal, Interface& interface);
   void check_names();
   std::string unknown_material(const std::string& name) const;
   void add_crack(const CrackParameters& p);
+  void add_through(int region, const CrackParameters& p);
   std::optional<std::size_t> law_through(const CrackParameters& p, const std::string& material);
   const std::string& material_name(BlockId id) const {
     return body_.assembly.regions[static_cast<std::size_t>(body_.block(id).region)].material;
@@ -67,8 +76,7 @@ class InterfaceBook {
   Findings& findings_;
   std::vector<Interface> interfaces_;
   Interface bond_;
-  std::vector<ThroughBlocks> through_;
-  std::map<int, std::size_t> by_region_;  ///< index into through_
+  std::map<int, ThroughBlocks> through_;  ///< by region
   std::map<std::string, int> by_curve_;
   std::map<std::pair<std::string, std::string>, int> by_pair_;
 };

@@ -64,13 +64,19 @@ class PointMaker {
  private:
   /// What a place of an interface is made of.
   struct Local {
-    double factor = 1;
+    double factor = 1;  ///< of its random field
     std::shared_ptr<const InterfaceLaw> law;
   };
-  static Local local_law(const Interface& interface, const Vec2& x) {
-    if (!interface.field) return {1, interface.law};
-    const double f = interface.field->factor(x), opening = std::pow(f, interface.energy_exponent - 1);
-    return {f, std::make_shared<const ScaledLaw>(interface.law, f, opening)};
+  /// Strengths are f |n·m| times those of the law: f of the random field, n the normal of the plane in which the
+  /// structure is known to crack, m that of the side.
+  static Local local_law(const Interface& interface, const Vec2& x, const Vec2& normal) {
+    if (!interface.is_local()) return {1, interface.law};
+    constexpr double least = 0.3;
+    const double f = interface.field ? interface.field->factor(x) : 1,
+                 opening = std::pow(f, interface.energy_exponent - 1);
+    const double share =
+        interface.crack_normal ? std::max(least, std::abs(interface.crack_normal->dot(normal))) : 1;
+    return {f, std::make_shared<const ScaledLaw>(interface.law, f * share, opening)};
   }
 
   BlockFace face(BlockId id) const {
@@ -88,9 +94,10 @@ class PointMaker {
 
   /// Of each point of a straight line.
   static std::vector<Local> laws_along(const Interface& interface, const Vec2& start, const Vec2& edge) {
+    const Vec2 normal = Vec2(edge.y(), -edge.x()) / edge.norm();
     std::vector<Local> out;
     for (const auto& [xi, share] : quadrature(interface.points))
-      out.push_back(local_law(interface, start + xi * edge));
+      out.push_back(local_law(interface, start + xi * edge, normal));
     return out;
   }
 
@@ -146,7 +153,7 @@ class PointMaker {
       point.rows = rows_of(point, treatment, faces);
       add_jumps(point);
       out.points.push_back(std::move(point));
-      if (interface.field) out.laws.push_back(std::move(laws[i].law));
+      if (interface.is_local()) out.laws.push_back(std::move(laws[i].law));
     }
     out.has_fields = out.has_fields || interface.field.has_value();
   }
@@ -162,10 +169,13 @@ class PointMaker {
     if (body_.num_jumps() == 0) return;
     const double sign[] = {-1, 1};
     for (const BlockId block : {point.first, point.second})
-      for (const JumpId jump : body_.cracks->jumps_at(block, point.x)) {
-        const Motion motion = motion_of(body_, jump, point.x);
-        point.jumps.push_back({motion.node, sign[block == point.second] * frame(point.normal) * motion.rows});
-      }
+      add_jumps(point, body_.cracks->jumps_at(block, point.x), sign[block == point.second]);
+  }
+  void add_jumps(InterfacePoint& point, std::span<const JumpId> jumps, double sign) const {
+    for (const JumpId jump : jumps) {
+      const Motion motion = motion_of(body_, jump, point.x);
+      point.jumps.push_back({motion.node, sign * frame(point.normal) * motion.rows});
+    }
   }
 
   /// [n s]ᵀ.
@@ -177,18 +187,17 @@ class PointMaker {
 
   void add_cuts(InterfaceSet& out) {
     if (!body_.cracks) return;
-    std::size_t jump = 0;
     for (std::size_t c = 0; c < body_.cracks->cuts().size(); ++c) {
       const Cut& cut = body_.cracks->cuts()[c];
-      const ThroughBlocks& through = book_.of_crack(cut.crack);
+      const ThroughBlocks& through = *book_.through(body_.block(cut.block).region);
       if (cut.side)
         add_points({*cut.side, cut.start, cut.end, c}, book_.law_of(through), out);
       else
-        add_cut(c, JumpId{jump++}, through, out);
+        add_cut(c, through, out);
     }
   }
 
-  void add_cut(std::size_t index, JumpId jump, const ThroughBlocks& through, InterfaceSet& out) {
+  void add_cut(std::size_t index, const ThroughBlocks& through, InterfaceSet& out) {
     const Cut& cut = body_.cracks->cuts()[index];
     const Interface& interface = book_.law_of(through);
     std::vector<Local> laws = laws_along(interface, cut.start, cut.end - cut.start);
@@ -213,13 +222,14 @@ class PointMaker {
                            .physical_stiffness = k,
                            .spring_unit = spring_unit(faces),
                            .strength_factor = laws[i].factor};
-      const Motion motion = motion_of(body_, jump, point.x);
-      point.jumps.push_back({motion.node, frame(point.normal) * motion.rows});
+      const CrackGeometry::Across across = body_.cracks->across(cut, point.x);
+      add_jumps(point, across.right, 1);
+      add_jumps(point, across.left, -1);
       point.rows.first_stress = traction_rows(point.normal) * of_block.stiffness * strain_rows();
       point.rows.first = point.trial_stiffness().cwiseInverse().asDiagonal() * point.rows.first_stress;
       point.rows.second.setZero();
       out.points.push_back(std::move(point));
-      if (interface.field) out.laws.push_back(std::move(laws[i].law));
+      if (interface.is_local()) out.laws.push_back(std::move(laws[i].law));
     }
     out.has_fields = out.has_fields || interface.field.has_value();
   }

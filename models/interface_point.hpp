@@ -27,7 +27,7 @@ struct JumpRows {
 ///     its traction does work W t·δq,              W = share of the side's length × thickness   [L²]
 ///
 /// e are the jumps by which either side moves beside its block. On a cut both sides are parts of one block, which
-/// is `first` and `second`, and q = g + P⁻¹ σn with its own jump g. m is there when the treatment has multipliers: two unknowns of the node `node`, or a number that the
+/// is `first` and `second`, and q = g + P⁻¹ σn with the jump g of what lies right of it beside what lies left. m is there when the treatment has multipliers: two unknowns of the node `node`, or a number that the
 /// continuation iterates.
 struct InterfacePoint {
   BlockId first, second;

@@ -22,7 +22,16 @@ Kind<InterfaceParameters> interface_kind() {
                "Interface points of a side: two Gauss points, its ends, its middle. Without it the ends for "
                "treatments with multipliers, Gauss points for the others."})
       .section("field", &P::field, field_schema())
+      .point(
+          "crack_normal", &P::crack_normal,
+          {.dimension = dimension::none,
+           .text = "Normal n of the plane in which the structure is known to crack, any length. A heuristic "
+                   "for blocks that cracks run between: strength and fracture energy of a side with normal m "
+                   "are max(|n·m|, 0.3) times those of the law, so that a zigzag costs what its projection "
+                   "does. Where the plane is not known `cracks` through blocks need no such correction."})
       .check([](const P& p, const Position& where, Findings& findings) {
+        if (p.crack_normal && p.crack_normal->norm() == 0)
+          findings.add(where, "`crack_normal` must not be zero");
         if (!p.between.empty() && p.between.size() != 2) findings.add(where, "`between` takes two materials");
       })
       .kind();
@@ -86,13 +95,6 @@ Kind<StageParameters> stage_kind() {
       .boolean("unload", &P::unload,
                {.fallback = false, .text = "Unload straight to the value of the one gauge in `until`."})
       .kind();
-}
-
-std::size_t ModelParameters::entry_of_crack(int crack) const {
-  std::size_t entry = 0;
-  auto left = static_cast<std::size_t>(crack);
-  while (left >= cracks.at(entry).begin.size()) left -= cracks[entry++].begin.size();
-  return entry;
 }
 
 std::vector<StageParameters> ModelParameters::loaded_stages() const {

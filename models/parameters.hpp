@@ -28,6 +28,7 @@ struct InterfaceParameters {
   TreatmentChoice treatment;
   std::optional<PointRule> points;  ///< by the treatment when not given
   std::optional<FieldParameters> field;
+  std::optional<Vec2> crack_normal;  ///< of the plane whose projection sides have strength and energy by
   Position where;
 };
 
@@ -53,12 +54,16 @@ struct CrackBegin {
 struct CrackParameters {
   std::vector<std::string> through_blocks;  ///< regions
   std::string law;  ///< interface whose law a crack has; "": that of the region's material with itself
-  std::vector<CrackBegin> begin;
+  std::vector<CrackBegin> begin;     ///< where cracks begin; none: wherever stress asks for one
+  std::optional<std::int64_t> most;  ///< cracks that begin where stress asks for one
+  std::optional<double> apart;       ///< least distance of such a crack to any other [L]
   CrackDirectionChoice direction;
   double shortest_segment = 0.5;    ///< in block sizes
   double stiffness = 100;           ///< k of a cut in units of that of the block's sides
   std::vector<std::string> end_at;  ///< interfaces at which cracks end
   Position where;
+
+  bool is_automatic() const { return begin.empty(); }
 };
 
 /// An entry of `stages`; of those with loads every one but the last is brought to its full value and stays.
@@ -81,8 +86,6 @@ struct ModelParameters {
   std::vector<CrackParameters> cracks;
   std::vector<StageParameters> stages;
   std::vector<std::pair<std::string, GaugeChoice>> gauge_names;
-  /// The entry to which a crack belongs: cracks are counted through all entries, by their begins.
-  std::size_t entry_of_crack(int crack) const;
   /// The stages with loads.
   std::vector<StageParameters> loaded_stages() const;
   /// The last of them and the stages after it.

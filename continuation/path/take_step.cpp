@@ -41,6 +41,9 @@ std::optional<Point> next_step(PathState& path) {
 std::optional<Point> take_step(PathState& path) {
   if (const auto crack = crack_to_grow(path)) return growth_step(path, *crack);
   if (!path.cracks) return next_step(path);
+  if (const auto asked = crack_to_start(path))
+    if (auto point = start_step(path, *asked); point || path.ending.kind != Ending::Kind::running)
+      return point;
   const PlaceBefore before(path);
   auto point = next_step(path);
   const auto crack = point ? crack_to_grow(path) : std::nullopt;

@@ -4,6 +4,7 @@
 
 #include "continuation/follow/pace.hpp"
 #include "continuation/follow/trial.hpp"
+#include "continuation/step/cuts.hpp"
 #include "continuation/step/rungs.hpp"
 #include "continuation/step/steps.hpp"
 
@@ -11,30 +12,6 @@ namespace dda {
 namespace {
 
 constexpr double at_strength = 1 - 1e-6;
-
-/// σ of the block at a point.
-CrackFront::Stress stress_around(PathState& path) {
-  const State& at = path.walker.state();
-  return [&path, d = at.d.all(), load_factor = at.load_factor](const Vec2& x) -> std::optional<Vec3> {
-    const CrackedStructure& structure = path.cracks->structure;
-    const auto blocks = structure.front().geometry().blocks_near(x);
-    if (blocks.empty()) return {};
-    const std::size_t b = blocks.front().value();
-    const Eigen::Map<const Vec3> strain(d.data() + block_unknowns * b + 3);
-    const Loading& loading = path.walker.system().loading();
-    return Vec3(structure.body().material(blocks.front()).stiffness() * strain +
-                loading.initial_stress(b, load_factor));
-  };
-}
-
-/// Makes the structure anew for the cuts that there are now.
-void follow(PathState& path, const std::vector<Cut>& before) {
-  const RunningCracks& cracks = *path.cracks;
-  const Growth growth = path.walker.follow([&] { return cracks.structure.remake(before); });
-  path.look_up(cracks.look_up());
-  path.memory.before.reset();
-  if (cracks.has_grown) cracks.has_grown(growth);
-}
 
 /// Whether some point stands beyond its strength.
 bool is_exceeded(const System& system, const State& at) {
@@ -131,9 +108,13 @@ std::optional<Point> settle_down(PathState& path, double bearable) {
   return point;
 }
 
-/// Where no equilibrium is near: the cut is made where the path stands, and a step goes on from there.
-std::optional<Point> step_on(PathState& path) {
-  if (!path.walker.leaving().dissipates) return {};
+/// Where no equilibrium is near: the cut is made where the path stands, and a step goes on from there; or, where
+/// nothing leads on, as under a dead load that has passed strengths, the load's displacement is held.
+std::optional<Point> step_on(PathState& path, double bearable) {
+  if (!path.walker.leaving().dissipates) {
+    auto next = at_same_displacement(path);
+    return next ? jump_to(path, *std::move(next), StepKind::growth, bearable) : std::optional<Point>();
+  }
   const std::string why = path.refusal;
   const Move move = path.control->next(path.walker);
   const bool is_known = path.memory.step > 0 && path.memory.step_kind == move.kind;
@@ -154,17 +135,17 @@ std::optional<Point> growth_step(PathState& path, int crack) {
   const std::vector<Cut> cuts = front.geometry().cuts();
   const std::vector<CrackFront::Memory> memory = front.memory();
   front.grow(crack);
-  follow(path, cuts);
+  follow_cuts(path, cuts);
   path.report("grown", front.end_of(crack).empty()
                            ? fmt::format("crack {} has grown to {}", crack, place(front.tip(crack)))
                            : fmt::format("crack {} ends at {}: {}", crack, place(front.tip(crack)),
                                          front.end_of(crack)));
   constexpr double of_nothing = 0;  // a closed cut that comes makes the structure no stiffer
   if (auto point = settle_down(path, of_nothing)) return point;
-  if (auto point = step_on(path)) return point;
+  if (auto point = step_on(path, of_nothing)) return point;
   const std::vector<Cut> refused = front.geometry().cuts();
   front.restore(cuts, memory);
-  follow(path, refused);
+  follow_cuts(path, refused);
   return path.end(
       Ending::Kind::stopped_early,
       fmt::format("no equilibrium was found next to the last one once the crack at {} had grown: {}",
@@ -176,11 +157,10 @@ std::optional<Point> aim_step(PathState& path, int crack, const PlaceBefore& bef
   const PlaceBefore reached(path);
   const std::vector<Cut> cuts = front.geometry().cuts();
   const std::vector<CrackFront::Memory> memory = front.memory();
-  if (path.cracks->grows) path.cracks->grows();
-  if (!front.aim(crack, stress_around(path))) return {};
+  if (!front.aim(crack, around(path))) return {};
   before.go_back(path);
   const double bearable = energy_ahead(path, crack);
-  follow(path, cuts);
+  follow_cuts(path, cuts);
   path.report("aimed", fmt::format("crack {} is aimed anew from {}", crack, place(front.tip(crack))));
   if (before.is_at_rest()) {
     path.walker.begin_stage(path.walker.system().equilibrium().stages().size() - 1);
@@ -189,7 +169,7 @@ std::optional<Point> aim_step(PathState& path, int crack, const PlaceBefore& bef
   if (auto point = settle_down(path, bearable)) return point;
   const std::vector<Cut> refused = front.geometry().cuts();
   front.restore(cuts, memory);
-  follow(path, refused);
+  follow_cuts(path, refused);
   reached.go_back(path);
   return {};
 }

@@ -38,6 +38,13 @@ std::optional<Point> unload_step(PathState& path);
 /// jump.
 std::optional<Point> release_step(PathState& path);
 
+/// The crack that stress asks for where the walker stands, once something has cracked.
+std::optional<CrackFront::Asked> crack_to_start(PathState& path);
+
+/// Cuts its first segment, closed, and stands at the same displacement of the load; what that differs by is booked as
+/// a jump. Nothing, and nothing changed, where it cannot be cut.
+std::optional<Point> start_step(PathState& path, const CrackFront::Asked& asked);
+
 /// The crack through blocks whose segment ahead has a point at its strength where the walker stands; nothing when
 /// there is none.
 std::optional<int> crack_to_grow(PathState& path);
@@ -45,7 +52,7 @@ std::optional<int> crack_to_grow(PathState& path);
 /// Takes the segment ahead of a crack as grown and cuts the next one; then the equilibrium in which the first of all
 /// points stands at its strength, their damage staying as it is. Closed cuts are all but rigid, so that this is hardly
 /// another state; what it differs by is booked as a jump. Where it lies far away the cut is made in the state as it is,
-/// and a step goes on from there.
+/// and a step goes on from there; or, where nothing leads on, the load's displacement is held while damage grows.
 std::optional<Point> growth_step(PathState& path, int crack);
 
 /// Aims the segment ahead of a crack once more, by the stress where its first point has reached its strength. Where that

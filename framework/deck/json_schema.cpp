@@ -82,7 +82,7 @@ class Writer {
       case family:
         return reference(*kind.family);
       case list:
-        return {{"type", "array"}, {"items", value(*kind.item)}, {"minItems", kind.at_least}};
+        return list_or_words(kind);
       case map:
         return {{"type", "object"},
                 {"additionalProperties", value(*kind.item)},
@@ -91,6 +91,12 @@ class Writer {
         break;
     }
     return Json::object();
+  }
+
+  Json list_or_words(const KindInfo& kind) {
+    Json list{{"type", "array"}, {"items", value(*kind.item)}, {"minItems", kind.at_least}};
+    if (kind.names.empty()) return list;
+    return {{"anyOf", Json::array({Json{{"enum", kind.names}}, std::move(list)})}};
   }
 
   static Json bounded(const KindInfo& kind) {

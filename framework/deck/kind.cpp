@@ -1,5 +1,8 @@
 #include "framework/deck/kind.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cctype>
 #include <charconv>
@@ -151,7 +154,8 @@ std::string KindInfo::words() const {
     case Form::family:
       return "a " + family->name();
     case Form::list:
-      return "list of: " + item->words();
+      return (names.empty() ? "" : fmt::format("`{}`, or ", fmt::join(names, "`, `"))) +
+             "list of: " + item->words();
     case Form::map:
       return "map from names to: " + item->words();
     case Form::anything:

@@ -52,7 +52,7 @@ struct KindInfo {
   Form form = Form::anything;
   Dimension dimension{};
   Bounds bounds{};
-  std::vector<std::string> names{};             ///< of a name: what may be chosen
+  std::vector<std::string> names{};  ///< of a name: what may be chosen; of a list: words in its place
   std::shared_ptr<const SchemaBase> section{};  ///< of a section
   const FamilyBase* family = nullptr;           ///< of a member of a family
   std::shared_ptr<const KindInfo> item{};       ///< of a list or map
@@ -158,6 +158,23 @@ Kind<std::vector<V>> list_of(Kind<V> item, std::size_t at_least = 0) {
     Node node = Node::sequence();
     for (const V& value : values) node.items.push_back(item.echo(value));
     return node;
+  };
+  return {std::move(info), read, echo};
+}
+
+/// The same of at least one value, or a word in its place, which is read as an empty list.
+template <class V>
+Kind<std::vector<V>> list_or_word(Kind<V> item, const std::string& word) {
+  const Kind<std::vector<V>> list = list_of(std::move(item), 1);
+  KindInfo info = list.info;
+  info.names = {word};
+  auto read = [list, names = info.names](const Node& node,
+                                         const Reading& reading) -> std::optional<std::vector<V>> {
+    if (!node.is_scalar()) return list.read(node, reading);
+    return read_name(node, names, reading) ? std::optional(std::vector<V>()) : std::nullopt;
+  };
+  auto echo = [list, word](const std::vector<V>& values) {
+    return values.empty() ? Node::scalar(word) : list.echo(values);
   };
   return {std::move(info), read, echo};
 }

@@ -127,21 +127,23 @@ std::optional<BlockId> CrackGeometry::block_ahead(const Vec2& tip, const Vec2& d
   return {};
 }
 
-std::optional<CrackGeometry::Exit> CrackGeometry::exit(BlockId block, const Vec2& tip,
-                                                       const Vec2& direction) const {
-  const auto cut = divided_.find(block);
-  const auto of = [&](const Polygon& outline) -> std::optional<Exit> {
+std::optional<Vec2> CrackGeometry::exit(BlockId block, const Vec2& tip, const Vec2& direction) const {
+  const auto of = [&](const Polygon& outline) -> std::optional<Vec2> {
     if (!enters(outline, tip, direction, tolerance())) return {};
-    const auto at = exit_of(outline, tip, direction, tolerance());
-    if (!at) return {};
-    const bool on_cut = cut != divided_.end() && cut->second.is_on_cut(*at, tolerance());
-    return Exit{*at,
-                on_cut || std::ranges::any_of(sides_at(*at), [&](std::size_t s) { return is_open(s, *at); })};
+    return exit_of(outline, tip, direction, tolerance());
   };
+  const auto cut = divided_.find(block);
   if (cut == divided_.end()) return of(assembly_.blocks[block.value()].outline);
   for (const Part& part : cut->second.parts())
     if (const auto found = of(part.outline)) return found;
   return {};
+}
+
+bool CrackGeometry::is_on_crack(const Vec2& x, int crack) const {
+  return std::ranges::any_of(cuts_, [&](const Cut& cut) {
+    if (distance(x, cut.start, cut.end) > tolerance()) return false;
+    return cut.crack != crack || is_between(x, cut.start, cut.end);
+  });
 }
 
 std::vector<std::size_t> CrackGeometry::sides_at(const Vec2& x) const {
@@ -184,6 +186,19 @@ std::span<const JumpId> CrackGeometry::jumps_at(BlockId block, const Vec2& x) co
   const auto cut = divided_.find(block);
   return cut == divided_.end() ? std::span<const JumpId>()
                                : std::span<const JumpId>(cut->second.part_at(x).jumps);
+}
+
+CrackGeometry::Across CrackGeometry::across(const Cut& cut, const Vec2& x) const {
+  const DividedBlock& block = divided_.at(cut.block);
+  const auto without = [](const std::vector<JumpId>& all, const std::vector<JumpId>& others) {
+    std::vector<JumpId> out;
+    std::ranges::copy_if(all, std::back_inserter(out),
+                         [&](JumpId jump) { return std::ranges::find(others, jump) == others.end(); });
+    return out;
+  };
+  const Vec2 along = cut.end - cut.start;
+  const std::vector<JumpId>&left = block.beside(x, along).jumps, &right = block.beside(x, -along).jumps;
+  return {without(right, left), without(left, right)};
 }
 
 bool CrackGeometry::is_touched(std::size_t side) const {

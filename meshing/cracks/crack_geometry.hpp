@@ -57,8 +57,8 @@ class CrackGeometry {
   double block_size() const { return block_size_; }
   double tolerance() const { return smallest_.length; }
 
-  /// Cuts a block from one place of its outline to another, or of the outline of one of its parts. False, and
-  /// nothing changed, where that leaves too small a part, or no straight way leads from one to the other.
+  /// Cuts a block from one place of its outline to another, or to a cut through it. False, and nothing changed, where
+  /// that leaves too small a part, or no straight way leads from one to the other.
   bool cut(BlockId block, const Vec2& start, const Vec2& end, int crack);
   /// Opens a side between two places on it. False where they are one, or it is open there already.
   bool open(std::size_t side, const Vec2& start, const Vec2& end, int crack);
@@ -70,12 +70,10 @@ class CrackGeometry {
   /// The block into which a line leads from a point of the blocks' outlines; none outside of the body, along a
   /// side, and on cuts.
   std::optional<BlockId> block_ahead(const Vec2& tip, const Vec2& direction) const;
-  /// Where the line leaves it.
-  struct Exit {
-    Vec2 at;
-    bool on_cut = false;  ///< it meets another crack there
-  };
-  std::optional<Exit> exit(BlockId block, const Vec2& tip, const Vec2& direction) const;
+  /// Where the line leaves it, or meets a cut through it.
+  std::optional<Vec2> exit(BlockId block, const Vec2& tip, const Vec2& direction) const;
+  /// Whether another cut than the ones that end or begin there with `crack` comes to a point.
+  bool is_on_crack(const Vec2& x, int crack) const;
   /// A way along a side.
   struct Way {
     std::size_t side = 0;
@@ -93,6 +91,12 @@ class CrackGeometry {
   std::span<const Part> parts(BlockId block) const;
   /// By which a block moves at a point beside its own motion.
   std::span<const JumpId> jumps_at(BlockId block, const Vec2& x) const;
+  /// By which what lies right of a cut through a block moves beside what lies left of it, at a point of the cut: the
+  /// cut's own jump, and those of cuts that end on it.
+  struct Across {
+    std::vector<JumpId> right, left;
+  };
+  Across across(const Cut& cut, const Vec2& x) const;
   /// Whether a side is divided, opened, or moved by a jump.
   bool is_touched(std::size_t side) const;
   /// In their order along it, one where it is not divided.

@@ -26,6 +26,20 @@ std::size_t DividedBlock::nearest(const Vec2& x) const {
   return out;
 }
 
+const Part& DividedBlock::beside(const Vec2& x, const Vec2& direction) const {
+  const Part* out = &parts_.front();
+  double least = std::numeric_limits<double>::infinity();
+  for (const Part& part : parts_)
+    for (std::size_t i = 0; i < part.outline.size(); ++i) {
+      const Vec2 &a = part.outline.at(i), &b = part.outline.at(i + 1);
+      const double away = distance(x, a, b);
+      if (direction.dot(b - a) <= 0 || away >= least) continue;
+      least = away;
+      out = &part;
+    }
+  return *out;
+}
+
 std::vector<std::size_t> DividedBlock::beyond(std::size_t part, std::size_t joint) const {
   std::vector<std::size_t> found{part};
   for (std::size_t i = 0; i < found.size(); ++i)
@@ -39,7 +53,7 @@ std::vector<std::size_t> DividedBlock::beyond(std::size_t part, std::size_t join
 
 bool DividedBlock::divide(JumpId jump, const Vec2& start, const Vec2& end, const Smallest& smallest) {
   const double tolerance = smallest.length;
-  if (is_on_cut(start, tolerance) || is_on_cut(end, tolerance)) return false;
+  if (is_on_cut(start, tolerance)) return false;
   const auto part = std::ranges::find_if(
       parts_, [&](const Part& at) { return enters(at.outline, start, end - start, tolerance); });
   if (part == parts_.end()) return false;

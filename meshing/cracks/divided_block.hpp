@@ -19,7 +19,8 @@ struct Part {
 /// A block and the straight cuts through it, each of which divides one part in two.
 ///
 /// What lies right of a cut moves by its jump, and with it every part that hangs on that side by other cuts: so
-/// across each cut the displacement jumps by its own jump alone, whatever is cut later.
+/// across each cut the displacement jumps by its own jump alone, whatever is cut later. A cut may end on an earlier one:
+/// then what it cuts off beside that one jumps there by both (`beside`).
 class DividedBlock {
  public:
   explicit DividedBlock(const Polygon& outline) : parts_{{outline, {}}} {}
@@ -29,13 +30,15 @@ class DividedBlock {
     double length = 0;  ///< [L]
     double area = 0;    ///< [L²]
   };
-  /// Divides the part that the line enters at its start and leaves at its end. False, and nothing changed, where
-  /// there is none, where an end lies on another cut, or where a part would be too small.
+  /// Divides the part that the line enters at its start and leaves at its end, be that on another cut. False, and
+  /// nothing changed, where there is none, where its start lies on another cut, or where a part would be too small.
   bool divide(JumpId jump, const Vec2& start, const Vec2& end, const Smallest& smallest);
 
   const std::vector<Part>& parts() const { return parts_; }
   /// That contains x, or lies nearest.
   const Part& part_at(const Vec2& x) const { return parts_[nearest(x)]; }
+  /// The part along whose outline one gets on in a direction from a point of a cut: what lies left of it there.
+  const Part& beside(const Vec2& x, const Vec2& direction) const;
   /// Whether x lies on a cut, its ends left out.
   bool is_on_cut(const Vec2& x, double tolerance) const;
 
@@ -49,7 +52,7 @@ class DividedBlock {
   std::vector<std::size_t> beyond(std::size_t part, std::size_t joint) const;
 
   std::vector<Part> parts_;
-  std::vector<Joint> joints_;  ///< a tree
+  std::vector<Joint> joints_;  ///< a tree: one for each cut, though two parts may lie on one side of it
 };
 
 }  // namespace dda

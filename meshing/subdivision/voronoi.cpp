@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "framework/base/threads.hpp"
 #include "meshing/room.hpp"
+#include "meshing/subdivision/parts.hpp"
 #include "meshing/subdivision/subdivision.hpp"
 
 namespace dda {
@@ -17,44 +17,20 @@ struct VoronoiParameters {
   Position where;
 };
 
-/// A part of a shape that no interface or slit crosses from border to border.
-struct Part {
-  Figure figure;
-  int region = 0;
-};
-
 class Voronoi final : public Subdivision {
  public:
   explicit Voronoi(VoronoiParameters parameters) : parameters_(std::move(parameters)) {}
   Cells divide(const Layout& layout) const override;
 
  private:
-  std::vector<std::size_t> counts(const std::vector<Part>& parts) const;
+  std::vector<std::size_t> counts(const std::vector<LayoutPart>& parts) const;
 
   VoronoiParameters parameters_;
 };
 
-/// Lines that cells have to follow: boundaries lie on the outline anyway.
-std::vector<std::vector<Vec2>> inner_lines(const Layout& layout) {
-  std::vector<std::vector<Vec2>> lines;
-  for (const NamedLine& line : layout.lines)
-    if (line.role != LineRole::boundary) lines.push_back(line.points);
-  return lines;
-}
-
-std::vector<Part> parts_of(const Layout& layout) {
-  std::vector<Part> parts;
-  for (const Shape& shape : layout.shapes)
-    for (Figure& figure : cut(shape.figure, inner_lines(layout))) {
-      figure.outline = without_collinear(figure.outline, 1e-9 * scene_size(layout));
-      parts.push_back({std::move(figure), shape.region});
-    }
-  return parts;
-}
-
-std::vector<std::size_t> Voronoi::counts(const std::vector<Part>& parts) const {
+std::vector<std::size_t> Voronoi::counts(const std::vector<LayoutPart>& parts) const {
   std::vector<double> areas;
-  for (const Part& part : parts) areas.push_back(area(part.figure));
+  for (const LayoutPart& part : parts) areas.push_back(area(part.figure));
   if (parameters_.blocks) return share(static_cast<std::size_t>(*parameters_.blocks), areas);
   std::vector<std::size_t> counts;
   for (const double a : areas)
@@ -69,20 +45,15 @@ Cells Voronoi::divide(const Layout& layout) const {
   require_room(
       parameters_.blocks ? static_cast<double>(*parameters_.blocks) : area_of(layout) / (size * size),
       parameters_.where);
-  const std::vector<Part> parts = parts_of(layout);
+  const std::vector<LayoutPart> parts = parts_of(layout);
   const std::vector<std::size_t> blocks = counts(parts);
-  std::vector<std::vector<Polygon>> cells(parts.size());
-  parallel_for(parts.size(), 1, [&](std::size_t i) {
+  return cells_of_parts(layout, parts, [&](std::size_t i) {
     // Parts of equal form must not get equal sites: each draws from its own seed.
     const VoronoiWish wish{blocks[i],
                            static_cast<std::uint64_t>(parameters_.seed) + 0x9e3779b97f4a7c15ULL * i,
                            static_cast<int>(parameters_.iterations)};
-    cells[i] = cut_cells(centroidal_voronoi(parts[i].figure, wish), inner_lines(layout));
+    return centroidal_voronoi(parts[i].figure, wish);
   });
-  Cells result{{}, layout.lines};
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    for (Polygon& cell : cells[i]) result.cells.push_back({std::move(cell), parts[i].region});
-  return result;
 }
 
 Schema<VoronoiParameters> schema() {

@@ -11,6 +11,7 @@ namespace {
 struct NonlocalStressParameters {
   double radius = 3, length = 1.5;
   double inertia = 0.5;
+  double least_size = 1.0 / 60;
   double largest_turn = 60;
 };
 
@@ -35,14 +36,17 @@ Mat2 tensile_part(const Mat2& stress) {
 ///
 /// Ahead of a cohesive zone tension is nearly the same in all directions, so that there is no principal axis to
 /// speak of: without the inertia ι cracks in ductile beams curl, and with it they lag by about ι h on a curve.
-/// Without any tension ahead the crack goes straight on.
+/// R, l and that lag are lengths of the material where blocks are small: they count in h* = max(h, l_ch/60), and the
+/// inertia is ι h*/h. In block sizes alone a finer pattern would see less and less of the body beyond the cohesive
+/// zone's end, and its cracks curl again. Without any tension ahead the crack goes straight on.
 class NonlocalStress final : public CrackDirection {
  public:
   explicit NonlocalStress(const NonlocalStressParameters& p) : p_(p) {}
 
   Vec2 aim(const CrackTip& tip) const override {
     const Vec2 normal(-tip.direction.y(), tip.direction.x());
-    const Mat2 s = mean_ahead(tip) + p_.inertia * tip.strength * normal * normal.transpose();
+    const double inertia = p_.inertia * size(tip) / tip.block_size;
+    const Mat2 s = mean_ahead(tip) + inertia * tip.strength * normal * normal.transpose();
     const Vec2 opens = Eigen::SelfAdjointEigenSolver<Mat2>(s).eigenvectors().col(1);
     const Vec2 along(opens.y(), -opens.x());
     const Vec2 forward = along.dot(tip.direction) < 0 ? Vec2(-along) : along;
@@ -51,13 +55,18 @@ class NonlocalStress final : public CrackDirection {
   }
 
  private:
+  /// h*.
+  double size(const CrackTip& tip) const {
+    return std::max(tip.block_size, p_.least_size * tip.characteristic_length);
+  }
+
   static Vec2 turned(const Vec2& v, double angle) {
     return std::cos(angle) * v + std::sin(angle) * Vec2(-v.y(), v.x());
   }
 
   Mat2 mean_ahead(const CrackTip& tip) const {
     constexpr int rings = 12, rays = 25;
-    const double radius = p_.radius * tip.block_size, length = p_.length * tip.block_size;
+    const double radius = p_.radius * size(tip), length = p_.length * size(tip);
     Mat2 sum = Mat2::Zero();
     double weights = 0;
     for (int i = 0; i < rings; ++i) {
@@ -89,6 +98,12 @@ Schema<NonlocalStressParameters> schema() {
            .bounds = at_least(0),
            .text = "Share of the tensile strength that keeps the crack straight; below 0.5 cracks in ductile "
                    "structures may curl, more lags behind on curves."})
+      .number(
+          "least_size", &P::least_size,
+          {.fallback = 1.0 / 60,
+           .bounds = at_least(0),
+           .text = "Blocks count as no smaller than this share of l_ch = E Gf/ft²; the inertia grows by as "
+                   "much, so that what the crack sees and by how much it lags stay the material's."})
       .number("largest_turn", &P::largest_turn,
               {.fallback = 60.0, .bounds = between(0, 90), .text = "Of one segment, in degrees."});
 }

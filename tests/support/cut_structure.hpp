@@ -48,8 +48,8 @@ class CutStructure {
     for (int n = 0;; ++n) {
       const auto block = n < most ? cracks_.block_ahead(tip, direction) : std::nullopt;
       const auto exit = block ? cracks_.exit(*block, tip, direction) : std::nullopt;
-      if (!exit || exit->on_cut || !cracks_.cut(*block, tip, exit->at, 0)) return n;
-      tip = exit->at;
+      if (!exit || !cracks_.cut(*block, tip, *exit, 0)) return n;
+      tip = *exit;
     }
   }
   /// Unknowns of u(x) = G x, cuts closed.

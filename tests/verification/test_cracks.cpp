@@ -125,5 +125,44 @@ TEST(CracksThroughBlocks, FollowTheSamePathByUpdatesAndByFactorisations) {
   EXPECT_GT(factorised.factorisations, 10 * updated.factorisations);
 }
 
+/// The same beam; its crack begins by itself.
+TEST(CracksThroughBlocks, BeginByThemselvesWhereTheBeamBendsMost) {
+  constexpr double fine = 0.008;
+  std::string deck = beam("{type: voronoi, blocks: 1300, seed: 1}", 0.1);
+  const std::string given = "[{at: [150, 0], direction: [0, 1]}]";
+  deck.replace(deck.find(given), given.size(), "automatic");
+  const Followed found = follow(deck);
+  EXPECT_EQ(found.ending, Ending::Kind::goal_reached);
+  EXPECT_NEAR(found.peak, 11676.0, fine * 11676.0);
+  EXPECT_NEAR(found.work_over_spent, 1, 1e-3);
+  EXPECT_GT(found.tip, 70);
+}
+
+TEST(CracksThroughBlocks, AreAimedByReleasedEnergyAsWell) {
+  std::string deck = beam("{type: voronoi, blocks: 320, seed: 1}", 0.1);
+  deck.replace(deck.find("begin:"), 6, "direction: released_energy, begin:");
+  const Followed found = follow(deck);
+  EXPECT_EQ(found.ending, Ending::Kind::goal_reached);
+  EXPECT_LT(found.peak, 1.022 * 11676.0);
+  EXPECT_NEAR(found.work_over_spent, 1, 1e-3);
+}
+
+/// Two cracks in constant moment, 100 mm apart; the supports make one of them lead. What they dissipate is what they
+/// take, and the peak lies between that of one crack and the load at which the strength is reached everywhere.
+TEST(CracksThroughBlocks, GrowSideBySide) {
+  std::string deck = beam("{type: voronoi, blocks: 600, seed: 1}", 0.1);
+  const std::string given = "[{at: [150, 0], direction: [0, 1]}]",
+                    load = "[{type: point_load, over: [[145, 100], [155, 100]], force: [0, -1]}]";
+  deck.replace(deck.find(given), given.size(),
+               "[{at: [130, 0], direction: [0, 1]}, {at: [170, 0], direction: [0, 1]}]");
+  deck.replace(
+      deck.find(load), load.size(),
+      "[{type: point_load, over: [[95, 100], [105, 100]], force: [0, -0.5]}, {type: point_load, over: "
+      "[[195, 100], [205, 100]], force: [0, -0.5]}]");
+  const Followed found = follow(deck);
+  EXPECT_EQ(found.ending, Ending::Kind::goal_reached);
+  EXPECT_NEAR(found.work_over_spent, 1, 1e-3);
+}
+
 }  // namespace
 }  // namespace dda::verification

@@ -130,6 +130,7 @@ void Simulation::prepare() {
   system_->measure_with(timings_);
   stepper_ = std::make_unique<Stepper>(*system_, deck_.path);
   walker_ = std::make_unique<Walker>(*stepper_);
+  if (front_ && front_->is_automatic()) begin_cracks();
   notices_ = equilibrium_->interfaces().notices;
   if (front_) note_coarse_cracks();
   if (const std::size_t multipliers = equilibrium_->num_unknown_multipliers(); multipliers > 0)
@@ -138,6 +139,22 @@ void Simulation::prepare() {
           "{} of {} Lagrange multipliers are redundant: their joints are tied more often than their "
           "blocks can move; the perturbation keeps them determined",
           redundant, multipliers));
+}
+
+/// By the elastic solutions under the dead loads and under the reference load.
+void Simulation::begin_cracks() {
+  const Loading& loading = equilibrium_->stages().back();
+  const std::size_t n = equilibrium_->num_unknowns();
+  std::vector<double> dead(n), live(n), nothing(n, 0.0);
+  system_->linear().solve(loading.dead, dead);
+  system_->linear().solve(loading.reference, live);
+  BlockStress stress{cracked_->stress(loading, dead, 0), cracked_->stress(loading, live, 1)};
+  const std::vector<Vec3> initial = cracked_->stress(loading, nothing, 0);
+  for (std::size_t b = 0; b < initial.size(); ++b) stress.live[b] -= initial[b];
+  const std::vector<Cut> before = crack_geometry_->cuts();
+  front_->begin_where_asked(stress);
+  walker_->follow([&] { return cracked_->remake(before); });
+  look_up();
 }
 
 std::string Simulation::apply_dead_loads() {

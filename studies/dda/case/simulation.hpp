@@ -64,6 +64,7 @@ class Simulation {
   void require_cracks() const;
   /// Blocks that are large beside what the cohesive zone needs.
   void note_coarse_cracks();
+  void begin_cracks();
   Aims look_up();
 
   const Deck& deck_;

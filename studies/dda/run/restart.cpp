@@ -201,11 +201,13 @@ struct CutRecord {
 
 /// What is stored of a crack beside its cuts.
 struct CrackRecord {
+  int entry = 0;
   Vec2 tip, direction;
   int aims = 0;
 
   template <class Self, class Visit>
   static void visit(Self& self, Visit& visit) {
+    visit("entry", self.entry);
     visit("tip", self.tip);
     visit("direction", self.direction);
     visit("aims", self.aims);
@@ -220,7 +222,7 @@ void put_cracks(RestartData& data, const CrackFront* cracks) {
   std::vector<CrackRecord> records;
   auto& ends = data.texts["cracks.end"] = {};
   for (const CrackFront::Memory& memory : cracks->memory()) {
-    records.push_back({memory.tip, memory.direction, memory.aims});
+    records.push_back({static_cast<int>(memory.entry), memory.tip, memory.direction, memory.aims});
     ends.push_back(memory.end);
   }
   put_all(data, "cracks", records);
@@ -229,11 +231,13 @@ void put_cracks(RestartData& data, const CrackFront* cracks) {
 std::vector<CrackFront::Memory> take_cracks(const RestartData& data, const fs::path& folder,
                                             const CrackFront& cracks) {
   const auto found = data.texts.find("cracks.end");
-  if (found == data.texts.end() || found->second.size() != cracks.num_cracks())
-    throw InputError(Position{folder.string()}, "the run had other cracks through its blocks");
   std::vector<CrackFront::Memory> out;
-  for (const CrackRecord& record : take_all<CrackRecord>(data, "cracks"))
-    out.push_back({record.tip, record.direction, record.aims, found->second.at(out.size())});
+  if (found != data.texts.end())
+    for (const CrackRecord& record : take_all<CrackRecord>(data, "cracks"))
+      out.push_back({static_cast<std::size_t>(record.entry), record.tip, record.direction, record.aims,
+                     found->second.at(out.size())});
+  if (!cracks.may_have(out))
+    throw InputError(Position{folder.string()}, "the run had other cracks through its blocks");
   return out;
 }
 

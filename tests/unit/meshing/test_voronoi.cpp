@@ -86,5 +86,29 @@ TEST(Voronoi, CutCellsFollowALineThatEndsInside) {
   EXPECT_EQ(cut_cells(cells, {{{1, -1}, {1, 2}}}).size(), 2u);
 }
 
+RC_GTEST_PROP(Squares, FillTheFigureAtAnyAngle, ()) {
+  const auto& figure = *rc::gen::element(rectangle, angle_section, frame);
+  const double size = *rc::gen::element(0.13, 0.31, 0.7, 5.0), angle = 0.01 * *rc::gen::inRange(-314, 315);
+  const std::vector<Polygon> cells = square_cells(figure, size, angle);
+  RC_ASSERT(std::abs(total(cells) - area(figure)) < 1e-9);
+  for (const Polygon& cell : cells) RC_ASSERT(!defect(cell));
+}
+
+TEST(Squares, AreSquaresInTheMiddleAndNoSliversAtTheOutline) {
+  const double size = 0.1, angle = 0.5;
+  const Vec2 along(std::cos(angle), std::sin(angle));
+  int whole = 0;
+  for (const Polygon& cell : square_cells(rectangle, size, angle)) {
+    EXPECT_GT(signed_area(cell), size * size / 8);
+    if (std::abs(signed_area(cell) - size * size) > 1e-9) continue;
+    ++whole;
+    for (std::size_t i = 0; i < cell.size(); ++i) {
+      const Vec2 edge = (cell.at(i + 1) - cell.at(i)) / size;
+      EXPECT_NEAR(std::abs(cross(along, edge) * along.dot(edge)), 0, 1e-9);
+    }
+  }
+  EXPECT_GT(whole, 280) << "of 400";
+}
+
 }  // namespace
 }  // namespace dda

@@ -86,5 +86,24 @@ TEST(InterfaceFields, ALawWithoutStrengthCannotVary) {
     EXPECT_THROW(Structure(beam(4, law, varied)).equilibrium(), InputError) << law;
 }
 
+/// Strength and energy of a side go with its projection on the given plane, with a floor where it lies across.
+TEST(InterfaceFields, SidesAreAsStrongAsTheirProjectionOnAGivenPlane) {
+  std::string deck = beam(20, linear, "");
+  deck.replace(deck.find("{type: grid, columns: 20, rows: 5}"), 34, "{type: voronoi, blocks: 60}");
+  deck.replace(deck.find("    law:"), 8, "    crack_normal: [2, 0]\n    law:");
+  const Equilibrium equilibrium = Structure(deck).equilibrium();
+  double lowest = 1, highest = 0;
+  for (const InterfacePoint& point : equilibrium.interfaces().points) {
+    const double k = point.stiffness, share = std::max(0.3, std::abs(point.normal.x()));
+    EXPECT_NEAR(point.law->initial_kappa(k), 3 * share / k, 1e-14 / k);
+    EXPECT_NEAR(point.law->accept({point.law->rupture_kappa(k), 0}, {}, k).dissipated, 0.1 * share, 1e-12);
+    EXPECT_EQ(point.strength_factor, 1);
+    lowest = std::min(lowest, share);
+    highest = std::max(highest, share);
+  }
+  EXPECT_EQ(lowest, 0.3);
+  EXPECT_GT(highest, 0.99);
+}
+
 }  // namespace
 }  // namespace dda

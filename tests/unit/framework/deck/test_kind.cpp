@@ -119,5 +119,16 @@ TEST(Kind, EntriesAreNamedInTheSingular) {
   EXPECT_EQ(entry_context("stages.0.loads", "p"), "load 'p'");
 }
 
+TEST(Kind, AListOrAWordInItsPlace) {
+  const auto kind = list_or_word(number_kind(), "automatic");
+  EXPECT_EQ(value(kind, "[1, 2]"), (std::vector<double>{1, 2}));
+  EXPECT_TRUE(value(kind, "automatic").empty());
+  EXPECT_EQ(kind.echo({}).text, "automatic");
+  EXPECT_EQ(kind.echo({1, 2}).items.size(), 2u);
+  EXPECT_EQ(kind.info.words(), "`automatic`, or list of: number");
+  EXPECT_NE(refusal(kind, "automatc").find("automatic"), std::string::npos);
+  EXPECT_FALSE(refusal(kind, "[]").empty());
+}
+
 }  // namespace
 }  // namespace dda

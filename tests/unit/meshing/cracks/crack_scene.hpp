@@ -54,8 +54,8 @@ inline int run_straight(CrackGeometry& cracks, Vec2 tip, const Vec2& direction) 
   for (int n = 0;; ++n) {
     const auto block = cracks.block_ahead(tip, direction);
     const auto exit = block ? cracks.exit(*block, tip, direction) : std::nullopt;
-    if (!exit || !cracks.cut(*block, tip, exit->at, 0)) return n;
-    tip = exit->at;
+    if (!exit || !cracks.cut(*block, tip, *exit, 0)) return n;
+    tip = *exit;
   }
 }
 

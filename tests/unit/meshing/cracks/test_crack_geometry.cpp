@@ -79,7 +79,7 @@ TEST(CrackGeometry, FindsTheBlockAheadAndWhereALineLeavesIt) {
   EXPECT_EQ(cracks.block_ahead({2, 2}, {1, 1}), BlockId{3});
   EXPECT_FALSE(cracks.block_ahead({1, 0}, {0, -1}));
   EXPECT_FALSE(cracks.block_ahead({2, 0}, {0, 1})) << "along a side";
-  EXPECT_TRUE(cracks.exit(BlockId{0}, {1, 0}, {0, 1})->at.isApprox(Vec2(1, 2)));
+  EXPECT_TRUE(cracks.exit(BlockId{0}, {1, 0}, {0, 1})->isApprox(Vec2(1, 2)));
 }
 
 TEST(CrackGeometry, ACrackDividesBlocksAndTheSidesItEndsOn) {
@@ -122,10 +122,33 @@ TEST(CrackGeometry, AnotherCrackMayCrossABlockThatIsCut) {
   ASSERT_TRUE(cracks.cut(BlockId{0}, {1.5, 0}, {1.5, 2}, 1));
   expect_sums(cracks);
   EXPECT_EQ(cracks.parts(BlockId{0}).size(), 3u);
+}
+
+/// Two upright cuts, and one that runs into the second of them from the right.
+TEST(CrackGeometry, ACrackMayEndOnAnotherAndCutsOffAPartThere) {
+  const Assembly assembly = four_squares();
+  CrackGeometry cracks(assembly);
+  ASSERT_TRUE(cracks.cut(BlockId{0}, {0.5, 0}, {0.5, 2}, 0));
+  ASSERT_TRUE(cracks.cut(BlockId{0}, {1.5, 0}, {1.5, 2}, 1));
   const auto meets = cracks.exit(BlockId{0}, {2, 1}, {-1, 0.1});
   ASSERT_TRUE(meets);
-  EXPECT_TRUE(meets->on_cut);
-  EXPECT_FALSE(cracks.cut(BlockId{0}, {2, 1}, meets->at, 2));
+  EXPECT_TRUE(meets->isApprox(Vec2(1.5, 1.05)));
+  EXPECT_FALSE(cracks.is_on_crack(Vec2(2, 1), 2));
+  EXPECT_TRUE(cracks.is_on_crack(*meets, 2));
+  EXPECT_TRUE(cracks.is_on_crack(*meets, 1)) << "its own way, from the side";
+  EXPECT_FALSE(cracks.is_on_crack({1.5, 2}, 1)) << "its own end";
+  ASSERT_TRUE(cracks.cut(BlockId{0}, {2, 1}, *meets, 2));
+  expect_sums(cracks);
+  EXPECT_EQ(cracks.parts(BlockId{0}).size(), 4u);
+  EXPECT_FALSE(cracks.block_ahead(*meets, {-1, 0.1})) << "it ends there";
+  const JumpId first{0}, second{1}, third{2};
+  EXPECT_THAT(cracks.across(cracks.cut_of(first), {0.5, 1}).right, ElementsAre(first));
+  EXPECT_THAT(cracks.across(cracks.cut_of(third), {1.8, 1}).right, ElementsAre(third));
+  const auto below = cracks.across(cracks.cut_of(second), {1.5, 0.5}),
+             above = cracks.across(cracks.cut_of(second), {1.5, 1.5});
+  EXPECT_NE(below.right.size() + below.left.size(), above.right.size() + above.left.size())
+      << "one of the two pieces beside it moves by the third jump";
+  for (const auto& across : {below, above}) EXPECT_THAT(across.right, Contains(second));
 }
 
 TEST(CrackGeometry, OpensSidesOnceAndFindsTheWayAlongThem) {
@@ -178,8 +201,8 @@ RC_GTEST_PROP(CrackGeometry, DroppingTheLastCutsRestoresExactly, ()) {
     for (;;) {
       const auto block = cracks.block_ahead(tip, direction);
       const auto exit = block ? cracks.exit(*block, tip, direction) : std::nullopt;
-      if (!exit || !cracks.cut(*block, tip, exit->at, 0)) return;
-      tip = exit->at;
+      if (!exit || !cracks.cut(*block, tip, *exit, 0)) return;
+      tip = *exit;
       before.push_back(measured(cracks));
     }
   };

@@ -40,8 +40,24 @@ TEST(DividedBlock, RefusesWhatIsNoCut) {
   EXPECT_FALSE(block.divide(a, {1e-10, 0}, {0, 1e-10}, smallest)) << "cuts nothing off";
   ASSERT_TRUE(block.divide(a, {1, 0}, {1, 4}, smallest));
   EXPECT_FALSE(block.divide(b, {0, 2}, {4, 2}, smallest)) << "crosses another cut";
-  EXPECT_FALSE(block.divide(b, {0, 2}, {1, 2}, smallest)) << "ends on another cut";
   EXPECT_EQ(block.parts().size(), 2u);
+}
+
+/// What is left of an upright cut is cut in two up to it: across it the lower piece and the upper one jump by what
+/// lies between them as well.
+TEST(DividedBlock, ACutMayEndOnAnother) {
+  DividedBlock block(square);
+  ASSERT_TRUE(block.divide(a, {2, 0}, {2, 4}, smallest));
+  ASSERT_TRUE(block.divide(b, {0, 1}, {2, 1}, smallest));
+  EXPECT_EQ(block.parts().size(), 3u);
+  const std::vector<JumpId> lower = block.beside({2, 0.5}, {0, 1}).jumps,
+                            upper = block.beside({2, 3}, {0, 1}).jumps;
+  EXPECT_THAT(lower, ElementsAre(b)) << "right of the second cut";
+  EXPECT_THAT(upper, IsEmpty());
+  EXPECT_THAT(block.beside({2, 0.5}, {0, -1}).jumps, ElementsAre(a));
+  EXPECT_THAT(block.beside({2, 3}, {0, -1}).jumps, ElementsAre(a));
+  EXPECT_THAT(block.part_at({1, 0.5}).jumps, ElementsAre(b));
+  EXPECT_FALSE(block.divide(c, {2, 1}, {4, 1}, smallest)) << "begins on another cut";
 }
 
 TEST(DividedBlock, TakesASliver) {

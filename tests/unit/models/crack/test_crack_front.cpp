@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "models/crack_front.hpp"
@@ -12,10 +13,14 @@ namespace {
 
 /// A structure with cracks that begin at some places.
 struct Fronts {
-  explicit Fronts(const std::string& subdivision, std::vector<CrackBegin> begin)
+  using Change = std::function<void(CrackParameters&)>;
+  explicit Fronts(
+      const std::string& subdivision, std::vector<CrackBegin> begin,
+      const std::string& direction = "nonlocal_stress", const Change& change = [](CrackParameters&) {})
       : structure({.subdivision = subdivision}), deck(structure.deck()) {
     deck.cracks.front().begin = std::move(begin);
-    deck.cracks.front().direction = crack_directions().choose("nonlocal_stress");
+    deck.cracks.front().direction = crack_directions().choose(direction);
+    change(deck.cracks.front());
     front.emplace(structure.cracks(), structure.body(), deck);
     front->begin();
   }
@@ -28,9 +33,9 @@ struct Fronts {
 };
 
 /// Tension along an axis, everywhere.
-CrackFront::Stress tension(double angle, double value = 0.01) {
+CrackFront::Surroundings tension(double angle, double value = 0.01) {
   const double c = std::cos(angle), s = std::sin(angle);
-  return [=](const Vec2&) { return Vec3(value * c * c, value * s * s, value * c * s); };
+  return {[=](const Vec2&) { return Vec3(value * c * c, value * s * s, value * c * s); }, {}};
 }
 
 const std::string voronoi = "{type: voronoi, blocks: 120}", grid = "{type: grid, columns: 12, rows: 4}";
@@ -80,7 +85,7 @@ TEST(CrackFront, StaysWhereTheAimIsTheSame) {
   beam.front->grow(0);
   const auto before = beam.cuts().size();
   EXPECT_FALSE(beam.front->aim(0, tension(0.01)));
-  EXPECT_FALSE(beam.front->aim(0, [](const Vec2&) { return std::optional<Vec3>(); }));
+  EXPECT_FALSE(beam.front->aim(0, {[](const Vec2&) { return std::optional<Vec3>(); }, {}}));
   EXPECT_EQ(beam.cuts().size(), before);
 }
 
@@ -92,15 +97,28 @@ TEST(CrackFront, AimsASegmentThreeTimesAtMost) {
   EXPECT_TRUE(beam.front->aim(0, tension(-0.5)));
 }
 
-TEST(CrackFront, EndsAtAnotherCrackAndLeavesItsCutsAlone) {
-  Fronts beam(voronoi, {Fronts::at(15.2, 0, {0, 1}), Fronts::at(0, 5, {1, 0.01})});
-  while (beam.front->grow(0)) {
+TEST(CrackFront, EndsOnAnotherCrack) {
+  for (const std::string& pattern : {voronoi, grid}) {
+    Fronts beam(pattern, {Fronts::at(15, 0, {0, 1}), Fronts::at(0, 5.3, {1, 0.01})});
+    while (beam.front->grow(0)) {
+    }
+    while (beam.front->grow(1)) {
+    }
+    EXPECT_EQ(beam.front->end_of(0), "the boundary");
+    EXPECT_EQ(beam.front->end_of(1), "another crack");
+    EXPECT_NEAR(beam.front->tip(1).x(), 15, 1e-9) << "no piece is left between them";
+    EXPECT_NEAR(beam.front->tip(1).y(), 5.45, 1e-9);
   }
+}
+
+TEST(CrackFront, ASegmentOnWhichAnotherCrackEndsStaysWhereItIs) {
+  Fronts beam(voronoi, {Fronts::at(15.2, 0, {0, 1}), Fronts::at(0, 0.4, {1, 0.001})});
   while (beam.front->grow(1)) {
   }
-  EXPECT_EQ(beam.front->end_of(0), "the boundary");
-  EXPECT_EQ(beam.front->end_of(1), "another crack");
-  EXPECT_LT(beam.front->tip(1).x(), 15.2);
+  ASSERT_EQ(beam.front->end_of(1), "another crack");
+  EXPECT_FALSE(beam.front->aim(0, tension(0.5)));
+  beam.front->grow(0);
+  EXPECT_TRUE(beam.front->aim(0, tension(0.5)));
 }
 
 TEST(CrackFront, AimingOneCrackKeepsTheOthers) {
@@ -136,6 +154,143 @@ TEST(CrackFront, IsRestoredFromItsCutsAndMemory) {
     EXPECT_TRUE(other.cuts()[i].is_at(beam.cuts()[i]));
     EXPECT_EQ(other.cuts()[i].is_provisional, beam.cuts()[i].is_provisional);
   }
+}
+
+/// The way is the top of a parabola of energies, whatever the lengths at which cuts end.
+TEST(CrackFront, IsAimedWhereMostEnergyIsReleased) {
+  for (const double top : {-0.4, 0.1, 0.7}) {
+    Fronts beam(voronoi, {Fronts::at(15.2, 0, {0, 1})}, "released_energy");
+    beam.front->grow(0);
+    const CrackFront::Surroundings around{{}, [&](std::span<const Cut> free) {
+                                            const Vec2 way = free.back().end - free.front().start;
+                                            const double turn = std::atan2(-way.x(), way.y());
+                                            return way.squaredNorm() * (2 - std::pow(turn - top, 2));
+                                          }};
+    ASSERT_TRUE(beam.front->aim(0, around));
+    const Vec2 way = beam.cuts().back().end - beam.front->tip(0);
+    EXPECT_NEAR(std::atan2(-way.x(), way.y()), top, 1e-9);
+  }
+}
+
+/// A beam in two layers, `upper` above `lower`, that meet in a curve `joint`.
+struct Layers {
+  explicit Layers(std::vector<std::string> open, std::vector<std::string> end_at = {})
+      : structure(
+            "scene:\n  regions:\n"
+            "    - {name: lower, material: stone, vertices: [[0, 0], [30, 0], [30, 5], [0, 5]]}\n"
+            "    - {name: upper, material: brick, vertices: [[0, 5], [30, 5], [30, 10], [0, 10]]}\n"
+            "  curves: {joint: [[0, 5], [30, 5]]}\n  subdivision: {type: voronoi, blocks: 120}\n"
+            "thickness: 1\nmaterials:\n"
+            "  stone: {type: linear_elastic, young_modulus: 2, poisson_ratio: 0.2}\n"
+            "  brick: {type: linear_elastic, young_modulus: 3, poisson_ratio: 0.2}\n"
+            "interfaces:\n"
+            "  joint: {law: {type: linear_softening, tensile_strength: 0.1, fracture_energy: 0.1}}\n"
+            "  stones: {between: [stone, stone], law: {type: linear_softening, tensile_strength: 0.01, "
+            "fracture_energy: 0.01}}\n"
+            "  bricks: {between: [brick, brick], law: {type: linear_softening, tensile_strength: 0.02, "
+            "fracture_energy: 0.02}}\n"
+            "supports: {left: {at: [0, 0], fix: xy}, right: {at: [30, 0], fix: y}}\n"
+            "stages: [{loads: [{type: point_load, at: [15, 10], force: [0, -1]}]}]\n"),
+        cracks(structure.assembly()),
+        body(structure.body()),
+        deck(structure.deck()) {
+    body.cracks = &cracks;
+    deck.cracks.push_back(cracks_through(std::move(open), 100));
+    deck.cracks.front().begin = {{Spot(15.2, 0), {0.02, 1}}};
+    deck.cracks.front().direction = crack_directions().choose("nonlocal_stress");
+    deck.cracks.front().end_at = std::move(end_at);
+    front.emplace(cracks, body, deck);
+    front->begin();
+    while (front->grow(0)) {
+    }
+  }
+
+  Structure structure;
+  CrackGeometry cracks;
+  Body body;
+  ModelDeck deck;
+  std::optional<CrackFront> front;
+};
+
+TEST(CrackFront, StopsWhereNoCracksRunAndWhereItIsToldTo) {
+  const Layers closed({"lower"}), told({"lower", "upper"}, {"joint"});
+  EXPECT_EQ(closed.front->end_of(0), "region 'upper'");
+  EXPECT_EQ(told.front->end_of(0), "interface 'joint'");
+  for (const Layers* layers : {&closed, &told}) EXPECT_NEAR(layers->front->tip(0).y(), 5, 1e-12);
+}
+
+TEST(CrackFront, CrossesAnInterfaceWithTheLawOfTheRegionBeyond) {
+  const Layers layers({"lower", "upper"});
+  EXPECT_EQ(layers.front->end_of(0), "the boundary");
+  const Equilibrium equilibrium(layers.body, layers.deck);
+  int points = 0, of_joint = 0;
+  for (const InterfacePoint& point : equilibrium.interfaces().points) {
+    const double strength = point.stiffness * point.law->initial_kappa(point.stiffness);
+    if (point.cut) {
+      EXPECT_NEAR(strength, point.x.y() < 5 ? 0.01 : 0.02, 1e-12);
+      ++points;
+    }
+    of_joint += point.law->can_crack() && !point.cut;
+  }
+  EXPECT_EQ(points, 2 * static_cast<int>(layers.cracks.cuts().size()));
+  EXPECT_GT(of_joint, 0) << "may open beside the crack";
+}
+
+/// Bending of a beam, tension c (5 − y) (1 − (x − x0)²/1600) in x, into parts of the strength 0.01.
+std::vector<Vec3> bent(const Assembly& assembly, double c, double x0) {
+  std::vector<Vec3> out;
+  for (const Block& block : assembly.blocks) {
+    const Vec2& x = block.moments.centroid;
+    out.emplace_back(0.01 * c * (5 - x.y()) * (1 - std::pow((x.x() - x0) / 40, 2)), 0, 0);
+  }
+  return out;
+}
+
+TEST(CrackFront, BeginsWhereStressAsksForIt) {
+  Fronts beam(voronoi, {});
+  const Assembly& assembly = beam.structure.assembly();
+  const std::vector<Vec3> nothing(assembly.num_blocks(), Vec3::Zero());
+  ASSERT_TRUE(beam.front->is_automatic());
+  beam.front->begin_where_asked({nothing, bent(assembly, 1, 17)});
+  ASSERT_EQ(beam.front->num_cracks(), 1u);
+  const double h = beam.structure.cracks().block_size();
+  EXPECT_NEAR(beam.front->tip(0).x(), 17, h);
+  EXPECT_EQ(beam.front->tip(0).y(), 0);
+
+  EXPECT_FALSE(beam.front->asked(bent(assembly, 0.17, 10))) << "0.85 of the strength";
+  const auto moved = beam.front->asked(bent(assembly, 0.19, 10));
+  ASSERT_TRUE(moved);
+  EXPECT_EQ(moved->moved, 0);
+  EXPECT_EQ(beam.front->start(*moved), 0);
+  EXPECT_NEAR(beam.front->tip(0).x(), 10, h);
+  for (const Cut& cut : beam.cuts()) EXPECT_NEAR(cut.start.x(), 10, 2 * h) << "nothing stays where it was";
+  beam.front->grow(0);
+  EXPECT_FALSE(beam.front->asked(bent(assembly, 1, 20))) << "one crack, which has grown";
+}
+
+TEST(CrackFront, BeginsAsManyTimesAsItMayAndApart) {
+  Fronts beam(voronoi, {}, "nonlocal_stress", [](CrackParameters& entry) {
+    entry.most = 2;
+    entry.apart = 6;
+  });
+  const Assembly& assembly = beam.structure.assembly();
+  beam.front->begin_where_asked(
+      {std::vector<Vec3>(assembly.num_blocks(), Vec3::Zero()), bent(assembly, 1, 17)});
+  beam.front->grow(0);
+  const auto second = beam.front->asked(bent(assembly, 0.2, 17));
+  ASSERT_TRUE(second);
+  EXPECT_FALSE(second->moved);
+  EXPECT_EQ(beam.front->start(*second), 1);
+  EXPECT_GE(std::abs(beam.front->tip(1).x() - 17), 5);
+  beam.front->grow(1);
+  EXPECT_FALSE(beam.front->asked(bent(assembly, 0.2, 3))) << "no third one";
+  EXPECT_TRUE(beam.front->may_have(beam.front->memory()));
+}
+
+TEST(CrackFront, BeginsNowhereWithoutTension) {
+  Fronts beam(voronoi, {});
+  const std::vector<Vec3> nothing(beam.structure.assembly().num_blocks(), Vec3::Zero());
+  EXPECT_THROW(beam.front->begin_where_asked({nothing, nothing}), InputError);
 }
 
 TEST(CrackFront, RefusesABeginOffTheOutlines) {

@@ -24,10 +24,15 @@ Vector vector(const std::vector<double>& v) {
   return Eigen::Map<const Vector>(v.data(), static_cast<Eigen::Index>(v.size()));
 }
 
-/// Slightly inclined cracks, one of which crosses what another has cut.
+/// Slightly inclined cracks, one of which crosses what another has cut, and a flat one that ends on another.
 int cut_some(CutStructure& structure) {
-  return structure.cut_straight({11.3, 0}, {0.07, 1}) + structure.cut_straight({12.1, 0}, {0.05, 1}, 2) +
-         structure.cut_straight({20.2, 10}, {-0.2, -1}, 4);
+  const int cuts = structure.cut_straight({11.3, 0}, {0.07, 1}) +
+                   structure.cut_straight({12.1, 0}, {0.05, 1}, 2) +
+                   structure.cut_straight({20.2, 10}, {-0.2, -1}, 4);
+  const int into_another = structure.cut_straight({0, 4.3}, {1, 0.02});
+  EXPECT_TRUE(structure.cracks().is_on_crack(structure.cracks().cuts().back().end, 1));
+  EXPECT_LT(structure.cracks().cuts().back().end.x(), 12);
+  return cuts + into_another;
 }
 
 TEST(CutBlocks, TheOldUnknownsKeepTheirStiffness) {

@@ -1,0 +1,74 @@
+#include "continuation/step/cuts.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "continuation/solve/held_equilibrium.hpp"
+
+namespace dda {
+namespace {
+
+/// Takes traction and stiffness from the points of some cuts.
+void release(const Equilibrium& equilibrium, const std::vector<Cut>& cuts, std::span<const Cut> free,
+             LawValues& laws) {
+  for (std::size_t p = 0; p < laws.traction.size(); ++p) {
+    const InterfacePoint& point = equilibrium.point(p);
+    if (!point.cut) continue;
+    if (std::ranges::none_of(free, [&](const Cut& cut) { return cut.is_at(cuts[*point.cut]); })) continue;
+    laws.traction[p].setZero();
+    laws.tangent[p].setZero();
+  }
+}
+
+double released_energy(PathState& path, const std::vector<Cut>& before, std::span<const Cut> free) {
+  const CrackedStructure& structure = path.cracks->structure;
+  const auto [equilibrium, growth] = structure.tried(before);
+  System system(equilibrium, path.parameters.linear, path.parameters.update);
+  system.set_stage(equilibrium.stages().size() - 1);
+  system.set_history(growth.of_points(path.walker.system().history()));
+  system.set_frozen(true);
+  const State& here = path.walker.state();
+  const State at{growth.unknowns(here.d.all()), here.load_factor};
+  LawValues laws = system.laws(at);
+  release(equilibrium, structure.front().geometry().cuts(), free, laws);
+  std::vector<double> r(at.d.size()), moved(at.d.size());
+  system.residual(at.d.all(), at.load_factor, laws, r);
+  if (!system.use_tangent(system.new_stamp(), laws.tangent)) return 0;
+  system.linear().solve(r, moved);
+  return std::inner_product(r.begin(), r.end(), moved.begin(), 0.0) / 2;
+}
+
+}  // namespace
+
+std::optional<Candidate> at_same_displacement(PathState& path) {
+  Walker& walker = path.walker;
+  HeldEquilibrium held(walker.stepper(), path.displacement, path.displacement_of(walker.state()));
+  const auto found = held.solve(walker.state());
+  if (!found) return {};
+  return walker.settled({*found, walker.system().next_history(*found), held.iterations()});
+}
+
+std::vector<Vec3> block_stress(PathState& path) {
+  const State& at = path.walker.state();
+  return path.cracks->structure.stress(path.walker.system().loading(), at.d.all(), at.load_factor);
+}
+
+CrackFront::Surroundings around(PathState& path) {
+  const auto stress_at = [&path, stress = block_stress(path)](const Vec2& x) -> std::optional<Vec3> {
+    const auto blocks = path.cracks->structure.front().geometry().blocks_near(x);
+    if (blocks.empty()) return {};
+    return stress[blocks.front().value()];
+  };
+  const std::vector<Cut> cuts = path.cracks->structure.front().geometry().cuts();
+  return {stress_at, [&path, cuts](std::span<const Cut> free) { return released_energy(path, cuts, free); }};
+}
+
+void follow_cuts(PathState& path, const std::vector<Cut>& before) {
+  const RunningCracks& cracks = *path.cracks;
+  const Growth growth = path.walker.follow([&] { return cracks.structure.remake(before); });
+  path.look_up(cracks.look_up());
+  path.memory.before.reset();
+  if (cracks.has_grown) cracks.has_grown(growth);
+}
+
+}  // namespace dda

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "continuation/follow/path_state.hpp"
+
+namespace dda {
+
+// What steps that change cuts through blocks share.
+
+/// σ of each block where the walker stands: (σx, σy, τxy) [F/L²].
+std::vector<Vec3> block_stress(PathState& path);
+
+/// What directions of cracks may ask of the structure where the walker stands: stress is that of the first block at
+/// a point; energy is released by the structure with its damage as it is,
+///
+///     ΔΠ = ½ rᵀ K⁻¹ r       R = r once the cuts bear no traction, K with the secants of all other points
+CrackFront::Surroundings around(PathState& path);
+
+/// The equilibrium with the cuts that there are now at the same displacement of the load, damage growing as it must.
+std::optional<Candidate> at_same_displacement(PathState& path);
+
+/// Makes the structure anew for the cuts that there are now; `before` are those that it was made for.
+void follow_cuts(PathState& path, const std::vector<Cut>& before);
+
+}  // namespace dda

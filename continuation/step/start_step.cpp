@@ -1,0 +1,44 @@
+#include <fmt/format.h>
+
+#include "continuation/follow/trial.hpp"
+#include "continuation/step/cuts.hpp"
+#include "continuation/step/steps.hpp"
+
+namespace dda {
+
+std::optional<CrackFront::Asked> crack_to_start(PathState& path) {
+  if (!path.cracks || !path.cracks->structure.front().is_automatic() || path.walker.here().dissipated == 0)
+    return {};
+  return path.cracks->structure.front().asked(block_stress(path));
+}
+
+std::optional<Point> start_step(PathState& path, const CrackFront::Asked& asked) {
+  CrackFront& front = path.cracks->structure.front();
+  if (path.cracks->grows) path.cracks->grows();
+  const std::vector<Cut> cuts = front.geometry().cuts();
+  const std::vector<CrackFront::Memory> memory = front.memory();
+  const auto crack = front.start(asked);
+  if (!crack) return {};
+  follow_cuts(path, cuts);
+  const Vec2& x = front.tip(*crack);
+  path.refusal = "no convergence with the cut closed";
+  if (auto next = at_same_displacement(path)) {
+    constexpr double of_cuts = 1e-3;  // a closed cut is all but rigid
+    const double step = path.memory.step;
+    auto point = jump_to(path, *std::move(next), StepKind::growth, of_cuts * path.walker.here().stored);
+    path.memory.step = step;
+    if (point) {
+      path.report("started", fmt::format("crack {} {} ({:.6g}, {:.6g})", *crack,
+                                         asked.moved ? "moves to" : "stands ready at", x.x(), x.y()));
+      return point;
+    }
+  }
+  const std::vector<Cut> refused = front.geometry().cuts();
+  front.restore(cuts, memory);
+  follow_cuts(path, refused);
+  return path.end(Ending::Kind::stopped_early,
+                  fmt::format("no equilibrium was found once a crack stood ready at ({:.6g}, {:.6g}): {}",
+                              asked.start.at.x(), asked.start.at.y(), path.refusal));
+}
+
+}  // namespace dda

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "models/body/body.hpp"
+
+namespace dda {
+
+/// A place at which stress asks for a crack.
+struct CrackStart {
+  Vec2 at, direction;      ///< on the outline of a block, and into it
+  double load_factor = 0;  ///< at which tension reaches the strength there
+};
+
+/// Stress of every block, σ + λ dσ/dλ: (σx, σy, τxy) [F/L²].
+struct BlockStress {
+  std::vector<Vec3> dead, live;
+};
+
+/// Where new cracks begin: on the boundary of some regions and where they meet interfaces, at sides that no crack comes
+/// near. Tension at a place is that of a linear field, fitted to the stresses of the blocks within R = 3 h of it:
+///
+///     Σ |σ_b − (s + G (x_b − x))|² → min        σ(x) = s
+///
+/// since blocks of constant strain bear at their middle what the edge bears further out. With it the smallest λ ≥ 0 is
+/// found for which the largest principal value of σ(x) is ft, and the crack runs across its axis.
+class CrackStarts {
+ public:
+  CrackStarts(const CrackGeometry& cracks, const Body& body) : cracks_(cracks), body_(body) {}
+
+  struct Wish {
+    std::map<int, double> strength;  ///< ft of the regions that may crack [F/L²]
+    double apart = 0;                ///< least distance to any cut [L]
+    std::optional<int> except = {};  ///< a crack whose cuts do not count
+  };
+  /// Those with a finite λ, the smallest first; places of the same λ in the order of the assembly.
+  std::vector<CrackStart> places(const BlockStress& stress, const Wish& wish) const;
+
+ private:
+  const CrackGeometry& cracks_;
+  const Body& body_;
+};
+
+}  // namespace dda
