@@ -9,8 +9,8 @@
 #include <sstream>
 #include <utility>
 
-#include "framework/files/run_folder.hpp"
 #include "framework/files/seal.hpp"
+#include "framework/files/whole_file.hpp"
 
 namespace dda {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "framework/files/run_folder.hpp"
+#include "framework/files/whole_file.hpp"
 
 namespace dda {
 

@@ -7,7 +7,7 @@
 
 #include "framework/base/errors.hpp"
 #include "framework/files/hdf5_file.hpp"
-#include "framework/files/run_folder.hpp"
+#include "framework/files/whole_file.hpp"
 
 namespace dda {
 namespace fs = std::filesystem;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/files/whole_file.hpp"
 #include "framework/messages/provenance.hpp"
 #include "studies/dda/case/coarse_zones.hpp"
 #include "studies/dda/case/model_tables.hpp"

@@ -5,6 +5,7 @@
 
 #include "framework/files/results_writer.hpp"
 #include "framework/files/run_folder.hpp"
+#include "framework/files/whole_file.hpp"
 #include "framework/messages/log.hpp"
 #include "framework/messages/progress.hpp"
 #include "studies/dda/case/simulation.hpp"

@@ -7,7 +7,7 @@
 #include "framework/deck/node_json.hpp"
 #include "framework/deck/settings.hpp"
 #include "framework/files/curve_table.hpp"
-#include "framework/files/run_folder.hpp"
+#include "framework/files/whole_file.hpp"
 #include "framework/messages/provenance.hpp"
 #include "studies/dda/record/column_names.hpp"
 

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "framework/files/run_folder.hpp"
+#include "framework/files/whole_file.hpp"
 
 namespace dda {
 namespace {
