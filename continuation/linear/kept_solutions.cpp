@@ -3,7 +3,7 @@
 #include <numeric>
 #include <utility>
 
-#include "continuation/linear/dense_product.hpp"
+#include "continuation/linear/dense/dense_product.hpp"
 #include "continuation/linear/linear_system.hpp"
 #include "framework/base/threads.hpp"
 

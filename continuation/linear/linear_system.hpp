@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
-#include "continuation/linear/bordered_solver.hpp"
-#include "continuation/linear/dense_lu.hpp"
+#include "continuation/linear/dense/dense_lu.hpp"
+#include "continuation/linear/direct/bordered_solver.hpp"
+#include "continuation/linear/direct/mumps_matrix.hpp"
 #include "continuation/linear/displacements.hpp"
-#include "continuation/linear/mumps_matrix.hpp"
 #include "continuation/linear/unsymmetric_inertia.hpp"
 #include "continuation/linear/update_columns.hpp"
 #include "framework/messages/timings.hpp"

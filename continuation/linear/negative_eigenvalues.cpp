@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-#include "continuation/linear/dense_inertia.hpp"
+#include "continuation/linear/dense/dense_inertia.hpp"
 #include "continuation/linear/linear_system.hpp"
 
 namespace dda {

@@ -5,7 +5,7 @@
 #include <map>
 #include <vector>
 
-#include "continuation/linear/bordered_solver.hpp"
+#include "continuation/linear/direct/bordered_solver.hpp"
 
 namespace dda {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "continuation/solve/eigenmodes.hpp"
+#include "continuation/stability/eigenmodes.hpp"
 
 namespace dda {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "continuation/linear/direct_solver.hpp"
-#include "continuation/solve/eigenmodes.hpp"
+#include "continuation/linear/direct/direct_solver.hpp"
+#include "continuation/stability/eigenmodes.hpp"
 #include "continuation/state/system.hpp"
 
 namespace dda {

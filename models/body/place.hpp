@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "framework/base/errors.hpp"
-#include "framework/deck/spot.hpp"
+#include "framework/deck/document/spot.hpp"
 #include "models/body/body.hpp"
 #include "models/body/functional.hpp"
 

@@ -6,8 +6,8 @@
 #include <array>
 
 #include "continuation/linear/linear_system.hpp"
-#include "continuation/solve/eigenmodes.hpp"
-#include "continuation/solve/krylov_schur.hpp"
+#include "continuation/stability/eigenmodes.hpp"
+#include "continuation/stability/krylov_schur.hpp"
 #include "continuation/stability/stiffness_modes.hpp"
 #include "models/body/mass.hpp"
 #include "models/stiffness_parts.hpp"

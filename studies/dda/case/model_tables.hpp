@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "framework/files/results.hpp"
+#include "framework/files/run/results.hpp"
 #include "models/body/body.hpp"
 #include "models/equilibrium.hpp"
 #include "models/parameters.hpp"

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "framework/deck/node.hpp"
+#include "framework/deck/document/node.hpp"
 #include "framework/deck/units.hpp"
 #include "framework/figure/style.hpp"
 #include "framework/files/whole_file.hpp"

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "framework/figure/drawing.hpp"
-#include "framework/files/results_reader.hpp"
+#include "framework/files/run/results_reader.hpp"
 #include "framework/files/whole_file.hpp"
 #include "studies/dda/figures/stability_lines.hpp"
 #include "studies/dda/record/stability_record.hpp"

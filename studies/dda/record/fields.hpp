@@ -4,7 +4,7 @@
 
 #include "continuation/state/system.hpp"
 #include "framework/deck/units.hpp"
-#include "framework/files/results.hpp"
+#include "framework/files/run/results.hpp"
 #include "models/body/body.hpp"
 #include "models/parameters.hpp"
 

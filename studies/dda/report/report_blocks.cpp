@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <numeric>
 
-#include "framework/files/base64.hpp"
+#include "framework/files/run/base64.hpp"
 #include "studies/dda/report/report.hpp"
 
 namespace dda::report {

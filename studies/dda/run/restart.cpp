@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "framework/files/record.hpp"
+#include "framework/files/run/record.hpp"
 
 namespace dda {
 namespace {

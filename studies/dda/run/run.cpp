@@ -8,7 +8,7 @@
 #include <cstdio>
 
 #include "framework/base/memory.hpp"
-#include "framework/files/results.hpp"
+#include "framework/files/run/results.hpp"
 #include "framework/files/whole_file.hpp"
 #include "framework/messages/interrupt.hpp"
 #include "studies/dda/case/parameter_list.hpp"

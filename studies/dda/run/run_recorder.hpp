@@ -3,8 +3,8 @@
 #include <optional>
 #include <utility>
 
-#include "framework/files/results_writer.hpp"
-#include "framework/files/run_folder.hpp"
+#include "framework/files/run/results_writer.hpp"
+#include "framework/files/run/run_folder.hpp"
 #include "framework/files/whole_file.hpp"
 #include "framework/messages/log.hpp"
 #include "framework/messages/progress.hpp"

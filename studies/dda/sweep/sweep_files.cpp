@@ -4,8 +4,8 @@
 #include <array>
 #include <map>
 
-#include "framework/deck/node_json.hpp"
 #include "framework/deck/settings.hpp"
+#include "framework/deck/writing/node_json.hpp"
 #include "framework/files/curve_table.hpp"
 #include "framework/files/whole_file.hpp"
 #include "framework/messages/provenance.hpp"

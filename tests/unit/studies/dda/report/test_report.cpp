@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "framework/base/errors.hpp"
-#include "framework/files/results_writer.hpp"
+#include "framework/files/run/results_writer.hpp"
 #include "studies/dda/report/report.hpp"
 #include "unit/framework/files/scratch.hpp"
 
