@@ -151,6 +151,14 @@ std::vector<Cut> CrackFront::ahead_of(int crack) const {
   return out;
 }
 
+Vec2 CrackFront::corner_near(BlockId block, const Vec2& x) const {
+  constexpr double near = 1e-3;
+  const auto& corners = body_.block(block).outline.vertices;
+  const auto found = std::ranges::find_if(
+      corners, [&](const Vec2& v) { return (v - x).norm() <= near * geometry_.block_size(); });
+  return found == corners.end() ? x : *found;
+}
+
 bool CrackFront::is_met(const std::vector<Cut>& ahead) const {
   return std::ranges::any_of(ahead, [&](const Cut& mine) {
     return std::ranges::any_of(geometry_.cuts(), [&](const Cut& other) {
@@ -203,7 +211,9 @@ std::optional<Vec2> CrackFront::cut_once(int crack, const Vec2& from, const Vec2
   for (int n = 0; n <= most_turns; ++n) {
     const Vec2 along = Eigen::Rotation2Dd(turn_of_try(n)) * direction;
     const auto exit = geometry_.exit(block, from, along);
-    if (exit && geometry_.cut(block, from, *exit, crack)) return exit;
+    if (!exit) continue;
+    for (const Vec2& end : {corner_near(block, *exit), *exit})
+      if (geometry_.cut(block, from, end, crack)) return end;
   }
   at(crack).end = "a corner that cannot be cut";
   return {};

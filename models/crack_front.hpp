@@ -105,6 +105,9 @@ class CrackFront {
   std::string end_at(int crack, const Vec2& x, const Vec2& direction) const;
   bool passes(int crack, std::size_t side) const;
   bool is_open_to_cracks(int region) const { return resistance_.contains(region); }
+  /// A corner of the block next to a point of its outline, else the point: passing so close by a corner a crack would
+  /// cut off next to nothing of the block behind it.
+  Vec2 corner_near(BlockId block, const Vec2& x) const;
   /// Whether another crack ends on one of its cuts.
   bool is_met(const std::vector<Cut>& ahead) const;
   CrackStarts::Wish wish_of(std::size_t entry) const;

@@ -148,7 +148,7 @@ TEST(CrackGeometry, ACrackMayEndOnAnotherAndCutsOffAPartThere) {
              above = cracks.across(cracks.cut_of(second), {1.5, 1.5});
   EXPECT_NE(below.right.size() + below.left.size(), above.right.size() + above.left.size())
       << "one of the two pieces beside it moves by the third jump";
-  for (const auto& across : {below, above}) EXPECT_THAT(across.right, Contains(second));
+  for (const auto& across : {below, above}) EXPECT_THAT(across.right, testing::Contains(second));
 }
 
 TEST(CrackGeometry, OpensSidesOnceAndFindsTheWayAlongThem) {

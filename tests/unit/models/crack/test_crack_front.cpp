@@ -156,6 +156,14 @@ TEST(CrackFront, IsRestoredFromItsCutsAndMemory) {
   }
 }
 
+/// A way that passes a corner of the grid by less than a thousandth of a block goes through it.
+TEST(CrackFront, PassesThroughCornersThatItComesCloseTo) {
+  Fronts beam(grid, {Fronts::at(11.25, 0, {1.25 + 1e-4, 2.5})});
+  EXPECT_EQ(beam.cuts().front().end, Vec2(12.5, 2.5));
+  Fronts other(grid, {Fronts::at(11.25, 0, {1.25 + 1e-2, 2.5})});
+  EXPECT_NE(other.cuts().front().end, Vec2(12.5, 2.5));
+}
+
 /// The way is the top of a parabola of energies, whatever the lengths at which cuts end.
 TEST(CrackFront, IsAimedWhereMostEnergyIsReleased) {
   for (const double top : {-0.4, 0.1, 0.7}) {
