@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "continuation/follow/pace.hpp"
@@ -71,6 +72,23 @@ double energy_ahead(const PathState& path, int crack) {
   return out;
 }
 
+/// The same of the bonds that new cuts along sides replace: a joint whose law makes it stiffer in shear takes it back.
+double energy_of_opened_bonds(const PathState& path, const std::vector<Cut>& before) {
+  const Equilibrium& equilibrium = path.walker.system().equilibrium();
+  const std::vector<Cut>& cuts = path.cracks->structure.front().geometry().cuts();
+  const auto first_new =
+      std::ranges::mismatch(before, cuts, [](const Cut& a, const Cut& b) { return a.is_at(b); }).in2;
+  const std::vector<double>& d = path.walker.state().d.all();
+  double out = 0;
+  for (std::size_t p = equilibrium.num_active(); p < equilibrium.num_points(); ++p) {
+    const InterfacePoint& point = equilibrium.point(p);
+    if (std::none_of(first_new, cuts.end(), [&](const Cut& cut) { return cut.side == point.side; })) continue;
+    const Vec2 q = equilibrium.opening(p, d);
+    out += point.weight / 2 * q.dot(point.trial_stiffness().cwiseProduct(q));
+  }
+  return out;
+}
+
 std::string place(const Vec2& x) { return fmt::format("({:.6g}, {:.6g})", x.x(), x.y()); }
 
 }  // namespace
@@ -111,11 +129,12 @@ std::optional<Point> settle_down(PathState& path, double bearable) {
 /// Where no equilibrium is near: the cut is made where the path stands, and a step goes on from there; or, where
 /// nothing leads on, as under a dead load that has passed strengths, the load's displacement is held.
 std::optional<Point> step_on(PathState& path, double bearable) {
+  const std::string why = path.refusal;
+  path.reject(to_string(StepKind::growth), why);
   if (!path.walker.leaving().dissipates) {
     auto next = at_same_displacement(path);
     return next ? jump_to(path, *std::move(next), StepKind::growth, bearable) : std::optional<Point>();
   }
-  const std::string why = path.refusal;
   const Move move = path.control->next(path.walker);
   const bool is_known = path.memory.step > 0 && path.memory.step_kind == move.kind;
   const double first =
@@ -135,14 +154,14 @@ std::optional<Point> growth_step(PathState& path, int crack) {
   const std::vector<Cut> cuts = front.geometry().cuts();
   const std::vector<CrackFront::Memory> memory = front.memory();
   front.grow(crack);
+  const double bearable = energy_of_opened_bonds(path, cuts);  // a closed cut makes nothing stiffer
   follow_cuts(path, cuts);
   path.report("grown", front.end_of(crack).empty()
                            ? fmt::format("crack {} has grown to {}", crack, place(front.tip(crack)))
                            : fmt::format("crack {} ends at {}: {}", crack, place(front.tip(crack)),
                                          front.end_of(crack)));
-  constexpr double of_nothing = 0;  // a closed cut that comes makes the structure no stiffer
-  if (auto point = settle_down(path, of_nothing)) return point;
-  if (auto point = step_on(path, of_nothing)) return point;
+  if (auto point = settle_down(path, bearable)) return point;
+  if (auto point = step_on(path, bearable)) return point;
   const std::vector<Cut> refused = front.geometry().cuts();
   front.restore(cuts, memory);
   follow_cuts(path, refused);
@@ -157,9 +176,10 @@ std::optional<Point> aim_step(PathState& path, int crack, const PlaceBefore& bef
   const PlaceBefore reached(path);
   const std::vector<Cut> cuts = front.geometry().cuts();
   const std::vector<CrackFront::Memory> memory = front.memory();
+  if (path.cracks->grows) path.cracks->grows();
   if (!front.aim(crack, around(path))) return {};
   before.go_back(path);
-  const double bearable = energy_ahead(path, crack);
+  const double bearable = energy_ahead(path, crack) + energy_of_opened_bonds(path, cuts);
   follow_cuts(path, cuts);
   path.report("aimed", fmt::format("crack {} is aimed anew from {}", crack, place(front.tip(crack))));
   if (before.is_at_rest()) {
