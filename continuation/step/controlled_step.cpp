@@ -22,11 +22,13 @@ Outcome climb(PathState& path, const Candidate& candidate, Stride& stride) {
 /// A step as long as the stride. Where it would pass the strength of a point that a crack waits for, which must not
 /// crack before the crack has grown, it is the one that ends there.
 std::optional<Candidate> tried(PathState& path, Stride& stride, Thoroughness thoroughness) {
+  stride.beyond = 0;
   if (path.cracks) {
     Candidate ahead = path.walker.here();
     ahead.state = path.walker.ahead(stride.amount);
     if (const double share = share_to_strength(path, ahead); share < 1)
       if (auto candidate = at_strength(path, ahead, stride.move.kind)) {
+        stride.beyond = stride.amount;
         stride.amount *= share;
         return candidate;
       }

@@ -38,8 +38,9 @@ std::optional<Attempt> under_same_load(Walker& walker) {
 }
 
 /// The equilibrium with these cuts, damage as it is, whose first point stands at its strength; as long as nothing has
-/// cracked that under the same load, if no point is beyond its strength there.
-std::optional<Candidate> settled(PathState& path) {
+/// cracked that under the same load, if no point is beyond its strength there. Nothing where the load would change by
+/// more than this share of its largest.
+std::optional<Candidate> settled(PathState& path, double far) {
   Walker& walker = path.walker;
   auto tried = under_same_load(walker);
   if (!tried)
@@ -51,9 +52,8 @@ std::optional<Candidate> settled(PathState& path) {
   Candidate out =
       walker.settled({tried->state, walker.system().next_history(tried->state), tried->newton_iterations});
   out.solution = tried->solution;
-  constexpr double far = 0.2;  // of the largest load
   const double moved = std::abs(path.load_of(out.state) - path.load_of(walker.state()));
-  if (moved <= far * path.memory.peak_load) return out;
+  if (moved <= far * path.memory.peak_load && path.load_of(out.state) >= 0) return out;
   path.refusal = fmt::format("the load would jump by {:.2g} of its peak", moved / path.memory.peak_load);
   return {};
 }
@@ -114,9 +114,11 @@ std::optional<int> crack_to_grow(PathState& path) {
 
 namespace {
 
+constexpr double near = 0.2, anywhere = 1;  // of the largest load
+
 /// A point of the path where the structure, having been made anew, is in equilibrium; nothing where there is none near.
-std::optional<Point> settle_down(PathState& path, double bearable) {
-  auto next = settled(path);
+std::optional<Point> settle_down(PathState& path, double bearable, double far = near) {
+  auto next = settled(path, far);
   if (!next) return {};
   const double step = path.memory.step;
   Tangent onward = path.walker.leaving();
@@ -162,6 +164,7 @@ std::optional<Point> growth_step(PathState& path, int crack) {
                                          front.end_of(crack)));
   if (auto point = settle_down(path, bearable)) return point;
   if (auto point = step_on(path, bearable)) return point;
+  if (auto point = settle_down(path, bearable, anywhere)) return point;
   const std::vector<Cut> refused = front.geometry().cuts();
   front.restore(cuts, memory);
   follow_cuts(path, refused);

@@ -51,8 +51,9 @@ std::optional<int> crack_to_grow(PathState& path);
 
 /// Takes the segment ahead of a crack as grown and cuts the next one; then the equilibrium in which the first of all
 /// points stands at its strength, their damage staying as it is. Closed cuts are all but rigid, so that this is hardly
-/// another state; what it differs by is booked as a jump. Where it lies far away the cut is made in the state as it is,
-/// and a step goes on from there; or, where nothing leads on, the load's displacement is held while damage grows.
+/// another state; what it differs by is booked as a jump. Where it lies far away, since a point of the new segment is
+/// beyond its strength when it appears, a step goes on from the state as it is, or, where nothing leads on, the load's
+/// displacement is held while damage grows; where neither is found the load falls there.
 std::optional<Point> growth_step(PathState& path, int crack);
 
 /// Aims the segment ahead of a crack once more, by the stress where its first point has reached its strength. Where that
