@@ -23,10 +23,7 @@ Functional find_load(const PathParameters& parameters, const GaugeBook& book, co
 }  // namespace
 
 PathState::PathState(Walker& stands, const PathParameters& wanted, const GaugeBook& gauges, Route way)
-    : walker(stands),
-      parameters(wanted),
-      size(size_of(walker.system().equilibrium())),
-      standstill(size) {
+    : walker(stands), parameters(wanted), size(size_of(walker.system().equilibrium())), standstill(size) {
   look_up({gauges, std::move(way)});
   for (const auto& law : walker.system().equilibrium().interfaces().laws)
     releases_at_once = releases_at_once || law->releases_at_once();
@@ -39,7 +36,7 @@ void PathState::look_up(const Aims& aims) {
   if (control) made->restore(control->memory());
   control = std::move(made);
   load = find_load(parameters, aims.gauges, loading.load);
-  displacement = displacement_of_load(loading);
+  displacement = displacement_of_load(loading, walker.system().equilibrium().num_blocks());
   route = aims.route;
   travelling = aims.gauges.gauges;
   if (std::ranges::find(travelling, "load", &NamedGauge::name) == travelling.end())

@@ -41,11 +41,16 @@ Ends ends_of(const Functional& gauge, const Stretch& step) {
 
 }  // namespace
 
-Functional displacement_of_load(const Loading& loading) {
+Functional displacement_of_load(const Loading& loading, std::size_t num_blocks) {
   Functional out;
+  double forces = 0;
   for (std::size_t i = 0; i + block_unknowns <= loading.reference_work.size(); i += block_unknowns)
-    if (const Eigen::Map<const Vec6> row(loading.reference_work.data() + i); !row.isZero(0))
+    if (const Eigen::Map<const Vec6> row(loading.reference_work.data() + i); !row.isZero(0)) {
       out.rows.emplace_back(BlockId{i / block_unknowns}, row);
+      if (out.rows.back().first.value() < num_blocks) forces += row.head<2>().norm();
+    }
+  if (forces > 0)
+    for (auto& [block, row] : out.rows) row /= forces;
   for (const WorkPair& pair : loading.driven) out.add(1, pair.displacement);
   return out;
 }

@@ -4,8 +4,8 @@
 
 namespace dda {
 
-/// The displacement on which the load works: their product is the work per load factor.
-Functional displacement_of_load(const Loading& loading);
+/// The displacement on which the load works, Σ f·u/Σ|f| over the blocks, u with the jumps that move a part of one [L].
+Functional displacement_of_load(const Loading& loading, std::size_t num_blocks);
 
 /// A step by its two ends and the tangents there. `length` is the parameter of both tangents over the step
 /// (dissipated energy); 0 where they do not tell.
