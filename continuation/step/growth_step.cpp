@@ -67,7 +67,7 @@ std::optional<Point> growth_step(PathState& path, int crack) {
           ? fmt::format("crack {} has grown to {}", crack, place(front.tip(crack)))
           : fmt::format("crack {} ends at {}: {}", crack, place(front.tip(crack)), front.end_of(crack)));
   auto next = settled(path);
-  if (!next) next = at_same_displacement(path);
+  if (!next) next = standing_still(path);
   if (next) {
     const double step = path.memory.step;
     constexpr double of_cuts = 1e-3;  // a closed cut that is taken back was not rigid

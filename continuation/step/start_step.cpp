@@ -21,7 +21,7 @@ std::optional<Point> start_step(PathState& path, const CrackFront::Asked& asked)
   follow_cuts(path, cuts);
   const Vec2& x = front.tip(*crack);
   path.refusal = "no convergence with the cut closed";
-  if (auto next = at_same_displacement(path)) {
+  if (auto next = standing_still(path)) {
     constexpr double of_cuts = 1e-3;  // a closed cut is all but rigid
     const double step = path.memory.step;
     auto point = jump_to(path, *std::move(next), StepKind::growth, of_cuts * path.walker.here().stored);
