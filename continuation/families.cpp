@@ -1,6 +1,6 @@
 #include "continuation/control/control.hpp"
 #include "continuation/detour/increment/load_solver.hpp"
-#include "continuation/linear/direct_solver.hpp"
+#include "continuation/linear/direct/direct_solver.hpp"
 
 namespace dda {
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "meshing/box_grid.hpp"
-#include "meshing/geos.hpp"
+#include "meshing/geometry/box_grid.hpp"
+#include "meshing/geometry/geos.hpp"
 
 namespace dda {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <tuple>
 
-#include "meshing/box_grid.hpp"
+#include "meshing/geometry/box_grid.hpp"
 
 namespace dda {
 namespace {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "framework/base/memory.hpp"
-#include "meshing/geos.hpp"
+#include "meshing/geometry/geos.hpp"
 
 namespace dda {
 namespace {

@@ -65,6 +65,28 @@ void subtract_multiplier_energy(BlockMatrix& matrix, const InterfacePoint& point
   matrix.add(point.node, point.node, rows.transpose() * p.asDiagonal() * rows);
 }
 
+/// Whether two matrices have the same first rows and columns; what they couple with further ones is another matter.
+bool are_same(const BlockMatrix& a, const BlockMatrix& b, std::size_t num_rows) {
+  constexpr double rounding = 1e-13;
+  const auto end_of = [num_rows](const BlockMatrix& m, std::size_t row) {
+    const auto first = m.columns().begin(), start = first + static_cast<std::ptrdiff_t>(m.row_start()[row]),
+               end = first + static_cast<std::ptrdiff_t>(m.row_start()[row + 1]);
+    return static_cast<std::size_t>(std::lower_bound(start, end, num_rows) - first);
+  };
+  return 0 == parallel_sum(num_rows, parts_at_once, [&](std::size_t row) -> double {
+           std::size_t i = a.row_start()[row], j = b.row_start()[row];
+           const std::size_t count = end_of(a, row) - i;
+           if (count != end_of(b, row) - j) return 1;
+           double size = 0, change = 0;
+           for (std::size_t end = i + count; i < end; ++i, ++j) {
+             if (a.columns()[i] != b.columns()[j]) return 1;
+             size = std::max(size, a.value(i).cwiseAbs().maxCoeff());
+             change = std::max(change, (a.value(i) - b.value(j)).cwiseAbs().maxCoeff());
+           }
+           return change <= rounding * size ? 0 : 1;
+         });
+}
+
 }  // namespace
 
 void add_stress_energy(BlockMatrix& matrix, const InterfacePoint& point) {
@@ -72,7 +94,10 @@ void add_stress_energy(BlockMatrix& matrix, const InterfacePoint& point) {
 }
 
 Equilibrium::Equilibrium(const Body& body, const ModelParameters& model)
-    : num_blocks_(body.assembly.num_blocks()), num_jumps_(body.num_jumps()), intact_(0, {}) {
+    : num_blocks_(body.assembly.num_blocks()),
+      num_jumps_(body.num_jumps()),
+      num_cuts_(body.cracks ? body.cracks->cuts().size() : 0),
+      intact_(0, {}) {
   Findings findings;
   set_ = make_interface_points(body, model, findings);
   num_unknown_multipliers_ = 2 * static_cast<std::size_t>(std::ranges::count(set_.points, Multiplier::unknown,
@@ -92,11 +117,13 @@ Equilibrium::Equilibrium(const Body& body, const ModelParameters& model)
   assemble(body, model, springs);
 }
 
-void Equilibrium::remake(const Body& body, const ModelParameters& model) {
+bool Equilibrium::remake(const Body& body, const ModelParameters& model) {
   Equilibrium made(body, model);
+  const bool is_same = are_same(intact_, made.intact_, num_blocks_);
   std::ranges::move(made.stages_, stages_.begin());
   made.stages_ = std::move(stages_);
   *this = std::move(made);
+  return is_same;
 }
 
 void Equilibrium::assemble(const Body& body, const ModelParameters& model,

@@ -77,11 +77,13 @@ class Equilibrium {
  public:
   Equilibrium(const Body& body, const ModelParameters& model);
   /// Made anew for the cuts that the body has now. References to it and to its stages stay good, those to points,
-  /// springs and laws do not.
-  void remake(const Body& body, const ModelParameters& model);
+  /// springs and laws do not. Whether K0 of the blocks is still the same, but for rounding.
+  bool remake(const Body& body, const ModelParameters& model);
 
   std::size_t num_blocks() const { return num_blocks_; }
   std::size_t num_jumps() const { return num_jumps_; }
+  /// Of cracks through blocks and along their sides.
+  std::size_t num_cuts() const { return num_cuts_; }
   std::size_t num_nodes() const { return num_blocks_ + num_jumps_ + set_.num_nodes; }
   std::size_t num_unknowns() const { return block_unknowns * num_nodes(); }
   std::size_t num_points() const { return set_.points.size(); }
@@ -152,7 +154,7 @@ class Equilibrium {
   /// What a point adds to twice the passive energy.
   double twice_passive_energy(std::size_t p, std::span<const double> d) const;
 
-  std::size_t num_blocks_, num_jumps_;
+  std::size_t num_blocks_, num_jumps_, num_cuts_;
   InterfaceSet set_;
   std::size_t num_unknown_multipliers_ = 0;
   std::vector<Spring> supports_, driven_;

@@ -55,6 +55,12 @@ std::vector<Found> points_of(const std::vector<Stand>& before, const std::vector
   return out;
 }
 
+std::size_t num_same(const std::vector<Cut>& before, const std::vector<Cut>& now) {
+  const auto other = std::ranges::mismatch(
+      before, now, [](const Cut& a, const Cut& b) { return a.is_at(b) && a.side == b.side; });
+  return static_cast<std::size_t>(other.in1 - before.begin());
+}
+
 /// An equilibrium as it was.
 struct Before {
   const std::vector<Stand>& points;
@@ -65,7 +71,8 @@ Growth growth(const Before& before, const Equilibrium& now, const std::vector<Cu
   const std::size_t leading = now.num_blocks() + now.num_jumps();
   return {.nodes = nodes_of(now.num_blocks(), now.num_nodes() - leading, through_blocks(before.cuts),
                             through_blocks(cuts)),
-          .points = points_of(before.points, stands(now, cuts))};
+          .points = points_of(before.points, stands(now, cuts)),
+          .same_cuts = num_same(before.cuts, cuts)};
 }
 
 }  // namespace
@@ -73,7 +80,7 @@ Growth growth(const Before& before, const Equilibrium& now, const std::vector<Cu
 std::vector<double> Growth::unknowns(const std::vector<double>& before) const {
   std::vector<double> out(block_unknowns * nodes.size(), 0.0);
   for (std::size_t node = 0; node < nodes.size(); ++node)
-    if (nodes[node])
+    if (nodes[node] && block_unknowns * *nodes[node] < before.size())
       std::copy_n(before.begin() + static_cast<std::ptrdiff_t>(block_unknowns * *nodes[node]), block_unknowns,
                   out.begin() + static_cast<std::ptrdiff_t>(block_unknowns * node));
   return out;
@@ -81,8 +88,10 @@ std::vector<double> Growth::unknowns(const std::vector<double>& before) const {
 
 Growth CrackedStructure::remake(const std::vector<Cut>& before) {
   const std::vector<Stand> stood = stands(equilibrium_, before);
-  equilibrium_.remake(body_, model_);
-  return growth({stood, before}, equilibrium_, front_.geometry().cuts());
+  const bool keeps_stiffness = equilibrium_.remake(body_, model_);
+  Growth out = growth({stood, before}, equilibrium_, front_.geometry().cuts());
+  out.keeps_stiffness = keeps_stiffness;
+  return out;
 }
 
 std::pair<Equilibrium, Growth> CrackedStructure::tried(const std::vector<Cut>& before) const {

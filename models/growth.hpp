@@ -16,15 +16,26 @@ namespace dda {
 struct Growth {
   /// The number each had before; nothing of new ones.
   std::vector<std::optional<std::size_t>> nodes, points;
+  std::size_t same_cuts = 0;     ///< the first cuts, which are what they were, in the same order
+  bool keeps_stiffness = false;  ///< the intact stiffness of the blocks is what it was, but for rounding
 
-  /// Unknowns, six per node; those of new nodes are zero.
+  /// Unknowns, six per node; zero of new nodes, and of those behind the last that is given.
   std::vector<double> unknowns(const std::vector<double>& before) const;
-  /// What is known of each active point.
+  /// What is known of each active point; zero of new ones.
   template <class T>
   std::vector<T> of_points(const std::vector<T>& before) const {
     std::vector<T> out;
-    for (const auto& point : points) out.push_back(point ? before[*point] : T{});
+    for (const auto& point : points) out.push_back(point ? before[*point] : zero<T>());
     return out;
+  }
+
+ private:
+  template <class T>
+  static T zero() {
+    if constexpr (requires { T::Zero(); })
+      return T::Zero();
+    else
+      return {};
   }
 };
 

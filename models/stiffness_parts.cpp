@@ -1,6 +1,8 @@
 #include "models/stiffness_parts.hpp"
 
 #include <functional>
+#include <map>
+#include <set>
 
 namespace dda {
 namespace {
@@ -82,6 +84,19 @@ Matrix dense(const Equilibrium& equilibrium, const std::function<void(const Sink
   return out;
 }
 
+/// Pairs of nodes; parts that move by both may have no joint to say so.
+std::vector<std::pair<BlockId, BlockId>> jumps_of_one_block(const Equilibrium& equilibrium) {
+  std::map<BlockId, std::set<BlockId>> of_block;
+  for (std::size_t p = 0; p < equilibrium.num_active(); ++p)
+    if (const InterfacePoint& point = equilibrium.point(p); point.first == point.second)
+      of_block[point.first].insert(point.jumps.front().node);
+  std::vector<std::pair<BlockId, BlockId>> out;
+  for (const auto& [block, jumps] : of_block)
+    for (auto one = jumps.begin(); one != jumps.end(); ++one)
+      for (auto other = std::next(one); other != jumps.end(); ++other) out.emplace_back(*one, *other);
+  return out;
+}
+
 std::vector<std::pair<BlockId, BlockId>> coupled_blocks(const Equilibrium& equilibrium) {
   std::vector<std::pair<BlockId, BlockId>> out;
   for (std::size_t p = 0; p < equilibrium.num_points(); ++p) {
@@ -89,6 +104,7 @@ std::vector<std::pair<BlockId, BlockId>> coupled_blocks(const Equilibrium& equil
     for (std::size_t i = 0; i < rows.size(); ++i)
       for (std::size_t j = i + 1; j < rows.size(); ++j) out.emplace_back(rows[i].first, rows[j].first);
   }
+  for (const auto& [one, other] : jumps_of_one_block(equilibrium)) out.emplace_back(one, other);
   for (const auto* springs : {&equilibrium.supports(), &equilibrium.driven_springs()})
     for (const Spring& spring : *springs)
       for (const auto& [a, left] : spring.displacement.rows)

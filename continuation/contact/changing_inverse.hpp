@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "continuation/linear/dense_lu.hpp"
+#include "continuation/linear/dense/dense_lu.hpp"
 #include "framework/base/vec2.hpp"
 
 namespace dda {

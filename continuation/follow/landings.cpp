@@ -91,12 +91,15 @@ double share_to_strength(const PathState& path, const Candidate& candidate) {
   return share;
 }
 
-std::optional<Point> land_on_strength(PathState& path, const Candidate& beyond, StepKind kind) {
+std::optional<Candidate> at_strength(PathState& path, const Candidate& beyond, StepKind kind) {
   const double share = share_to_strength(path, beyond);
   const auto equation = make_event_equation(path.walker.system(), Initiation::awaited);
-  auto candidate =
-      judged(path, path.walker.attempt(*equation, 1, between(path.walker.state(), beyond.state, share)),
-             to_string(kind) + ", landing on a strength");
+  return judged(path, path.walker.attempt(*equation, 1, between(path.walker.state(), beyond.state, share)),
+                to_string(kind) + ", landing on a strength");
+}
+
+std::optional<Point> land_on_strength(PathState& path, const Candidate& beyond, StepKind kind) {
+  auto candidate = at_strength(path, beyond, kind);
   if (!candidate) return {};
   return keep(path, *std::move(candidate), kind);
 }

@@ -31,7 +31,10 @@ double amount_to_landing(const PathState& path);
 /// Share of a step at which a point reaches its strength at which steps end; 1 when none does.
 double share_to_strength(const PathState& path, const Candidate& candidate);
 
-/// Lands where the first of those points stands exactly at its strength.
+/// The equilibrium at which the first of those points stands exactly at its strength, before a state beyond.
+std::optional<Candidate> at_strength(PathState& path, const Candidate& beyond, StepKind kind);
+
+/// Lands there.
 std::optional<Point> land_on_strength(PathState& path, const Candidate& beyond, StepKind kind);
 
 /// Wanted values between which no equilibrium is recorded.

@@ -20,7 +20,8 @@ struct Aims {
 struct RunningCracks {
   CrackedStructure& structure;
   std::function<Aims()> look_up;                 ///< whenever the equilibrium has been made anew
-  std::function<void(const Growth&)> has_grown;  ///< told to whoever keeps states
+  std::function<void()> grows;                   ///< told to whoever keeps states, before anything changes
+  std::function<void(const Growth&)> has_grown;  ///< and after it
 };
 
 /// What following a path knows and remembers: where the walker stands, what the deck wants, and how the path

@@ -1,8 +1,9 @@
-// Solutions with the base that are kept, and what is put together from them.
+// Solutions with the base that are kept, what is put together from them, and what follows from couplings alone.
 #include <algorithm>
 #include <numeric>
 #include <utility>
 
+#include "continuation/linear/dense/dense_product.hpp"
 #include "continuation/linear/linear_system.hpp"
 #include "framework/base/threads.hpp"
 
@@ -155,6 +156,29 @@ Eigen::VectorXd LinearSystem::coupled(const Eigen::VectorXd& z) const {
           if (!z.segment<2>(i).isZero(0))
             out.segment(first, rows).noalias() += g_.block(first, i, rows, 2) * z.segment<2>(i);
       });
+  return out;
+}
+
+std::optional<Eigen::MatrixXd> LinearSystem::flexibility(std::span<const Hinge> hinges) {
+  std::vector<std::size_t> unknown;
+  for (const Hinge& hinge : hinges)
+    if (!has_columns(hinge.point)) unknown.push_back(hinge.point);
+  if (!updates() || (!unknown.empty() && !make_columns(unknown))) return {};
+  const auto n = std::ssize(hinges), r = 2 * std::ssize(active_);
+  Eigen::MatrixXd out(n, n), left(r, n), right(r, n);
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const Hinge& at = hinges[static_cast<std::size_t>(j)];
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const Hinge& seen = hinges[static_cast<std::size_t>(i)];
+      out(i, j) = seen.component.dot(coupling(seen.point, at.point) * at.force);
+    }
+    for (Eigen::Index row = 0; row < r; row += 2) {
+      const std::size_t p = active_[static_cast<std::size_t>(row / 2)];
+      left.block<2, 1>(row, j) = coupling(at.point, p).transpose() * at.component;
+      right.block<2, 1>(row, j) = update_of(p) * (coupling(p, at.point) * at.force);
+    }
+  }
+  if (r > 0) out -= product_of_transpose(left, small_.solve(std::move(right)));
   return out;
 }
 

@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numeric>
 #include <utility>
 
-#include "continuation/linear/dense_product.hpp"
 #include "framework/base/threads.hpp"
 
 namespace dda {
@@ -45,15 +43,6 @@ LinearSystem::LinearSystem(const Equilibrium& equilibrium, std::unique_ptr<Direc
                            Update update)
     : equilibrium_(equilibrium), solver_(std::move(solver)), update_(update) {
   begin_anew();
-}
-
-void LinearSystem::begin_anew() {
-  slot_.assign(equilibrium_.num_active(), -1);
-  base_.clear();
-  for (std::size_t p = 0; p < equilibrium_.num_active(); ++p)
-    base_.emplace_back(equilibrium_.point(p).intact_stiffness().asDiagonal());
-  if (!factor_base()) throw InputError({}, "the stiffness matrix is singular; check supports and materials");
-  updates_softening_ = update_ == Update::low_rank && solver_->halves();
 }
 
 LinearSystem::~LinearSystem() { settle_pending(); }
@@ -121,6 +110,7 @@ bool LinearSystem::takes_friction(std::size_t columns) const {
 bool LinearSystem::factor_base() {
   const auto scope = timings_->measure("factorisation");
   tangent_ = base_;
+  grown_ = {{equilibrium_.num_cuts(), equilibrium_.num_nodes()}};
   updated_.clear();
   active_.clear();
   gauges_.clear();
@@ -135,12 +125,10 @@ bool LinearSystem::factor_base() {
     return general_->factor();
   }
   general_.reset();
-  if (!solver_->factor(matrix_with(base_))) return false;
-  constexpr std::size_t of_side = 2, of_many = 4;  // points of a side mostly crack together
-  batch_ = solver_->halves() ? of_side : of_many;
-  takes_all_ = solver_->halves() && !equilibrium_.has_separate_bodies() &&
-               2 * equilibrium_.num_active() <= most_columns();
-  columns_ = update_columns(equilibrium_, *solver_, batch_);
+  if (!solver_.factor(matrix_with(base_))) return false;
+  batch_ = batch();
+  takes_all_ = are_few();
+  columns_ = update_columns(equilibrium_, solver_, batch_);
   return true;
 }
 
@@ -148,21 +136,13 @@ void LinearSystem::solve_with_base(std::span<double> x) {
   if (general_)
     general_->solve(x, 1);
   else
-    solver_->solve(x, 1);
+    solver_.solve(x, 1);
   ++num_solves_;
-}
-
-bool LinearSystem::restore(std::span<const Mat2> base, std::span<const std::size_t> updated) {
-  settle_pending();
-  base_.assign(base.begin(), base.end());
-  if (!factor_base()) return false;
-  add_columns(updated);
-  return true;
 }
 
 bool LinearSystem::start_from(std::span<const Mat2> base) {
   const bool is_new = !std::ranges::equal(base, base_);
-  const bool is_good = !is_new || restore(base, {});
+  const bool is_good = !is_new || restore(base);
   takes_all_ = false;
   if (is_new) return is_good;
   settle_pending();
@@ -174,7 +154,7 @@ bool LinearSystem::start_from(std::span<const Mat2> base) {
   return true;
 }
 
-std::size_t LinearSystem::most_columns() const { return most_columns_beside(solver_->factor_flops()); }
+std::size_t LinearSystem::most_columns() const { return most_columns_beside(solver_.factor_flops()); }
 
 std::size_t LinearSystem::num_columns(std::span<const Mat2> tangents,
                                       const std::function<bool(const Mat2&, std::size_t)>& needs) const {
@@ -207,7 +187,7 @@ bool LinearSystem::needs_new_base(std::span<const Mat2> tangents) const {
   const std::size_t more = num_columns(tangents, [&](const Mat2& tangent, std::size_t p) {
     return slot_[p] < 0 && !is_same(tangent, base_[p]);
   });
-  const std::size_t needed = 2 * updated_.size() + more;
+  const std::size_t needed = 2 * updated_.size() + more + num_border_columns();
   if (more > columns_->most_at_once() || needed > most_held_columns()) return true;
   if (needed <= most_columns() || is_of_unloading(equilibrium_, tangents)) return false;
   const std::size_t then = num_columns_beside(stiff_base(tangents), tangents);
@@ -236,7 +216,9 @@ bool LinearSystem::make_columns(std::span<const std::size_t> points) {
   for (const std::size_t p : points)
     if (batches.empty() || batches.back() != p / batch_) batches.push_back(p / batch_);
   const std::size_t columns = 2 * batch_ * batches.size();
-  if (columns > columns_->most_at_once() || 2 * updated_.size() + columns > most_held_columns()) return false;
+  if (columns > columns_->most_at_once() ||
+      2 * updated_.size() + columns + num_border_columns() > most_held_columns())
+    return false;
   add_columns(points);
   return true;
 }
@@ -252,35 +234,6 @@ std::vector<std::size_t> LinearSystem::places_of(std::span<const std::size_t> po
   std::vector<std::size_t> out;
   for (const std::size_t p : points) out.push_back(static_cast<std::size_t>(slot_[p]));
   return out;
-}
-
-/// Computes Z for the batches of the points that have none, and their couplings in G with every point before.
-void LinearSystem::add_columns(std::span<const std::size_t> points) {
-  const std::size_t first = updated_.size();
-  std::vector<std::size_t> all;
-  if (takes_all_ && !points.empty()) {
-    all.resize(equilibrium_.num_active());
-    std::iota(all.begin(), all.end(), std::size_t{0});
-    points = all;
-  }
-  for (const std::size_t point : points) {
-    if (slot_[point] >= 0) continue;
-    const std::size_t begin = point / batch_ * batch_;
-    const std::size_t end = std::min(begin + batch_, equilibrium_.num_active());
-    for (std::size_t p = begin; p < end; ++p) {
-      slot_[p] = static_cast<int>(updated_.size());
-      updated_.push_back(p);
-    }
-  }
-  if (updated_.size() == first) return;
-  const auto scope = timings_->measure("columns");
-  const auto needed = static_cast<Eigen::Index>(2 * updated_.size());
-  if (g_.rows() < needed) {
-    const auto most = static_cast<Eigen::Index>(most_columns() + 2 * batch_);
-    const Eigen::Index size = std::max(needed, std::min(2 * needed, most));
-    g_.conservativeResize(size, size);
-  }
-  columns_->add(std::span<const std::size_t>(updated_).subspan(first), g_);
 }
 
 bool LinearSystem::factor_small() {
@@ -347,25 +300,6 @@ void LinearSystem::solve(std::span<const double> b, std::span<double> x) {
 
 void LinearSystem::correct(std::span<const std::span<double>> solutions) {
   if (!active_.empty()) subtract_columns(active_, shares_of(solutions), solutions);
-}
-
-std::optional<Eigen::MatrixXd> LinearSystem::flexibility(std::span<const std::size_t> points) {
-  std::vector<std::size_t> unknown;
-  std::ranges::copy_if(points, std::back_inserter(unknown), [&](std::size_t p) { return !has_columns(p); });
-  if (!updates() || (!unknown.empty() && !make_columns(unknown))) return {};
-  const auto at = [](std::size_t i) { return 2 * static_cast<Eigen::Index>(i); };
-  const Eigen::Index n = at(points.size()), r = at(active_.size());
-  Eigen::MatrixXd out(n, n), left(r, n), right(r, n);
-  for (std::size_t j = 0; j < points.size(); ++j) {
-    for (std::size_t i = 0; i < points.size(); ++i)
-      out.block<2, 2>(at(i), at(j)) = coupling(points[i], points[j]);
-    for (std::size_t a = 0; a < active_.size(); ++a) {
-      left.block<2, 2>(at(a), at(j)) = coupling(points[j], active_[a]).transpose();
-      right.block<2, 2>(at(a), at(j)) = update_of(active_[a]) * coupling(active_[a], points[j]);
-    }
-  }
-  if (r > 0) out -= product_of_transpose(left, small_.solve(std::move(right)));
-  return out;
 }
 
 Eigen::MatrixXd LinearSystem::shares_of(std::span<const std::span<double>> solutions) const {

@@ -6,14 +6,15 @@
 #include <span>
 #include <vector>
 
-#include "continuation/linear/dense_lu.hpp"
-#include "continuation/linear/direct_solver.hpp"
+#include "continuation/linear/dense/dense_lu.hpp"
+#include "continuation/linear/direct/bordered_solver.hpp"
+#include "continuation/linear/direct/mumps_matrix.hpp"
 #include "continuation/linear/displacements.hpp"
-#include "continuation/linear/mumps_matrix.hpp"
 #include "continuation/linear/unsymmetric_inertia.hpp"
 #include "continuation/linear/update_columns.hpp"
 #include "framework/messages/timings.hpp"
 #include "models/equilibrium.hpp"
+#include "models/growth.hpp"
 
 namespace dda {
 
@@ -35,6 +36,8 @@ struct NegativeEigenvalues {
 /// the rest stays an update. Where more slides than is worth updating, and wherever nothing is updated, the
 /// unsymmetric tangent is the base itself, by LU, and every other tangent a new one. What hardly more than weak
 /// springs hold is no base.
+///
+/// Jumps of cuts that come later are a border of the base (bordered_solver.hpp), by which Z and G are corrected.
 class LinearSystem {
  public:
   enum class Update { low_rank, refactorise };
@@ -62,8 +65,9 @@ class LinearSystem {
   LinearSystem(const LinearSystem&) = delete;
   LinearSystem& operator=(const LinearSystem&) = delete;
   ~LinearSystem();
-  /// Begins anew with the unknowns and points that its equilibrium has been given; before that `let_go`.
-  void begin_anew();
+  /// Goes on with the unknowns and points that its equilibrium has been given; before that `let_go`. The base and
+  /// the columns of points that are still there stay where that can be; else all begins anew.
+  void follow(const Growth& growth);
   /// Makes displacements that are sums of its solutions what they are without these.
   void let_go() { settle_pending(); }
   /// Times its phases there from now on.
@@ -85,9 +89,14 @@ class LinearSystem {
   ///
   /// False where that is no cheaper than a solve, or columns would have to be made for it.
   bool solve_base_residual(const Iterate& at, std::span<double> y);
-  /// U K⁻¹ Uᵀ of some points, 2 × 2 for each pair, from couplings alone; nothing where nothing is updated or
-  /// columns for all of them are too many.
-  std::optional<Eigen::MatrixXd> flexibility(std::span<const std::size_t> points);
+  /// A force at a point, and the component of its opening that is asked for.
+  struct Hinge {
+    std::size_t point;
+    Vec2 component, force;
+  };
+  /// cᵢ · (U K⁻¹ Uᵀ)ᵢⱼ fⱼ of hinges, from couplings alone; nothing where nothing is updated or columns for all
+  /// of them are too many.
+  std::optional<Eigen::MatrixXd> flexibility(std::span<const Hinge> hinges);
   /// The stiffness with these D, 2 × 2 per active point, whatever the present tangent is.
   BlockMatrix matrix_with(std::span<const Mat2> tangents) const;
   /// y = K x.
@@ -136,7 +145,10 @@ class LinearSystem {
   /// order.
   const std::vector<Mat2>& base() const { return base_; }
   const std::vector<std::size_t>& updated_points() const { return updated_; }
-  bool restore(std::span<const Mat2> base, std::span<const std::size_t> updated);
+  /// Numbers of cuts that there were: in the base, and each time when its border has grown.
+  std::vector<std::size_t> grown() const;
+  bool restore(std::span<const Mat2> base);
+  void restore_columns(std::span<const std::size_t> updated);
 
   std::size_t num_factorisations() const { return num_factorisations_; }
   std::size_t num_solves() const { return num_solves_ + (columns_ ? columns_->num_solves() : 0); }
@@ -150,6 +162,16 @@ class LinearSystem {
     std::optional<double> dead_work = {};  ///< f_dead times the solution
   };
 
+  void begin_anew();
+  /// False where the base cannot stay.
+  bool grow(const Growth& growth);
+  void number_anew(const Growth& growth, std::size_t nodes);
+  std::size_t num_border_columns() const;
+  /// Whether the active points are so few that all get their columns together.
+  bool are_few() const;
+  /// How many points get their columns together.
+  std::size_t batch() const;
+  void make_columns_from(std::size_t first);
   std::vector<double> combined_everywhere(const Combination& of);
   const std::vector<Vec2>& openings_of(Kept& kept);
   double dead_work_of(Kept& kept);
@@ -208,7 +230,7 @@ class LinearSystem {
   }
 
   const Equilibrium& equilibrium_;
-  std::unique_ptr<DirectSolver> solver_;
+  BorderedSolver solver_;
   std::optional<MumpsMatrix> general_;  ///< the base where it is not symmetric
   Update update_;
   bool updates_softening_ = false;  ///< beside a base that is stiff, and has halves
@@ -228,6 +250,11 @@ class LinearSystem {
   };
   std::vector<KeptGauge> gauges_;
   std::vector<Displacements::Pending> pending_;
+  /// What there was when the base was factorised, and each time when its border had grown.
+  struct Grown {
+    std::size_t cuts, nodes;
+  };
+  std::vector<Grown> grown_;
   std::size_t num_factorisations_ = 0, num_solves_ = 0;
   Timings own_timings_;
   Timings* timings_ = &own_timings_;

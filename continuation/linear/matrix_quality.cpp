@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "continuation/linear/mumps_matrix.hpp"
+#include "continuation/linear/direct/mumps_matrix.hpp"
 
 namespace dda {
 namespace {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-#include "continuation/linear/dense_inertia.hpp"
+#include "continuation/linear/dense/dense_inertia.hpp"
 #include "continuation/linear/linear_system.hpp"
 
 namespace dda {
@@ -51,14 +51,14 @@ NegativeEigenvalues LinearSystem::negative_eigenvalues() {
     out.of_stiffness = out.of_symmetric_part;
   else if (equilibrium_.num_unknown_multipliers() == 0)
     out.of_stiffness = num_negative_eigenvalues(
-        general_ || solver_->num_negative_pivots() > 0 ? whole_stiffness() : stiffness_of_points(),
+        general_ || solver_.num_negative_pivots() > 0 ? whole_stiffness() : stiffness_of_points(),
         *out.of_symmetric_part);
   return out;
 }
 
 std::optional<int> LinearSystem::num_negative_of_symmetric_part() {
-  if (general_ && !solver_->factor(matrix_with(symmetric_parts(base_)))) return {};
-  int out = solver_->num_negative_pivots();
+  if (general_ && !solver_.factor(matrix_with(symmetric_parts(base_)))) return {};
+  int out = solver_.num_negative_pivots();
   if (out < 0) return {};
   std::vector<double> e;
   std::vector<std::pair<std::size_t, Vec2>> v;  // point and direction of each
@@ -103,7 +103,7 @@ UnsymmetricStiffness LinearSystem::whole_stiffness() {
           .flexibility =
               [this, updates, small](Vector b) {
                 const std::span<double> x = span_of(b);
-                solver_->solve(x, 1);
+                solver_.solve(x, 1);
                 Vector opening(2 * static_cast<Eigen::Index>(active_.size()));
                 for (std::size_t a = 0; a < active_.size(); ++a)
                   opening.segment<2>(2 * static_cast<Eigen::Index>(a)) = rows_times(active_[a], x);

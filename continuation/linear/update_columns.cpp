@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <vector>
 
-#include "continuation/linear/half_solver.hpp"
-#include "framework/base/threads.hpp"
+#include "continuation/linear/direct/bordered_solver.hpp"
 
 namespace dda {
 namespace {
@@ -15,16 +13,6 @@ namespace {
 using Matrix = Eigen::MatrixXd;
 
 Eigen::Index row_of(std::size_t place) { return 2 * static_cast<Eigen::Index>(place); }
-
-/// Runs of points between the multiples of a number.
-std::vector<std::span<const std::size_t>> neighbours(std::span<const std::size_t> points, std::size_t most) {
-  std::vector<std::span<const std::size_t>> out;
-  for (std::size_t begin = 0, end; begin < points.size(); begin = end) {
-    for (end = begin + 1; end < points.size() && points[end] / most == points[begin] / most;) ++end;
-    out.push_back(points.subspan(begin, end - begin));
-  }
-  return out;
-}
 
 /// Z column by column. It is kept while it is small and replaced by a solution per product from then on, so
 /// that memory follows the factor and not the cracks.
@@ -44,6 +32,11 @@ class WholeColumns final : public UpdateColumns {
     std::size_t kept = 0;
     for (const auto& [first, columns] : batches_) kept += columns.size();
     if (kept > most_kept_numbers) forget();
+  }
+
+  /// They have other unknowns now.
+  bool follow(std::span<const std::size_t>, std::span<const std::size_t>, std::size_t, Matrix&) override {
+    return false;
   }
 
   void subtract(std::span<const std::size_t> places, const Matrix& shares,
@@ -155,124 +148,6 @@ class WholeColumns final : public UpdateColumns {
   std::vector<const double*> z_;  ///< n × 2 of each point
 };
 
-/// Half of Z: with K = L Lᵀ and Y = L⁻¹ Uᵀ,
-///
-///     G = Yᵀ Y,     Z s = L⁻ᵀ Y s
-///
-/// A column costs the way from its blocks to the root of the elimination tree instead of all of L, and a
-/// product half a solution.
-class HalfColumns final : public UpdateColumns {
- public:
-  HalfColumns(const Equilibrium& equilibrium, const HalfSolver& solver, std::size_t batch)
-      : equilibrium_(equilibrium), solver_(solver), group_size_(std::min(batch, largest_group)) {}
-
-  void add(std::span<const std::size_t> points, Matrix& g) override {
-    const std::size_t first = groups_.size();
-    const auto new_groups = neighbours(points, group_size_);
-    for (const std::span<const std::size_t> group : new_groups) {
-      for (std::size_t i = 0; i < group.size(); ++i)
-        places_.push_back({groups_.size(), 2 * static_cast<Eigen::Index>(i)});
-      groups_.push_back({places_.size() - group.size(), {}});
-    }
-    parallel_for(new_groups.size(), 1, [&](std::size_t i) {
-      groups_[first + i].y = solver_.half_solve(entries_of(new_groups[i]));
-    });
-    constexpr std::size_t at_once = 8;  // the half solutions of so many stay in the cache
-    for (std::size_t begin = first; begin < groups_.size(); begin += at_once) {
-      const std::size_t end = std::min(begin + at_once, groups_.size());
-      parallel_for(end, 1, [&](std::size_t left) {
-        for (std::size_t right = std::max(left, begin); right < end; ++right) couple(left, right, g);
-      });
-    }
-  }
-
-  void begin_anew() override {
-    groups_.clear();
-    places_.clear();
-  }
-
-  void subtract(std::span<const std::size_t> places, const Matrix& shares,
-                std::span<const std::span<double>> solutions) override {
-    const std::size_t n = equilibrium_.num_unknowns();
-    std::vector<double> sums(solutions.size() * n, 0.0);
-    for (std::size_t c = 0; c < solutions.size(); ++c)
-      add_up(places, shares.col(static_cast<Eigen::Index>(c)), std::span(sums).subspan(c * n, n));
-    solver_.complete(sums, static_cast<int>(solutions.size()));
-    num_solves_ += solutions.size();
-    for (std::size_t c = 0; c < solutions.size(); ++c)
-      for (std::size_t i = 0; i < n; ++i) solutions[c][i] -= sums[c * n + i];
-  }
-
-  Eigen::VectorXd along(const Functional& gauge) override {
-    std::vector<HalfSolver::Entry> entries;
-    for (const auto& [block, row] : gauge.rows) {
-      entries.push_back({block, Mat62::Zero()});
-      entries.back().rows.col(0) = row;
-    }
-    Eigen::VectorXd out = Eigen::VectorXd::Zero(2 * std::ssize(places_));
-    if (entries.empty()) return out;
-    const HalfSolution of_gauge = solver_.half_solve(entries);
-    constexpr std::size_t products_at_once = 8;
-    parallel_for(groups_.size(), products_at_once, [&](std::size_t g) {
-      const Matrix common = solver_.product(groups_[g].y, of_gauge);
-      out.segment(row_of(groups_[g].first), common.rows()) = common.col(0);
-    });
-    return out;
-  }
-
-  bool product_is_cheap() const override { return true; }
-  std::size_t most_at_once() const override { return std::numeric_limits<std::size_t>::max(); }
-
- private:
-  static constexpr std::size_t largest_group = 4;
-  struct Group {
-    std::size_t first;  ///< place
-    HalfSolution y;
-  };
-  /// Where the columns of a point are.
-  struct Place {
-    std::size_t group;
-    Eigen::Index column;
-  };
-
-  std::vector<HalfSolver::Entry> entries_of(std::span<const std::size_t> points) const {
-    std::vector<HalfSolver::Entry> out;
-    for (std::size_t i = 0; i < points.size(); ++i)
-      equilibrium_.point(points[i]).for_each_part([&](BlockId part, const Mat26& rows) {
-        out.push_back({part, rows.transpose(), static_cast<Eigen::Index>(i)});
-      });
-    return out;
-  }
-
-  /// G of two groups.
-  void couple(std::size_t left, std::size_t right, Matrix& g) const {
-    const Matrix common = solver_.product(groups_[left].y, groups_[right].y);
-    const Eigen::Index row = row_of(groups_[left].first), column = row_of(groups_[right].first);
-    g.block(column, row, common.cols(), common.rows()) = common.transpose();
-    g.block(row, column, common.rows(), common.cols()) = common;
-  }
-
-  /// Y s.
-  void add_up(std::span<const std::size_t> places, const Eigen::VectorXd& share,
-              std::span<double> sum) const {
-    for (std::size_t a = 0, end; a < places.size(); a = end) {
-      const Place& at = places_[places[a]];
-      for (end = a + 1; end < places.size() && places[end] == places[a] + (end - a) &&
-                        places_[places[end]].group == at.group;)
-        ++end;
-      solver_.add(groups_[at.group].y, at.column, share.segment(row_of(a), row_of(end - a)), sum);
-    }
-  }
-
-  const Equilibrium& equilibrium_;
-  const HalfSolver& solver_;
-  /// Points whose columns are made together: their ways are the same but for the beginning, and L is read once
-  /// for all of them. No more than are always added together, or last digits would hang on what was added when.
-  const std::size_t group_size_;
-  std::vector<Group> groups_;
-  std::vector<Place> places_;
-};
-
 }  // namespace
 
 std::size_t most_columns_beside(double factor_flops) {
@@ -281,10 +156,18 @@ std::size_t most_columns_beside(double factor_flops) {
       std::max(fewest, std::cbrt(1.5 * sparse_over_dense * factor_flops / iterations_per_base)));
 }
 
-std::unique_ptr<UpdateColumns> update_columns(const Equilibrium& equilibrium, DirectSolver& solver,
+std::vector<std::span<const std::size_t>> neighbours(std::span<const std::size_t> points, std::size_t most) {
+  std::vector<std::span<const std::size_t>> out;
+  for (std::size_t begin = 0, end; begin < points.size(); begin = end) {
+    for (end = begin + 1; end < points.size() && points[end] / most == points[begin] / most;) ++end;
+    out.push_back(points.subspan(begin, end - begin));
+  }
+  return out;
+}
+
+std::unique_ptr<UpdateColumns> update_columns(const Equilibrium& equilibrium, BorderedSolver& solver,
                                               std::size_t batch) {
-  if (const HalfSolver* halves = solver.halves())
-    return std::make_unique<HalfColumns>(equilibrium, *halves, batch);
+  if (solver.halves()) return half_columns(equilibrium, solver, batch);
   return std::make_unique<WholeColumns>(equilibrium, solver, batch);
 }
 

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <vector>
 
-#include "continuation/linear/direct_solver.hpp"
 #include "models/body/functional.hpp"
 #include "models/equilibrium.hpp"
 
@@ -13,6 +13,8 @@ namespace dda {
 
 /// Whole columns that are worth making at once: more are soon made again, and a factorisation is cheaper.
 inline constexpr std::size_t most_whole_columns = 160;
+
+class BorderedSolver;
 
 /// Columns beyond which a new base is cheaper: the dense part of a few iterations, ⅔ r³ each, against one
 /// factorisation of so many operations and the columns that a new base needs again. An operation of a small
@@ -31,6 +33,10 @@ class UpdateColumns {
   virtual void add(std::span<const std::size_t> points, Eigen::MatrixXd& g) = 0;
   /// No points are added from here on; what is known of their columns may be kept.
   virtual void begin_anew() = 0;
+  /// Keeps the points at these places, which are numbered so now, and corrects Z and G for the border that K has:
+  /// of that before it so many nodes are still there. False where they have to be made anew.
+  virtual bool follow(std::span<const std::size_t> kept, std::span<const std::size_t> points,
+                      std::size_t nodes, Eigen::MatrixXd& g) = 0;
   /// x −= Z s for each x, s in the columns of `shares`, which has 2 rows for each of the places.
   virtual void subtract(std::span<const std::size_t> places, const Eigen::MatrixXd& shares,
                         std::span<const std::span<double>> solutions) = 0;
@@ -47,9 +53,16 @@ class UpdateColumns {
   std::size_t num_solves_ = 0;
 };
 
-/// Columns for what the solver has factorised last; points between two multiples of `batch` are always added
-/// together, in order.
-std::unique_ptr<UpdateColumns> update_columns(const Equilibrium& equilibrium, DirectSolver& solver,
+/// Runs of points between the multiples of a number.
+std::vector<std::span<const std::size_t>> neighbours(std::span<const std::size_t> points, std::size_t most);
+
+/// Columns for what the solver has factorised last and its border; points between two multiples of `batch` are
+/// always added together, in order.
+std::unique_ptr<UpdateColumns> update_columns(const Equilibrium& equilibrium, BorderedSolver& solver,
                                               std::size_t batch);
+
+/// The same where the solver has half solutions.
+std::unique_ptr<UpdateColumns> half_columns(const Equilibrium& equilibrium, const BorderedSolver& solver,
+                                            std::size_t batch);
 
 }  // namespace dda

@@ -11,11 +11,9 @@
 
 namespace dda {
 
-std::optional<Point> take_step(PathState& path) {
-  if (const auto crack = crack_to_grow(path)) return growth_step(path, *crack);
-  if (const auto crack = crack_to_start(path))
-    if (auto point = start_step(path, *crack); point || path.ending.kind != Ending::Kind::running)
-      return point;
+namespace {
+
+std::optional<Point> next_step(PathState& path) {
   if (path.leg().unloads) return unload_step(path);
   if (path.releases_at_once && path.control->load_increment() == 0 &&
       is_release_pending(path.walker.system()))
@@ -36,6 +34,22 @@ std::optional<Point> take_step(PathState& path) {
   if (!path.walker.leaving().dissipates) return event_step(path);
   auto point = sequential_step(path, StepKind::event, std::numeric_limits<double>::min());
   return point ? point : path.end(Ending::Kind::stopped_early, "no interface limits the load any more");
+}
+
+}  // namespace
+
+std::optional<Point> take_step(PathState& path) {
+  if (const auto crack = crack_to_grow(path)) return growth_step(path, *crack);
+  if (!path.cracks) return next_step(path);
+  if (const auto asked = crack_to_start(path))
+    if (auto point = start_step(path, *asked); point || path.ending.kind != Ending::Kind::running)
+      return point;
+  const PlaceBefore before(path);
+  auto point = next_step(path);
+  const auto crack = point ? crack_to_grow(path) : std::nullopt;
+  if (!crack) return point;
+  if (auto aimed = aim_step(path, *crack, before)) return aimed;
+  return crack_to_grow(path) ? std::move(point) : take_step(path);
 }
 
 }  // namespace dda

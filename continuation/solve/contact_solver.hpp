@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "continuation/solve/cracked_equations.hpp"
+#include "continuation/solve/equations/cracked_equations.hpp"
 #include "continuation/solve/reduced.hpp"
 
 namespace dda {

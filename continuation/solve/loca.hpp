@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "continuation/solve/equations.hpp"
+#include "continuation/solve/equations/equations.hpp"
 
 namespace dda {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "continuation/solve/cracked_equations.hpp"
+#include "continuation/solve/equations/cracked_equations.hpp"
 
 namespace dda {
 namespace {

@@ -6,9 +6,9 @@
 #include <string>
 #include <utility>
 
+#include "continuation/solve/equations/whole_equations.hpp"
 #include "continuation/solve/loca.hpp"
 #include "continuation/solve/step_goal.hpp"
-#include "continuation/solve/whole_equations.hpp"
 
 namespace dda {
 

@@ -99,11 +99,10 @@ std::optional<Branch> settle(System& system, const Candidate& here, const Surfac
 std::vector<std::vector<double>> critical_modes(System& system, const Candidate& here,
                                                 const DirectSolverChoice& solver) {
   const Equilibrium& equilibrium = system.equilibrium();
-  ModeRequest wanted{.count = *here.num_negative,
-                     .mass = std::vector<Mat6>(equilibrium.num_nodes(), Mat6::Identity()),
-                     .is_physical = false};
+  ModeRequest wanted{
+      .count = *here.num_negative, .mass = Mass::identity(equilibrium.num_nodes()), .is_physical = false};
   for (std::size_t b = 0; b < equilibrium.num_blocks(); ++b)
-    wanted.mass[b].diagonal().tail<4>() *= equilibrium.block_size()[b] * equilibrium.block_size()[b];
+    wanted.mass.diagonal[b].diagonal().tail<4>() *= equilibrium.block_size()[b] * equilibrium.block_size()[b];
   try {
     const auto found = stiffness_modes(system, here.state, solver, wanted);
     return found ? found->modes.shapes : std::vector<std::vector<double>>{};

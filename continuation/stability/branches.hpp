@@ -1,6 +1,6 @@
 #pragma once
 
-#include "continuation/linear/direct_solver.hpp"
+#include "continuation/linear/direct/direct_solver.hpp"
 #include "continuation/walk/walker.hpp"
 
 namespace dda {

@@ -5,7 +5,7 @@
 
 namespace dda {
 
-std::vector<int> ModeTracker::follow(const Eigenmodes& present, std::span<const Mat6> mass) {
+std::vector<int> ModeTracker::follow(const Eigenmodes& present, const Mass& mass) {
   struct Pair {
     double alike;
     std::size_t tracked, present;

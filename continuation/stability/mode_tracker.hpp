@@ -1,6 +1,6 @@
 #pragma once
 
-#include "continuation/solve/eigenmodes.hpp"
+#include "continuation/stability/eigenmodes.hpp"
 
 namespace dda {
 
@@ -27,7 +27,7 @@ class ModeTracker {
   void start(const Eigenmodes& intact) { known_ = {intact.values, intact.shapes}; }
   bool has_started() const { return !known_.first_values.empty(); }
   /// Position, among the present modes, of each tracked one; −1 where it is not among them.
-  std::vector<int> follow(const Eigenmodes& present, std::span<const Mat6> mass);
+  std::vector<int> follow(const Eigenmodes& present, const Mass& mass);
   const TrackedModes& known() const { return known_; }
 
  private:

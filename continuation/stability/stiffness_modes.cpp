@@ -41,7 +41,7 @@ std::optional<StiffnessModes> stiffness_modes(System& system, const State& state
   std::optional<WholeMatrix> whole, shifted;
   problem.shifted = [&](double s) -> InverseOperator {
     BlockMatrix k = matrix();
-    for (std::size_t b = 0; b < wanted.mass.size(); ++b) k.add(BlockId{b}, BlockId{b}, s * wanted.mass[b]);
+    wanted.mass.add_to(k, s);
     shifted.emplace(solver, k);
     if (!shifted->is_regular() || shifted->num_negative() != 0) return {};
     return [&](auto b, auto x) { shifted->solve(b, x); };

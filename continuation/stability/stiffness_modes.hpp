@@ -1,7 +1,7 @@
 #pragma once
 
-#include "continuation/linear/direct_solver.hpp"
-#include "continuation/solve/eigenmodes.hpp"
+#include "continuation/linear/direct/direct_solver.hpp"
+#include "continuation/stability/eigenmodes.hpp"
 #include "continuation/state/system.hpp"
 
 namespace dda {
@@ -9,7 +9,7 @@ namespace dda {
 /// Which modes of a stiffness are wanted.
 struct ModeRequest {
   int count = 6;
-  std::vector<Mat6> mass;  ///< M, one per block; identities for K φ = μ φ
+  Mass mass;  ///< M of blocks and jumps; identities for K φ = μ φ
   /// K*: of released points nothing is left, neither is what a consistent joint subtracts.
   bool is_physical = true;
 };

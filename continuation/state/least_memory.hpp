@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "continuation/linear/direct_solver.hpp"
+#include "continuation/linear/direct/direct_solver.hpp"
 #include "models/equilibrium.hpp"
 
 namespace dda {

@@ -118,9 +118,9 @@ std::vector<Vec2> System::opened_by(std::size_t p, const Vec2& t) {
   return out;
 }
 
-std::optional<Eigen::MatrixXd> System::flexibility(std::span<const std::size_t> points) {
+std::optional<Eigen::MatrixXd> System::flexibility(std::span<const LinearSystem::Hinge> hinges) {
   if (physical_) return {};
-  return path_linear().flexibility(points);
+  return path_linear().flexibility(hinges);
 }
 
 std::vector<Vec2> System::multiplier_rates(const Displacements& d) const {

@@ -43,9 +43,8 @@ Growth System::follow(const std::function<Growth()>& remake) {
   if (!multipliers_.empty()) multipliers_ = growth.of_points(multipliers_);
   path_tangent_.clear();
   used_stamp_ = 0;
-  contact_.reset();
-  for (LinearSystem* linear : {&linear_, physical_.get()})
-    if (linear) linear->begin_anew();
+  for (LinearSystem* linear : {&linear_, physical_.get(), contact_.get()})
+    if (linear) linear->follow(growth);
   make_screen();
   set_stage(stage);
   return growth;

@@ -55,7 +55,6 @@ class System {
   /// is.
   System(const Equilibrium& equilibrium, const DirectSolverChoice& solver, LinearSystem::Update update);
   /// Lets the equilibrium be made anew, with other cuts, and follows: cuts that are still there keep their history.
-  /// Every base is factorised anew.
   Growth follow(const std::function<Growth()>& remake);
   /// Times the phases of a step there from now on.
   void measure_with(Timings& timings);
@@ -116,9 +115,9 @@ class System {
   /// q̇ of all points where one of them carries a traction `t` more than its tangent says, under the path
   /// tangent in use.
   std::vector<Vec2> opened_by(std::size_t p, const Vec2& t);
-  /// −q̇ at some points that unit forces at each of them give, 2 × 2 for each pair; nothing where it takes
-  /// solutions (`opened_by`): beside iterated multipliers and where the linear system has no columns for them.
-  std::optional<Eigen::MatrixXd> flexibility(std::span<const std::size_t> points);
+  /// −cᵢ · q̇ᵢ that the force of each hinge gives; nothing where it takes solutions (`opened_by`): beside
+  /// iterated multipliers and where the linear system has no columns for them.
+  std::optional<Eigen::MatrixXd> flexibility(std::span<const LinearSystem::Hinge> hinges);
   /// Rates of the multipliers for the same movement; empty when none is iterated.
   std::vector<Vec2> multiplier_rates(const Displacements& d) const;
   /// What the finite p̄ leaves open when d moves by `d` and the joints by `carried` beside: P̄⁻¹ D̄ (g +

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "continuation/follow/advice.hpp"
+#include "continuation/follow/landings.hpp"
 #include "continuation/follow/pace.hpp"
 #include "continuation/follow/trial.hpp"
 #include "continuation/step/rungs.hpp"
@@ -16,6 +17,23 @@ Outcome climb(PathState& path, const Candidate& candidate, Stride& stride) {
   for (const Rung rung : rungs)
     if (auto outcome = rung(path, candidate, stride)) return *std::move(outcome);
   return {};
+}
+
+/// A step as long as the stride. Where it would pass the strength of a point that a crack waits for, which must not
+/// crack before the crack has grown, it is the one that ends there.
+std::optional<Candidate> tried(PathState& path, Stride& stride, Thoroughness thoroughness) {
+  stride.beyond = 0;
+  if (path.cracks) {
+    Candidate ahead = path.walker.here();
+    ahead.state = path.walker.ahead(stride.amount);
+    if (const double share = share_to_strength(path, ahead); share < 1)
+      if (auto candidate = at_strength(path, ahead, stride.move.kind)) {
+        stride.beyond = stride.amount;
+        stride.amount *= share;
+        return candidate;
+      }
+  }
+  return try_step(path, stride.move, stride.amount, thoroughness);
 }
 
 /// A try that found no next point: where the load ends or the path turns before its end, there.
@@ -77,8 +95,7 @@ std::optional<Point> controlled_step(PathState& path, const Move& move) {
   const double shortest = path.parameters.step.shortest.value_or(0) / std::abs(move.rate);
   while (stride.amount > std::max(smallest_share * first, shortest)) {
     const bool is_cut = stride.amount <= few_cuts * stride.natural;
-    const auto candidate =
-        try_step(path, move, stride.amount, is_cut ? Thoroughness::full : Thoroughness::usual);
+    const auto candidate = tried(path, stride, is_cut ? Thoroughness::full : Thoroughness::usual);
     if (!candidate) stride.why = path.refusal;
     Outcome outcome = candidate ? climb(path, *candidate, stride) : after_failure(path, stride, is_cut);
     if (outcome.point) return std::move(outcome.point);

@@ -69,6 +69,7 @@ void follow_cuts(PathState& path, const std::vector<Cut>& before) {
   const RunningCracks& cracks = *path.cracks;
   const Growth growth = path.walker.follow([&] { return cracks.structure.remake(before); });
   path.look_up(cracks.look_up());
+  path.memory.before.reset();
   if (cracks.has_grown) cracks.has_grown(growth);
 }
 

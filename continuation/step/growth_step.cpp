@@ -1,9 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "continuation/follow/pace.hpp"
 #include "continuation/follow/trial.hpp"
 #include "continuation/step/cuts.hpp"
+#include "continuation/step/rungs.hpp"
 #include "continuation/step/steps.hpp"
 
 namespace dda {
@@ -11,23 +14,79 @@ namespace {
 
 constexpr double at_strength = 1 - 1e-6;
 
-/// The equilibrium with these cuts, damage as it is, whose first point stands at its strength.
-std::optional<Candidate> settled(PathState& path) {
+/// Whether some point stands beyond its strength.
+bool is_exceeded(const System& system, const State& at) {
+  constexpr double round_off = 1e-9;
+  const auto laws = system.laws(at);
+  for (std::size_t p = 0; p < laws.opening.size(); ++p) {
+    const InterfacePoint& point = system.equilibrium().point(p);
+    if (!system.is_broken(p) &&
+        point.law->equivalent_opening(laws.opening[p], system.history()[p], point.stiffness) >
+            (1 + round_off) * system.kappa(p))
+      return true;
+  }
+  return false;
+}
+
+/// The equilibrium with these cuts under the same load where nothing has cracked yet.
+std::optional<Attempt> under_same_load(Walker& walker) {
+  if (walker.here().dissipated > 0) return {};
+  const auto equation = make_gauge_equation({.rows = {}, .per_load_factor = 1});
+  Attempt tried = walker.attempt(*equation, 0, walker.state(), Thoroughness::full);
+  if (!tried.converged || is_exceeded(walker.system(), tried.state)) return {};
+  return tried;
+}
+
+/// The equilibrium with these cuts, damage as it is, whose first point stands at its strength; as long as nothing has
+/// cracked that under the same load, if no point is beyond its strength there. Nothing where the load would change by
+/// more than this share of its largest.
+std::optional<Candidate> settled(PathState& path, double far) {
   Walker& walker = path.walker;
-  const auto equation = make_event_equation(walker.system());
-  const Attempt tried = walker.attempt(*equation, 1, walker.state(), Thoroughness::full);
-  if (!tried.converged) {
-    path.refusal = tried.reason;
+  auto tried = under_same_load(walker);
+  if (!tried)
+    tried = walker.attempt(*make_event_equation(walker.system()), 1, walker.state(), Thoroughness::full);
+  if (!tried->converged) {
+    path.refusal = tried->reason;
     return {};
   }
   Candidate out =
-      walker.settled({tried.state, walker.system().next_history(tried.state), tried.newton_iterations});
-  out.solution = tried.solution;
-  constexpr double far = 0.2;  // of the largest load
+      walker.settled({tried->state, walker.system().next_history(tried->state), tried->newton_iterations});
+  out.solution = tried->solution;
   const double moved = std::abs(path.load_of(out.state) - path.load_of(walker.state()));
-  if (moved <= far * path.memory.peak_load) return out;
+  if (moved <= far * path.memory.peak_load && path.load_of(out.state) >= 0) return out;
   path.refusal = fmt::format("the load would jump by {:.2g} of its peak", moved / path.memory.peak_load);
   return {};
+}
+
+/// ½ Σ W t·P⁻¹t of the closed segment ahead of a crack: what its cuts store, which without them the rest gives back.
+double energy_ahead(const PathState& path, int crack) {
+  const System& system = path.walker.system();
+  const auto& cuts = path.cracks->structure.front().geometry().cuts();
+  const auto laws = system.laws(path.walker.state());
+  double out = 0;
+  for (std::size_t p = 0; p < laws.opening.size(); ++p) {
+    const InterfacePoint& point = system.equilibrium().point(p);
+    if (point.is_awaited && cuts[*point.cut].crack == crack)
+      out += point.weight / 2 * laws.traction[p].dot(laws.traction[p].cwiseQuotient(point.trial_stiffness()));
+  }
+  return out;
+}
+
+/// The same of the bonds that new cuts along sides replace: a joint whose law makes it stiffer in shear takes it back.
+double energy_of_opened_bonds(const PathState& path, const std::vector<Cut>& before) {
+  const Equilibrium& equilibrium = path.walker.system().equilibrium();
+  const std::vector<Cut>& cuts = path.cracks->structure.front().geometry().cuts();
+  const auto first_new =
+      std::ranges::mismatch(before, cuts, [](const Cut& a, const Cut& b) { return a.is_at(b); }).in2;
+  const std::vector<double>& d = path.walker.state().d.all();
+  double out = 0;
+  for (std::size_t p = equilibrium.num_active(); p < equilibrium.num_points(); ++p) {
+    const InterfacePoint& point = equilibrium.point(p);
+    if (std::none_of(first_new, cuts.end(), [&](const Cut& cut) { return cut.side == point.side; })) continue;
+    const Vec2 q = equilibrium.opening(p, d);
+    out += point.weight / 2 * q.dot(point.trial_stiffness().cwiseProduct(q));
+  }
+  return out;
 }
 
 std::string place(const Vec2& x) { return fmt::format("({:.6g}, {:.6g})", x.x(), x.y()); }
@@ -53,28 +112,59 @@ std::optional<int> crack_to_grow(PathState& path) {
   return out;
 }
 
+namespace {
+
+constexpr double near = 0.2, anywhere = 1;  // of the largest load
+
+/// A point of the path where the structure, having been made anew, is in equilibrium; nothing where there is none near.
+std::optional<Point> settle_down(PathState& path, double bearable, double far = near) {
+  auto next = settled(path, far);
+  if (!next) return {};
+  const double step = path.memory.step;
+  Tangent onward = path.walker.leaving();
+  auto point = jump_to(path, *std::move(next), StepKind::growth, bearable);
+  path.memory.step = step;
+  if (point && onward.dissipates) path.walker.turn_to(std::move(onward), path.walker.here().history);
+  return point;
+}
+
+/// Where no equilibrium is near: the cut is made where the path stands, and a step goes on from there; or, where
+/// nothing leads on, as under a dead load that has passed strengths, the load's displacement is held.
+std::optional<Point> step_on(PathState& path, double bearable) {
+  const std::string why = path.refusal;
+  path.reject(to_string(StepKind::growth), why);
+  if (!path.walker.leaving().dissipates) {
+    auto next = standing_still(path);
+    return next ? jump_to(path, *std::move(next), StepKind::growth, bearable) : std::optional<Point>();
+  }
+  const Move move = path.control->next(path.walker);
+  const bool is_known = path.memory.step > 0 && path.memory.step_kind == move.kind;
+  const double first =
+      bounded(path, move, is_known ? path.memory.step / unit_of(path, move) : first_amount(path, move));
+  for (double share = 1; share > smallest_share; share *= path.parameters.step.cut)
+    if (const auto candidate = try_step(path, move, share * first, Thoroughness::full))
+      return keep(path, *candidate, StepKind::growth);
+  path.refusal = why;
+  return {};
+}
+
+}  // namespace
+
 std::optional<Point> growth_step(PathState& path, int crack) {
   CrackFront& front = path.cracks->structure.front();
+  if (path.cracks->grows) path.cracks->grows();
   const std::vector<Cut> cuts = front.geometry().cuts();
   const std::vector<CrackFront::Memory> memory = front.memory();
-  const bool is_aimed = front.aim(crack, around(path));
-  if (!is_aimed) front.grow(crack);
+  front.grow(crack);
+  const double bearable = energy_of_opened_bonds(path, cuts);  // a closed cut makes nothing stiffer
   follow_cuts(path, cuts);
-  path.report(
-      is_aimed ? "aimed" : "grown",
-      is_aimed ? fmt::format("crack {} is aimed anew from {}", crack, place(front.tip(crack)))
-      : front.end_of(crack).empty()
-          ? fmt::format("crack {} has grown to {}", crack, place(front.tip(crack)))
-          : fmt::format("crack {} ends at {}: {}", crack, place(front.tip(crack)), front.end_of(crack)));
-  auto next = settled(path);
-  if (!next) next = standing_still(path);
-  if (next) {
-    const double step = path.memory.step;
-    constexpr double of_cuts = 1e-3;  // a closed cut that is taken back was not rigid
-    auto point = jump_to(path, *std::move(next), StepKind::growth, of_cuts * path.walker.here().stored);
-    path.memory.step = step;
-    if (point) return point;
-  }
+  path.report("grown", front.end_of(crack).empty()
+                           ? fmt::format("crack {} has grown to {}", crack, place(front.tip(crack)))
+                           : fmt::format("crack {} ends at {}: {}", crack, place(front.tip(crack)),
+                                         front.end_of(crack)));
+  if (auto point = settle_down(path, bearable)) return point;
+  if (auto point = step_on(path, bearable)) return point;
+  if (auto point = settle_down(path, bearable, anywhere)) return point;
   const std::vector<Cut> refused = front.geometry().cuts();
   front.restore(cuts, memory);
   follow_cuts(path, refused);
@@ -82,6 +172,29 @@ std::optional<Point> growth_step(PathState& path, int crack) {
       Ending::Kind::stopped_early,
       fmt::format("no equilibrium was found next to the last one once the crack at {} had grown: {}",
                   place(front.tip(crack)), path.refusal));
+}
+
+std::optional<Point> aim_step(PathState& path, int crack, const PlaceBefore& before) {
+  CrackFront& front = path.cracks->structure.front();
+  const PlaceBefore reached(path);
+  const std::vector<Cut> cuts = front.geometry().cuts();
+  const std::vector<CrackFront::Memory> memory = front.memory();
+  if (path.cracks->grows) path.cracks->grows();
+  if (!front.aim(crack, around(path))) return {};
+  before.go_back(path);
+  const double bearable = energy_ahead(path, crack) + energy_of_opened_bonds(path, cuts);
+  follow_cuts(path, cuts);
+  path.report("aimed", fmt::format("crack {} is aimed anew from {}", crack, place(front.tip(crack))));
+  if (before.is_at_rest()) {
+    path.walker.begin_stage(path.walker.system().equilibrium().stages().size() - 1);
+    return {};
+  }
+  if (auto point = settle_down(path, bearable)) return point;
+  const std::vector<Cut> refused = front.geometry().cuts();
+  front.restore(cuts, memory);
+  follow_cuts(path, refused);
+  reached.go_back(path);
+  return {};
 }
 
 }  // namespace dda

@@ -23,8 +23,10 @@ struct Stride {
   };
 
   const Move& move;
-  double amount = 0;     ///< length of the next try along the leaving tangent
-  double natural = 0;    ///< of the first one, where nothing speaks for less
+  double amount = 0;   ///< length of the next try along the leaving tangent
+  double natural = 0;  ///< of the first one, where nothing speaks for less
+  double beyond =
+      0;  ///< what the try would have been long, had it not ended at a strength; 0 when it has not
   std::string why = {};  ///< it has been shortened last
   int refinements = 0;   ///< how often for the peak, a turn or the balance of energy
   int looks = 0;         ///< and to look between its ends

@@ -14,6 +14,7 @@ std::optional<CrackFront::Asked> crack_to_start(PathState& path) {
 
 std::optional<Point> start_step(PathState& path, const CrackFront::Asked& asked) {
   CrackFront& front = path.cracks->structure.front();
+  if (path.cracks->grows) path.cracks->grows();
   const std::vector<Cut> cuts = front.geometry().cuts();
   const std::vector<CrackFront::Memory> memory = front.memory();
   const auto crack = front.start(asked);

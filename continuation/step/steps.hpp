@@ -5,6 +5,7 @@
 
 #include "continuation/control/control.hpp"
 #include "continuation/follow/path_state.hpp"
+#include "continuation/follow/place_before.hpp"
 
 namespace dda {
 
@@ -48,12 +49,18 @@ std::optional<Point> start_step(PathState& path, const CrackFront::Asked& asked)
 /// there is none.
 std::optional<int> crack_to_grow(PathState& path);
 
-/// Aims the segment ahead of a crack once more or, where it is aimed well, takes it as grown and cuts the next one;
-/// then the equilibrium in which the first of all points stands at its strength, their damage staying as it is. Closed
-/// cuts are all but rigid, so that this is hardly another state; what it differs by is booked as a jump. Where the load
-/// would have to change by a fifth of its peak for that, as under a dead load that has passed strengths, the equilibrium
-/// at the same displacement, damage growing as it must.
+/// Takes the segment ahead of a crack as grown and cuts the next one; then the equilibrium in which the first of all
+/// points stands at its strength, their damage staying as it is. Closed cuts are all but rigid, so that this is hardly
+/// another state; what it differs by is booked as a jump. Where it lies far away, since a point of the new segment is
+/// beyond its strength when it appears, a step goes on from the state as it is, or, where nothing leads on, the load's
+/// displacement is held while damage grows; where neither is found the load falls there.
 std::optional<Point> growth_step(PathState& path, int crack);
+
+/// Aims the segment ahead of a crack once more, by the stress where its first point has reached its strength. Where that
+/// makes another one of it the path goes back to the place before, since a segment that is aimed better reaches its
+/// strength earlier. Nothing where it is aimed well or there is no equilibrium with the other one, and the path stays;
+/// nothing, too, where that place is the structure at rest, from which the step is to be taken again.
+std::optional<Point> aim_step(PathState& path, int crack, const PlaceBefore& before);
 
 /// The load raised by the largest of halved increments that still finds an equilibrium.
 std::optional<Point> increment_step(PathState& path);

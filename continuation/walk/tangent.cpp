@@ -207,18 +207,15 @@ class RateProblem {
 
   /// M of the hinges from the couplings of their points, where these are known.
   bool couple_by_columns(Eigen::MatrixXd& m) {
-    std::vector<std::size_t> points;
-    for (const Flag& flag : flags_) points.push_back(flag.point);
-    const auto flexibility = system_.flexibility(points);
-    if (!flexibility) return false;
     const std::vector<Vec2> tractions = traction_rates();
-    for (Eigen::Index j = 0; j < m.cols(); ++j) {
-      const auto at = static_cast<std::size_t>(j);
-      const Vec2 force = system_.equilibrium().point(points[at]).weight * tractions[at];
-      for (Eigen::Index i = 0; i < m.rows(); ++i)
-        m(i, j) = gradients_[static_cast<std::size_t>(i)].dot(flexibility->block<2, 2>(2 * i, 2 * j) * force);
+    std::vector<LinearSystem::Hinge> hinges;
+    for (std::size_t i = 0; i < flags_.size(); ++i) {
+      const std::size_t p = flags_[i].point;
+      hinges.push_back({p, gradients_[i], system_.equilibrium().point(p).weight * tractions[i]});
     }
-    return true;
+    auto flexibility = system_.flexibility(hinges);
+    if (flexibility) m = *std::move(flexibility);
+    return flexibility.has_value();
   }
 
   /// The same with a solution for each hinge.

@@ -8,7 +8,6 @@
 #include "continuation/state/history_guard.hpp"
 
 namespace dda {
-
 Walker::Walker(Stepper& stepper) : stepper_(stepper), system_(stepper.system()) {
   here_.state.d = std::vector<double>(system_.equilibrium().num_unknowns(), 0.0);
   here_.state.multipliers = system_.multipliers();
@@ -162,13 +161,16 @@ void Walker::turn_to(Tangent leaving, std::vector<History> flags) {
 }
 
 Growth Walker::follow(const std::function<Growth()>& remake) {
-  const std::vector<double> before = here_.state.d.all();
+  const std::vector<double> before = here_.state.d.all(), along = leaving_.d;
   Growth growth = system_.follow(remake);
   stepper_.begin_anew();
   here_.state.d = growth.unknowns(before);
   here_.state.multipliers = system_.multipliers();
   here_.history = system_.history();
-  here_.arriving = leaving_ = {};
+  here_.arriving = {};
+  if (!along.empty()) leaving_.d = growth.unknowns(along);
+  for (auto* rates : {&leaving_.opening, &leaving_.multipliers})
+    if (!rates->empty()) *rates = growth.of_points(*rates);
   return growth;
 }
 

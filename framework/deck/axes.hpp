@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "framework/deck/node.hpp"
+#include "framework/deck/document/node.hpp"
 
 namespace dda {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "framework/deck/node.hpp"
+#include "framework/deck/document/node.hpp"
 
 namespace dda {
 

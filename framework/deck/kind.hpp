@@ -10,8 +10,8 @@
 
 #include "framework/base/vec2.hpp"
 #include "framework/deck/bounds.hpp"
-#include "framework/deck/node.hpp"
-#include "framework/deck/spot.hpp"
+#include "framework/deck/document/node.hpp"
+#include "framework/deck/document/spot.hpp"
 #include "framework/deck/units.hpp"
 
 namespace dda {

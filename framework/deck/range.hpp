@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "framework/deck/node.hpp"
+#include "framework/deck/document/node.hpp"
 
 namespace dda {
 

@@ -6,7 +6,7 @@
 
 #include "framework/base/errors.hpp"
 #include "framework/files/curve_table.hpp"
-#include "framework/files/run_folder.hpp"
+#include "framework/files/whole_file.hpp"
 
 namespace dda {
 namespace {

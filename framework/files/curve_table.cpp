@@ -8,7 +8,7 @@
 
 #include "framework/base/errors.hpp"
 #include "framework/files/number_text.hpp"
-#include "framework/files/run_folder.hpp"
+#include "framework/files/whole_file.hpp"
 
 namespace dda {
 namespace fs = std::filesystem;

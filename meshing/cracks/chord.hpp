@@ -3,7 +3,7 @@
 #include <array>
 #include <optional>
 
-#include "meshing/polygon.hpp"
+#include "meshing/geometry/polygon.hpp"
 
 namespace dda {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "meshing/assembly.hpp"
-#include "meshing/box_grid.hpp"
 #include "meshing/cracks/divided_block.hpp"
+#include "meshing/geometry/box_grid.hpp"
 
 namespace dda {
 

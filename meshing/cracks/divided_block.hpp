@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "framework/base/index.hpp"
-#include "meshing/polygon.hpp"
+#include "meshing/geometry/polygon.hpp"
 
 namespace dda {
 

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "meshing/geos.hpp"
+#include "meshing/geometry/geos.hpp"
 
 namespace dda {
 namespace {

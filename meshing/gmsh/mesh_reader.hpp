@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "framework/base/errors.hpp"
-#include "meshing/polygon.hpp"
+#include "meshing/geometry/polygon.hpp"
 
 namespace dda {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "meshing/gmsh_model.hpp"
-#include "meshing/physical_groups.hpp"
+#include "meshing/files/gmsh_model.hpp"
+#include "meshing/files/physical_groups.hpp"
 
 namespace dda {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "meshing/geos.hpp"
+#include "meshing/geometry/geos.hpp"
 #include "meshing/neighbours.hpp"
 #include "meshing/scene/scene.hpp"
 

@@ -1,6 +1,6 @@
 #include "meshing/scene/scene.hpp"
 
-#include "meshing/gmsh_model.hpp"
+#include "meshing/files/gmsh_model.hpp"
 
 namespace dda {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "framework/deck/schema.hpp"
-#include "meshing/gmsh_model.hpp"
+#include "meshing/files/gmsh_model.hpp"
 
 namespace dda {
 

@@ -1,4 +1,4 @@
-#include "meshing/gmsh_model.hpp"
+#include "meshing/files/gmsh_model.hpp"
 #include "meshing/subdivision/subdivision.hpp"
 
 namespace dda {

@@ -1,7 +1,7 @@
 #include "meshing/subdivision/parts.hpp"
 
 #include "framework/base/threads.hpp"
-#include "meshing/voronoi.hpp"
+#include "meshing/geometry/voronoi.hpp"
 
 namespace dda {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "meshing/geos.hpp"
+#include "meshing/geometry/geos.hpp"
 #include "meshing/layout.hpp"
 
 namespace dda {

@@ -1,9 +1,9 @@
 #include <numbers>
 
+#include "meshing/geometry/voronoi.hpp"
 #include "meshing/room.hpp"
 #include "meshing/subdivision/parts.hpp"
 #include "meshing/subdivision/subdivision.hpp"
-#include "meshing/voronoi.hpp"
 
 namespace dda {
 namespace {

@@ -1,4 +1,4 @@
-#include "meshing/voronoi.hpp"
+#include "meshing/geometry/voronoi.hpp"
 
 #include <algorithm>
 #include <cmath>

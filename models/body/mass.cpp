@@ -1,25 +1,106 @@
 #include "models/body/mass.hpp"
 
+#include <algorithm>
+#include <array>
+
+#include "models/body/motion.hpp"
+
 namespace dda {
 namespace {
 
-/// T is linear in the place, T = T0 + X T_x + Y T_y, so ∫ TᵀT dA = A T0ᵀT0 + Σ S_ij T_iᵀT_j with the second
-/// moments S about the centroid.
-Mat6 unit_mass(const Moments& moments) {
-  const Mat26 at_centre = displacement_rows(Vec2::Zero());
-  const Mat26 slopes[2] = {displacement_rows(Vec2::UnitX()) - at_centre,
-                           displacement_rows(Vec2::UnitY()) - at_centre};
-  Mat6 out = moments.area * at_centre.transpose() * at_centre;
+/// N linear in the place, N = N0 + X N_x + Y N_y about a centroid.
+struct LinearRows {
+  Mat26 at_centre;
+  std::array<Mat26, 2> slopes;
+};
+
+template <class Rows>
+LinearRows about(const Vec2& centroid, const Rows& rows) {
+  const Mat26 at_centre = rows(centroid);
+  return {at_centre,
+          {rows(centroid + Vec2::UnitX()) - at_centre, rows(centroid + Vec2::UnitY()) - at_centre}};
+}
+
+/// ∫ AᵀB dA = A A0ᵀB0 + Σ S_ij A_iᵀB_j with the second moments S about the centroid.
+Mat6 integral(const LinearRows& a, const LinearRows& b, const Moments& moments) {
+  Mat6 out = moments.area * a.at_centre.transpose() * b.at_centre;
   for (int i = 0; i < 2; ++i)
-    for (int j = 0; j < 2; ++j) out += moments.second(i, j) * slopes[i].transpose() * slopes[j];
+    for (int j = 0; j < 2; ++j)
+      out += moments.second(i, j) * a.slopes[static_cast<std::size_t>(i)].transpose() *
+             b.slopes[static_cast<std::size_t>(j)];
   return out;
+}
+
+Mat6 mass_of(const Block& block) {
+  const LinearRows rows = about(Vec2(Vec2::Zero()), displacement_rows);
+  return integral(rows, rows, block.moments);
+}
+
+/// What the parts of a block that move beside it add to the nodes of their jumps, and share with the block.
+void add_parts(const Body& body, BlockId block, Mass& out) {
+  const Vec2& centroid = body.block(block).moments.centroid;
+  for (const Part& part : body.cracks->parts(block)) {
+    const Moments of_part = moments(part.outline);
+    std::vector<std::pair<BlockId, LinearRows>> moves{
+        {block, about(of_part.centroid, [&](const Vec2& x) { return displacement_rows(x - centroid); })}};
+    for (const JumpId jump : part.jumps)
+      moves.emplace_back(body.node_of(jump), about(of_part.centroid, [&](const Vec2& x) {
+                           return motion_of(body, jump, x).rows;
+                         }));
+    for (std::size_t i = 0; i < moves.size(); ++i)
+      for (std::size_t j = std::max<std::size_t>(i, 1); j < moves.size(); ++j) {
+        const Mat6 m = body.thickness * integral(moves[i].second, moves[j].second, of_part);
+        if (i == j)
+          out.diagonal[moves[i].first.value()] += m;
+        else
+          out.couplings.push_back({moves[i].first, moves[j].first, m});
+      }
+  }
 }
 
 }  // namespace
 
-std::vector<Mat6> unit_mass(const Body& body) {
-  std::vector<Mat6> out;
-  for (const Block& block : body.assembly.blocks) out.push_back(body.thickness * unit_mass(block.moments));
+void Mass::multiply(std::span<const double> x, std::span<double> y) const {
+  const auto of = [](auto values, BlockId node) { return values.data() + block_unknowns * node.value(); };
+  for (std::size_t b = 0; b < num_nodes(); ++b)
+    Eigen::Map<Vec6>(of(y, BlockId{b})) = diagonal[b] * Eigen::Map<const Vec6>(of(x, BlockId{b}));
+  for (const auto& [i, j, m] : couplings) {
+    Eigen::Map<Vec6>(of(y, i)) += m * Eigen::Map<const Vec6>(of(x, j));
+    Eigen::Map<Vec6>(of(y, j)) += m.transpose() * Eigen::Map<const Vec6>(of(x, i));
+  }
+}
+
+void Mass::add_to(BlockMatrix& k, double s) const {
+  for (std::size_t b = 0; b < num_nodes(); ++b) k.add(BlockId{b}, BlockId{b}, s * diagonal[b]);
+  for (const auto& [i, j, m] : couplings) {
+    k.add(i, j, s * m);
+    k.add(j, i, s * m.transpose());
+  }
+}
+
+Eigen::MatrixXd Mass::dense() const {
+  const auto at = [](std::size_t node) { return static_cast<Eigen::Index>(block_unknowns * node); };
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(at(num_nodes()), at(num_nodes()));
+  for (std::size_t b = 0; b < num_nodes(); ++b) out.block<6, 6>(at(b), at(b)) = diagonal[b];
+  for (const auto& [i, j, m] : couplings) {
+    out.block<6, 6>(at(i.value()), at(j.value())) += m;
+    out.block<6, 6>(at(j.value()), at(i.value())) += m.transpose();
+  }
+  return out;
+}
+
+Mass unit_mass(const Body& body) {
+  Mass out;
+  for (const Block& block : body.assembly.blocks) out.diagonal.push_back(body.thickness * mass_of(block));
+  if (!body.cracks) return out;
+  constexpr double next_to_none = 1e-9;
+  for (std::size_t j = 0; j < body.num_jumps(); ++j) {
+    const Block& block = body.block(body.cracks->cut_of(JumpId{j}).block);
+    Mat6 unused = Mat6::Zero();
+    unused.diagonal().tail<3>().setConstant(next_to_none * body.thickness * block.moments.area);
+    out.diagonal.push_back(unused);
+  }
+  for (std::size_t b = 0; b < body.assembly.num_blocks(); ++b) add_parts(body, BlockId{b}, out);
   return out;
 }
 

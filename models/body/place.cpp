@@ -102,6 +102,13 @@ void add_common_piece(const BoundarySide& side, const Line& line, double tol,
     add_gauss_points(side.block, line.from + first * t, line.from + last * t, out);
 }
 
+int boundary_index(const Assembly& assembly, const std::string& name, const Position& where) {
+  const auto known = std::ranges::find(assembly.boundaries, name);
+  if (known == assembly.boundaries.end())
+    throw InputError(where, fmt::format("unknown boundary '{}'{}", name, suggest(name, assembly.boundaries)));
+  return static_cast<int>(known - assembly.boundaries.begin());
+}
+
 }  // namespace
 
 Vec2 locate(const Assembly& assembly, const Spot& spot) {
@@ -166,15 +173,19 @@ Functional rotation_over(const Body& body, const Place& place, const Position& w
 }
 
 std::vector<BoundaryPoint> boundary_points(const Body& body, const std::string& name, const Position& where) {
-  const Assembly& assembly = body.assembly;
-  const auto known = std::ranges::find(assembly.boundaries, name);
-  if (known == assembly.boundaries.end())
-    throw InputError(where, fmt::format("unknown boundary '{}'{}", name, suggest(name, assembly.boundaries)));
-  const int index = static_cast<int>(known - assembly.boundaries.begin());
+  const int index = boundary_index(body.assembly, name, where);
   std::vector<BoundaryPoint> points;
   for_each_piece(body, [&](const BoundarySide& side) {
     if (side.boundary == index) add_gauss_points(side.block, side.start, side.end, points);
   });
+  return points;
+}
+
+std::vector<BoundaryPoint> held_points(const Body& body, const std::string& name, const Position& where) {
+  const int index = boundary_index(body.assembly, name, where);
+  std::vector<BoundaryPoint> points;
+  for (const BoundarySide& side : body.assembly.boundary)
+    if (side.boundary == index) add_gauss_points(side.block, side.start, side.end, points);
   return points;
 }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "framework/base/errors.hpp"
-#include "framework/deck/spot.hpp"
+#include "framework/deck/document/spot.hpp"
 #include "models/body/body.hpp"
 #include "models/body/functional.hpp"
 
@@ -45,8 +45,13 @@ struct BoundaryPoint {
   double length;  ///< [L]
 };
 
-/// Points of a named boundary. Throws InputError listing the names when the boundary does not exist.
+/// Points of a named boundary, of every piece into which cuts divide a side. Throws InputError listing the names
+/// when the boundary does not exist.
 std::vector<BoundaryPoint> boundary_points(const Body& body, const std::string& name, const Position& where);
+
+/// The same of whole sides, for springs: they stay where they are when a cut ends on their side, and hold the part of
+/// the block that they stand on.
+std::vector<BoundaryPoint> held_points(const Body& body, const std::string& name, const Position& where);
 
 /// Points of the patch, piece by piece along the sides of the blocks. Throws InputError unless outer sides of
 /// blocks cover the straight line between its ends exactly once; `inside` chooses between the faces of a

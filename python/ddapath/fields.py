@@ -1,4 +1,5 @@
-"""Fields of one stored step as tables: over blocks, their vertices, interface points and the points' ends.
+"""Fields of one stored step as tables: over blocks, their vertices, interface points and the points' ends; where cracks
+have cut blocks also over the parts of these, and over the pieces of the cracks.
 
 Whatever a step's file holds becomes columns: a field `stress` with the components "xx yy xy" is stress_xx, stress_yy and
 stress_xy. Zero z components, which ParaView needs, are left out.
@@ -10,7 +11,8 @@ from functools import cached_property
 import numpy as np
 import pandas as pd
 
-BLOCK, BLOCK_VERTEX, POINT, POINT_END = range(4)  # the attribute `place` of a dataset
+# the attribute `place` of a dataset
+BLOCK, BLOCK_VERTEX, POINT, POINT_END, PART, PART_VERTEX, CRACK, CRACK_END = range(8)
 
 
 @dataclass(frozen=True)
@@ -75,21 +77,47 @@ class Field:
     unit: str
 
 
+@dataclass(frozen=True)
+class CutBlocks:
+    """What cracks have made of the blocks at a step [length unit of the deck].
+
+    parts: a Mesh of the parts of the blocks that are cut, its segments the pieces of cracks, one per interface point.
+    block: to which each part belongs. moves: rows (part, cut), the part moves by the jump across the cut beside its block.
+    pieces: columns cut, crack, is_provisional of each piece. cuts: a row per cut, in the order in which they came, with
+    crack, is_provisional (it lies ahead of its crack), block, side (along which it runs; -1: through the block),
+    start_x … end_y, length, interface, stiffness k. forces: dead and reference loads on the jump across each cut, n × 3.
+    spring_parts: what supports and driven points feel of jumps, columns spring, cut and row (n × 3).
+    """
+
+    parts: Mesh
+    block: np.ndarray
+    moves: np.ndarray
+    pieces: pd.DataFrame
+    cuts: pd.DataFrame
+    forces: dict
+    spring_parts: dict
+
+
 class Fields:
     """The fields of one stored step.
 
-    step, load_factor; numbers: whatever else the step has as attributes; mesh: see Mesh.
+    step, load_factor; numbers: whatever else the step has as attributes; mesh: see Mesh; cut: see CutBlocks.
     blocks        a row per block: region, area, x, y of the centroid; strain, stress; means over the block of what is
                   given at its vertices, such as the displacement
     vertices      a row per vertex of a block, index (block, vertex): x, y undeformed, displacement
     points        a row per crackable interface point: x, y, normal n and tangential s components of opening, jump and
                   traction, damage
     point_ends    two rows per point, index (point, end): displacement of the middle of the crack
+    parts         a row per part of the blocks that cracks have cut: block, area, x, y; the rest as of blocks
+    part_vertices a row per vertex of a part, index (part, vertex): as of vertices
+    cracks        a row per piece of a crack: crack, cut, is_provisional (it lies ahead of the crack); start_x, start_y,
+                  end_x, end_y; the rest as of points
+    crack_ends    two rows per piece, index (piece, end): displacement of the middle of the crack
     Units of the columns are in attrs["units"].
     """
 
-    def __init__(self, mesh, numbers, stored):
-        self.mesh, self.numbers, self._stored = mesh, dict(numbers), list(stored)
+    def __init__(self, mesh, numbers, stored, cut):
+        self.mesh, self.numbers, self._stored, self.cut = mesh, dict(numbers), list(stored), cut
         self.step = int(self.numbers.pop("step"))
         self.load_factor = self.numbers.get("load_factor")
 
@@ -101,16 +129,22 @@ class Fields:
         centroids = self.mesh.means(self.mesh.vertices)
         out = {"region": self.mesh.region, "area": self.mesh.areas, "x": centroids[:, 0], "y": centroids[:, 1]}
         units = {"region": "", "area": f"{self.mesh.unit}²", "x": self.mesh.unit, "y": self.mesh.unit}
-        averaged = [Field(field.name, BLOCK, self.mesh.means(field.values), field.columns, field.unit)
+        averaged = [Field(field.name, BLOCK, self._block_means(field), field.columns, field.unit)
                     for field in self._at(BLOCK_VERTEX)]
         return self._table(out, units, [*averaged, *self._at(BLOCK)], pd.RangeIndex(self.mesh.num_blocks, name="block"))
 
+    def _block_means(self, field):
+        """Of a block that is cut, over its parts."""
+        means = self.mesh.means(field.values)
+        for of_parts in (other for other in self._at(PART_VERTEX) if other.name == field.name):
+            parts, block = self.cut.parts, self.cut.block
+            means[block] = 0
+            np.add.at(means, block, parts.means(of_parts.values) * (parts.areas / self.mesh.areas[block])[:, None])
+        return means
+
     @cached_property
     def vertices(self):
-        numbers = np.diff(self.mesh.offsets)
-        within = np.arange(len(self.mesh.vertices)) - np.repeat(self.mesh.offsets[:-1], numbers)
-        index = pd.MultiIndex.from_arrays([np.repeat(np.arange(len(numbers)), numbers), within], names=("block", "vertex"))
-        return self._positioned(self.mesh.vertices, self._at(BLOCK_VERTEX), index)
+        return self._of_vertices(self.mesh, BLOCK_VERTEX, ("block", "vertex"))
 
     @cached_property
     def points(self):
@@ -119,13 +153,64 @@ class Fields:
 
     @cached_property
     def point_ends(self):
-        index = pd.MultiIndex.from_product([range(len(self.mesh.segments)), (0, 1)], names=("point", "end"))
-        return self._positioned(self.mesh.segments.reshape(-1, 2), self._at(POINT_END), index)
+        return self._of_ends(self.mesh, POINT_END, ("point", "end"))
+
+    @cached_property
+    def parts(self):
+        parts = self.cut.parts
+        centroids = parts.means(parts.vertices)
+        out = {"block": self.cut.block, "area": parts.areas, "x": centroids[:, 0], "y": centroids[:, 1]}
+        units = {"block": "", "area": f"{parts.unit}²", "x": parts.unit, "y": parts.unit}
+        averaged = [Field(field.name, PART, parts.means(field.values), field.columns, field.unit)
+                    for field in self._at(PART_VERTEX)]
+        return self._table(out, units, [*averaged, *self._at(PART)], pd.RangeIndex(parts.num_blocks, name="part"))
+
+    @cached_property
+    def part_vertices(self):
+        return self._of_vertices(self.cut.parts, PART_VERTEX, ("part", "vertex"))
+
+    @cached_property
+    def cracks(self):
+        ends = self.cut.parts.segments
+        out = {name: self.cut.pieces[name].to_numpy() for name in self.cut.pieces}
+        units = dict.fromkeys(out, "")
+        corners = {f"{end}_{axis}": ends[:, i, j] for i, end in enumerate(("start", "end")) for j, axis in enumerate("xy")}
+        units |= dict.fromkeys(corners, self.mesh.unit)
+        return self._table(out | corners, units, self._at(CRACK), pd.RangeIndex(len(ends), name="piece"))
+
+    @cached_property
+    def crack_ends(self):
+        return self._of_ends(self.cut.parts, CRACK_END, ("piece", "end"))
+
+    def crack_path(self, crack=0):
+        """Corners of the line along which a crack has grown, from where it began to its tip, n × 2 [length unit]."""
+        cuts = self.cut.cuts
+        grown = cuts[(cuts["crack"] == crack) & ~cuts["is_provisional"]]
+        starts, ends = grown[["start_x", "start_y"]].to_numpy(), grown[["end_x", "end_y"]].to_numpy()
+        return np.concatenate([starts, ends[-1:]])
 
     def polygons(self, scale=1.0):
-        """Outlines of the deformed blocks, displacements times `scale`: a list of k × 2 arrays [length unit]."""
-        moved = self.mesh.vertices + scale * self.vertices[["displacement_x", "displacement_y"]].to_numpy()
-        return self.mesh.by_block(moved)
+        """Outlines of the deformed blocks, of those that are cut of their parts, displacements times `scale`: a list of
+        k × 2 arrays [length unit]."""
+        blocks = self._moved(self.mesh, self.vertices, scale)
+        is_whole = np.ones(len(blocks), dtype=bool)
+        is_whole[self.cut.block] = False
+        parts = self._moved(self.cut.parts, self.part_vertices, scale) if len(self.cut.block) else []
+        return [block for block, whole in zip(blocks, is_whole) if whole] + parts
+
+    @staticmethod
+    def _moved(mesh, table, scale):
+        return mesh.by_block(mesh.vertices + scale * table[["displacement_x", "displacement_y"]].to_numpy())
+
+    def _of_vertices(self, mesh, place, names):
+        numbers = np.diff(mesh.offsets)
+        within = np.arange(len(mesh.vertices)) - np.repeat(mesh.offsets[:-1], numbers)
+        index = pd.MultiIndex.from_arrays([np.repeat(np.arange(len(numbers)), numbers), within], names=names)
+        return self._positioned(mesh.vertices, self._at(place), index)
+
+    def _of_ends(self, mesh, place, names):
+        index = pd.MultiIndex.from_product([range(len(mesh.segments)), (0, 1)], names=names)
+        return self._positioned(mesh.segments.reshape(-1, 2), self._at(place), index)
 
     def _at(self, place):
         return [field for field in self._stored if field.place == place]
@@ -160,21 +245,52 @@ def read_field(dataset):
     return Field(name, int(dataset.attrs["place"]), values[:, kept], columns, text_of(dataset.attrs.get("unit", "")))
 
 
+def lines_of(group, name):
+    """Ends of segments, m × 2 × 2."""
+    ends = group[name][()] if name in group else np.zeros((0, 3))
+    return ends.reshape(-1, 3)[:, :2].reshape(-1, 2, 2)
+
+
 def read_mesh(file):
     """The mesh of an open fields/mesh.h5."""
     group = file["mesh"]
     vertices = group["vertices"][()][:, :2]
     offsets = group["offsets"][()]
     region = group["region"][()] if "region" in group else np.zeros(len(offsets) - 1, dtype=int)
-    ends = group["segment_ends"][()] if "segment_ends" in group else np.zeros((0, 3))
-    segments = ends.reshape(-1, 3)[:, :2].reshape(-1, 2, 2)
-    return Mesh(vertices, offsets, region, segments, text_of(group["vertices"].attrs.get("unit", "")))
+    return Mesh(vertices, offsets, region, lines_of(group, "segment_ends"), text_of(group["vertices"].attrs.get("unit", "")))
+
+
+def read_cuts(group):
+    """The group /cuts of a step as a table."""
+    columns = {name: group[name][()] if name in group else np.zeros(0, dtype=int)
+               for name in ("crack", "is_provisional", "block", "side", "interface", "stiffness")}
+    ends = group["ends"][()].reshape(-1, 4) if "ends" in group else np.zeros((0, 4))
+    columns |= dict(zip(("start_x", "start_y", "end_x", "end_y"), ends.T))
+    columns |= {"is_provisional": columns["is_provisional"].astype(bool),
+                "length": np.hypot(ends[:, 2] - ends[:, 0], ends[:, 3] - ends[:, 1])}
+    return pd.DataFrame(columns, index=pd.RangeIndex(len(ends), name="cut"))
+
+
+def read_cut_blocks(mesh, file):
+    """What cracks have cut in an open file of a step; empty where there are none."""
+    parts, cracks = file.get("parts", {}), file.get("cracks", {})
+    block = parts["block"][()] if "block" in parts else np.zeros(0, dtype=int)
+    vertices = parts["vertices"][()][:, :2] if "vertices" in parts else np.zeros((0, 2))
+    offsets = parts["offsets"][()] if "offsets" in parts else np.zeros(1, dtype=int)
+    moves = parts["moves"][()].reshape(-1, 2) if "moves" in parts else np.zeros((0, 2), dtype=int)
+    pieces = pd.DataFrame({name: cracks[name][()] if name in cracks else np.zeros(0, dtype=int)
+                           for name in ("crack", "cut", "is_provisional")})
+    pieces["is_provisional"] = pieces["is_provisional"].astype(bool)
+    outlines = Mesh(vertices, offsets, mesh.region[block], lines_of(cracks, "ends"), mesh.unit)
+    cuts = file.get("cuts", {})
+    forces = {name: cuts[name][()].reshape(-1, 3) if name in cuts else np.zeros((0, 3)) for name in ("dead", "reference")}
+    felt = {name: cuts[f"spring_part/{name}"][()] if "spring_part" in cuts else np.zeros(0) for name in ("spring", "cut", "row")}
+    felt = {"spring": felt["spring"].astype(int), "cut": felt["cut"].astype(int), "row": felt["row"].reshape(-1, 3)}
+    return CutBlocks(outlines, block, moves, pieces, read_cuts(cuts), forces, felt)
 
 
 def read_fields(mesh, file):
     """The fields of an open fields/000034.h5, say."""
-    members = [item for name, item in file.items() if name != "segments"]
-    if "segments" in file:
-        members += list(file["segments"].values())
-    return Fields(mesh, {name: value for name, value in file.attrs.items()},
-                  [read_field(dataset) for dataset in members])
+    groups = [file] + [file[name] for name in ("segments", "parts", "cracks") if name in file]
+    members = [item for group in groups for item in group.values() if "place" in item.attrs]
+    return Fields(mesh, dict(file.attrs.items()), [read_field(dataset) for dataset in members], read_cut_blocks(mesh, file))

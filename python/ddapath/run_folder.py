@@ -58,6 +58,8 @@ class Run:
     log        log.jsonl, a list of dictionaries
     steps      numbers of the steps whose fields are stored
     fields(step)   the fields of a stored step, see Fields; the last one if no step is given
+    cracks(step)   the pieces of cracks through blocks at a stored step, a DataFrame: Fields.cracks
+    crack_path(crack, step)   corners of the line along which a crack has grown until then, n × 2
     """
 
     def __init__(self, folder):
@@ -105,6 +107,12 @@ class Run:
             raise NothingStored(f"{self.folder}: the fields of step {step} are not stored; those of {stored} are")
         with opened(self._file(MESH)) as mesh, opened(files[step]) as fields:
             return read_fields(read_mesh(mesh), fields)
+
+    def cracks(self, step=None):
+        return self.fields(step).cracks
+
+    def crack_path(self, crack=0, step=None):
+        return self.fields(step).crack_path(crack)
 
     def _step_files(self):
         """Step → file."""

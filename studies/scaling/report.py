@@ -36,6 +36,8 @@ def table(rows, names):
                              ("memory [MiB]", "memory_mib", "{:.0f}"), ("at least, by `check` [MiB]", "predicted_mib", "{:.0f}")):
         yield f"| {title} | " + " | ".join(form.format(row[key]) for row in rows) + " | |"
     for name in names:
+        if not any(row.get(name, 0) for row in rows):
+            continue
         p = exponent(rows, name)
         yield f"| {name} [s] | " + " | ".join(seconds(row[name]) for row in rows) + f" | {'–' if p is None else f'{p:.2f}'} |"
 
@@ -52,7 +54,7 @@ def draw(by_beam, names, file):
     for panel, (beam, rows) in zip(panels[0], by_beam.items()):
         for name in names:
             heavy = name in LIMITS
-            panel.loglog([row["blocks"] for row in rows], [max(row[name], 1e-6) for row in rows], marker="o", markersize=3,
+            panel.loglog([row["blocks"] for row in rows], [max(row.get(name) or 0, 1e-6) for row in rows], marker="o", markersize=3,
                          linewidth=2.2 if heavy else 1, color="black" if name == "total" else None, label=name)
         panel.set_title(beam)
         panel.set_xlabel("blocks")

@@ -1,6 +1,6 @@
 """How time and memory grow with the number of blocks when one crack grows.
 
-    study.py --program DDA [--quick] [--repeats N] [--report] [--output FOLDER]
+    study.py --program DDA [--quick] [--repeats N] [--only BEAM] [--report] [--output FOLDER]
 
 Writes results/scaling.csv, results/scaling.svg and the marked region of README.md into FOLDER: this folder, or with
 --quick runs/scaling. Runs are one after another; each number is the median of the repeats of the run.
@@ -24,6 +24,7 @@ PHASES = {
     "assembly": ("equilibrium",),
     "factorisation": ("factorisation",),
     "columns": ("columns",),
+    "borders": ("growth",),
     "products": ("products", "solutions"),
     "reduced iterations": ("reduced iterations",),
     "tangents, openings, energies": ("path", "openings", "laws", "energies", "tangents", "stability"),
@@ -65,9 +66,14 @@ def measure(deck, repeats):
     return out | {name: statistics.median(row[name] for row in rows) for name in rows[0]}
 
 
-def run_all(most, repeats, file):
+def run_all(chosen, most, repeats, file):
+    """Rows of beams that were not chosen stay what they were."""
     rows = []
     for name, beam in beams.BEAMS.items():
+        if name not in chosen:
+            kept = [row for row in study.read_rows(file) if row["beam"] == name]
+            rows += [row | {phase: row.get(phase) or 0.0 for phase in PHASES} for row in kept]
+            continue
         for number in beams.NUMBERS[name][:most]:
             print(f"{name}: {number} blocks", file=sys.stderr)
             rows.append({"beam": name} | measure(beam(number), repeats))
@@ -77,11 +83,12 @@ def run_all(most, repeats, file):
 def main():
     parser = study.parser(__doc__)
     parser.add_argument("--repeats", type=int, default=3, help="runs of which the median is kept (default 3)")
+    parser.add_argument("--only", choices=beams.BEAMS, help="run this beam; the others keep their rows of results/scaling.csv")
     parser.add_argument("--report", action="store_true", help="run nothing; figure and README from results/scaling.csv")
     asked = study.arguments(parser, HERE)
     file = asked.output / "results" / "scaling.csv"
     if not asked.report:
-        run_all(2 if asked.quick else None, 1 if asked.quick else asked.repeats, file)
+        run_all([asked.only] if asked.only else list(beams.BEAMS), 2 if asked.quick else None, 1 if asked.quick else asked.repeats, file)
     report.write(asked.output, study.read_rows(file), [*PHASES, "rest", "total", "one reduced iteration", "one step"])
 
 

@@ -2,7 +2,7 @@
 
 #include "continuation/control/control.hpp"
 #include "continuation/detour/increment/load_solver.hpp"
-#include "continuation/linear/direct_solver.hpp"
+#include "continuation/linear/direct/direct_solver.hpp"
 #include "meshing/subdivision/subdivision.hpp"
 #include "models/crack/direction.hpp"
 #include "models/gauge/gauge.hpp"

@@ -24,13 +24,17 @@ from ddapath.verify.model import Model
 TESTS = Path(__file__).resolve().parents[1]
 
 
-class Doctored(unittest.TestCase):
+class Copies(unittest.TestCase):
+    """A run, and for each test a copy of it that may be changed."""
+    deck = "beam.yaml"
+
     @classmethod
     def setUpClass(cls):
         cls.scratch = tempfile.TemporaryDirectory()
         cls.addClassCleanup(cls.scratch.cleanup)
         cls.original = Path(cls.scratch.name) / "run"
-        ddapath.run(TESTS / "program" / "beam.yaml", {"path.stop.load_below": 0.3, "record.fields_every": 4}, folder=cls.original)
+        settings = {"path.stop.load_below": 0.3, "record.fields_every": 4}
+        ddapath.run(TESTS / "program" / cls.deck, settings, folder=cls.original)
 
     def setUp(self):
         self.folder = Path(self.scratch.name) / "copy"
@@ -66,6 +70,8 @@ class Doctored(unittest.TestCase):
         file = self.folder / "summary.json"
         file.write_text(json.dumps(json.loads(file.read_text()) | values))
 
+
+class Doctored(Copies):
     def test_a_true_run_passes(self):
         findings = verify(self.folder)
         self.assertEqual([finding.check for finding in findings if not finding.holds], [])
@@ -151,6 +157,51 @@ class Doctored(unittest.TestCase):
     def test_an_unfinished_run(self):
         (self.folder / "summary.json").unlink()
         self.assertEqual(self.refused(), [])
+
+
+class DoctoredCracks(Copies):
+    """Blocks cut by a crack that turns."""
+    deck = "cracked_beam.yaml"
+
+    def test_a_true_run_passes(self):
+        findings = verify(self.folder)
+        self.assertEqual([finding.check for finding in findings if not finding.holds], [])
+        self.assertEqual([finding.check for finding in findings if not finding.is_made], ["multipliers carry the traction"])
+        self.assertGreater(len(ddapath.read_run(self.folder).cracks()), 6)
+
+    def test_a_part_moved(self):
+        """By a thousandth of how far its crack is open: neither it nor what is joined to it is at rest then."""
+        fields = ddapath.read_run(self.folder).fields()
+
+        def move(values):
+            values[fields.cut.parts.offsets[-2]:, 0] += 1e-3 * fields.cracks["opening_n"].max()
+        self.change_dataset("parts/displacement", move)
+        self.assertIn("block equilibrium", self.refused())
+
+    def test_a_traction_scaled(self):
+        def scale(values):
+            values[np.argmax(np.abs(values[:, 0])), 0] *= 1.01
+        self.change_dataset("cracks/traction", scale)
+        self.assertIn("block equilibrium", self.refused())
+
+    def test_a_traction_beyond_its_strength(self):
+        def exceed(values):
+            values[0] = [3.5, 0, 0]
+        self.change_dataset("cracks/traction", exceed, step=1)
+        self.assertIn("law envelope", self.refused())
+
+    def test_damage_lowered(self):
+        def lower(values):
+            values[0] -= 0.1
+        self.change_dataset("cracks/damage", lower)
+        self.assertIn("damage never falls", self.refused())
+
+    def test_a_cut_forgotten(self):
+        """The part beyond it hangs on nothing then."""
+        def shift(values):
+            values[0] = values[1]
+        self.change_dataset("parts/moves", shift)
+        self.assertIn("block equilibrium", self.refused())
 
 
 class Command(unittest.TestCase):

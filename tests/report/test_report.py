@@ -2,6 +2,7 @@
 
 import csv
 import json
+import os
 import shutil
 import subprocess
 import sys
@@ -16,6 +17,7 @@ from browser import Browser
 ROOT = Path(__file__).resolve().parents[2]
 BEAM = ROOT / "tests/program/beam.yaml"
 BAR = ROOT / "studies/softening-bar/deck.yaml"
+CRACKED = ROOT / "tests/program/cracked_beam.yaml"
 ATTACK = "</script><script>window.stolen = 1</script><img src=x onerror=window.stolen=1>"
 PROGRAM, AXES = "dda", "axes"
 
@@ -25,6 +27,15 @@ def dda(*arguments, code=0):
     if result.returncode != code:
         raise AssertionError(f"dda {arguments}: {result.returncode} instead of {code}\n{result.stderr}")
     return result.stdout + result.stderr
+
+
+def parts_of_last_step(folder, scale):
+    """Outlines of whole blocks and parts as ddapath reads them: x, y, x, y, ... of each."""
+    script = "import json, sys, ddapath; print(json.dumps([outline.ravel().tolist() for outline in " \
+             "ddapath.read_run(sys.argv[1]).fields().polygons(float(sys.argv[2]))]))"
+    said = subprocess.run(["/usr/bin/python3", "-c", script, str(folder), str(scale)], capture_output=True, text=True, check=True,
+                          env={**os.environ, "PYTHONPATH": str(ROOT / "python")})
+    return json.loads(said.stdout)
 
 
 class Reports(unittest.TestCase):
@@ -113,6 +124,32 @@ class Reports(unittest.TestCase):
             self.choose(page, "deformed", label, value)
             pictures.add(self.pixels(page, "deformed"))
         self.assertEqual(len(pictures), 5)
+        self.check(page)
+
+    def test_cracks_through_blocks(self):
+        """Path, length and cuts are told; cut blocks are drawn in the parts that the fields have."""
+        folder = self.work / "cracked"
+        dda("run", CRACKED, "--folder", folder, "--quiet")
+        crack = json.loads((folder / "summary.json").read_text())["cracks"][0]
+        page = self.open(folder)
+        told = self.text(page, "#cracks")
+        for text in (f"{crack['length']:.4g}", crack["ended"], f"{len(crack['cuts'])} cuts", "through it", "along a side"):
+            self.assertIn(text, told)
+        rows = page.run("[...document.querySelectorAll('#cracks details tbody tr')].map((row) => row.innerText)")
+        self.assertEqual(len(rows), len(crack["cuts"]))
+        for row, cut in zip(rows, crack["cuts"]):
+            self.assertIn(str(cut["step"]), row.split("\t"))
+        outlines = page.run("""(() => { const {blocks} = thePage.figures.deformed;
+            return blocks.movedOutlines(blocks.steps.length - 1, 100, (places) => places).map(({outline}) => [...outline]); })()""")
+        wanted = parts_of_last_step(folder, 100)
+        self.assertEqual([len(outline) for outline in outlines], [len(outline) for outline in wanted])
+        for outline, expected in zip(outlines, wanted):
+            for value, place in zip(outline, expected):
+                self.assertAlmostEqual(value, place, delta=0.05)  # of 300, displacements are on 16 bits and magnified
+        drawn = self.pixels(page, "crack-paths")
+        page.run("[...document.querySelectorAll('#crack-paths button')].find((one) => one.textContent === '+').click()")
+        page.drawn()
+        self.assertNotEqual(self.pixels(page, "crack-paths"), drawn)
         self.check(page)
 
     def place_of_row(self, page, row):

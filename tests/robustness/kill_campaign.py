@@ -3,7 +3,7 @@
 
     kill_campaign.py PROGRAM --kills 200 [--seed 1] [--only release] [--folder DIR]
 
-Four decks (a softening beam, unloading legs, release at once, plates with friction) and a sweep. Compared are the bytes of
+Five decks (a softening beam, unloading legs, release at once, plates with friction, a crack through blocks) and a sweep. Compared are the bytes of
 curve.csv, every dataset of fields/ but the provenance, and what summary.json says but its efforts and times. Exit code 1 when
 one differs or cannot be resumed.
 """
@@ -41,6 +41,7 @@ def decks(folder):
             "legs": ("run", program / "legs.yaml", ["scene.subdivision.blocks=1200", *OFTEN]),
             "release": ("run", studies / "reinforced-beam" / "release.yaml", ["path.stop.gauges.deflection=0.04", *OFTEN]),
             "plates": ("run", plates, OFTEN),
+            "cracks": ("run", program / "cracked_beam.yaml", ["scene.subdivision.blocks=1200", *OFTEN]),
             "sweep": ("sweep", program / "beam.yaml",
                       ["scene.subdivision.blocks=500", "sweep={thickness: [50, 100, 150, 200]}", *OFTEN])}
 

@@ -46,9 +46,11 @@ class Quick(unittest.TestCase):
             subprocess.run(["/usr/bin/python3", "-B", STUDY / "study.py", "--program", PROGRAM, "--quick", "--output",
                             output], check=True, capture_output=True)
             found = study.read_rows(output / "results" / "scaling.csv")
-            self.assertEqual([row["beam"] for row in found], ["triangles", "triangles", "voronoi", "voronoi"])
+            self.assertEqual([row["beam"] for row in found], ["triangles", "triangles", "voronoi", "voronoi", "through blocks", "through blocks"])
             for row in found:
-                self.assertEqual(row["factorisations"], 1)
+                if row["beam"] != "through blocks":  # whose segments may be aimed anew after they were factorised
+                    self.assertEqual(row["factorisations"], 1)
+                self.assertLess(row["factorisations"], 5, row)
                 self.assertLess(row["predicted_mib"], row["memory_mib"], row)
             self.assertIn("| reduced iterations [s] |", (output / "README.md").read_text(encoding="utf-8"))
             self.assertTrue((output / "results" / "scaling.svg").exists())

@@ -5,7 +5,7 @@
 #include <span>
 #include <stdexcept>
 
-#include "framework/deck/node.hpp"
+#include "framework/deck/document/node.hpp"
 #include "models/interface/law.hpp"
 #include "models/interface/scaled_law.hpp"
 #include "support/sample.hpp"

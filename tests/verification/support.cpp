@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "continuation/linear/direct_solver.hpp"
+#include "continuation/linear/direct/direct_solver.hpp"
 #include "studies/dda/case/simulation.hpp"
 
 namespace dda::verification {

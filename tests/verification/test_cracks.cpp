@@ -5,13 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "studies/dda/case/simulation.hpp"
 
 namespace dda::verification {
 namespace {
 
-std::string beam(const std::string& subdivision, double fracture_energy) {
+std::string beam(const std::string& subdivision, double fracture_energy, double askew = 0,
+                 const std::string& path = "") {
   return fmt::format(
       "scene:\n  regions:\n    - {{name: beam, material: concrete, vertices: [[0, 0], [300, 0], [300, 100], "
       "[0, "
@@ -22,11 +24,11 @@ std::string beam(const std::string& subdivision, double fracture_energy) {
       "interfaces: {{joints: {{between: [concrete, concrete], law: {{type: linear_softening, "
       "tensile_strength: 3, "
       "fracture_energy: {}}}}}}}\n"
-      "cracks: [{{through_blocks: [beam], begin: [{{at: [150, 0], direction: [0, 1]}}]}}]\n"
+      "cracks: [{{through_blocks: [beam], begin: [{{at: [150, 0], direction: [{}, 1]}}]}}]\n"
       "supports: {{left: {{at: [0, 0], fix: xy}}, right: {{at: [300, 0], fix: y}}}}\n"
       "stages: [{{loads: [{{type: point_load, over: [[145, 100], [155, 100]], force: [0, -1]}}]}}]\n"
-      "path: {{stop: {{load_below: 0.3}}}}\n",
-      subdivision, fracture_energy);
+      "path: {{stop: {{load_below: 0.3}}{}}}\n",
+      subdivision, fracture_energy, askew, path);
 }
 
 /// What a path has come to.
@@ -36,6 +38,9 @@ struct Followed {
   double largest_jump = 0;     ///< of the load where a crack grows, in parts of the peak
   double work_over_spent = 0;  ///< what was put in and is not stored, over the dissipated energy
   double tip = 0;              ///< height that the crack has reached
+  double spent = 0;
+  int steps = 0;
+  std::size_t factorisations = 0;
 };
 
 Followed follow(const std::string& text) {
@@ -58,6 +63,9 @@ Followed follow(const std::string& text) {
   out.largest_jump /= out.peak;
   out.work_over_spent = (here.work - here.stored) / here.dissipated;
   out.tip = simulation.cracks()->tip(0).y();
+  out.spent = here.dissipated;
+  out.factorisations = simulation.system().linear().num_factorisations();
+  out.steps = simulation.walker().effort().accepted;
   return out;
 }
 
@@ -89,6 +97,32 @@ TEST(CracksThroughBlocks, ConvergeToTheLoadOfAStraightCrack) {
   EXPECT_EQ(found.ending, Ending::Kind::goal_reached);
   EXPECT_NEAR(found.peak, 11676.0, fine * 11676.0);
   EXPECT_NEAR(found.work_over_spent, 1, 1e-3);
+  constexpr int of_straight_steps = 190;  // the path keeps its pace where the crack grows
+  EXPECT_LT(found.steps, of_straight_steps);
+}
+
+/// A segment that is aimed better reaches its strength earlier: the path goes back, and falls nowhere.
+TEST(CracksThroughBlocks, AreAimedWithoutAJump) {
+  constexpr double jump = 2e-3, coarse = 0.022;
+  for (const double degrees : {-10, -6, 6, 10}) {
+    const Followed found = follow(
+        beam("{type: voronoi, blocks: 320, seed: 1}", 0.1, std::tan(degrees * std::numbers::pi / 180)));
+    EXPECT_EQ(found.ending, Ending::Kind::goal_reached) << degrees;
+    EXPECT_LT(found.largest_jump, jump) << degrees;
+    EXPECT_NEAR(found.peak, 11676.0, coarse * 11676.0) << degrees;
+    EXPECT_NEAR(found.work_over_spent, 1, 1e-3) << degrees;
+  }
+}
+
+/// Jumps as a border of the base, and every tangent factorised anew.
+TEST(CracksThroughBlocks, FollowTheSamePathByUpdatesAndByFactorisations) {
+  const char* pattern = "{type: voronoi, blocks: 320, seed: 2}";
+  const Followed updated = follow(beam(pattern, 0.1, 0.1)),
+                 factorised = follow(beam(pattern, 0.1, 0.1, ", update: refactorise"));
+  EXPECT_EQ(updated.ending, factorised.ending);
+  EXPECT_NEAR(updated.tip, factorised.tip, 1e-6 * factorised.tip);
+  EXPECT_NEAR(updated.spent, factorised.spent, 1e-6 * factorised.spent);
+  EXPECT_GT(factorised.factorisations, 10 * updated.factorisations);
 }
 
 /// The same beam; its crack begins by itself.

@@ -6,8 +6,8 @@
 #include <array>
 
 #include "continuation/linear/linear_system.hpp"
-#include "continuation/solve/eigenmodes.hpp"
-#include "continuation/solve/krylov_schur.hpp"
+#include "continuation/stability/eigenmodes.hpp"
+#include "continuation/stability/krylov_schur.hpp"
 #include "continuation/stability/stiffness_modes.hpp"
 #include "models/body/mass.hpp"
 #include "models/stiffness_parts.hpp"
@@ -77,7 +77,7 @@ Eigenmodes modes_of(const Structure& structure, int count, bool with_mass, bool 
                        .mass = unit_mass(structure.body),
                        .count = count,
                        .num_negative = linear.negative_eigenvalues().of_stiffness};
-  if (!with_mass) problem.mass.assign(structure.equilibrium.num_nodes(), Mat6::Identity());
+  if (!with_mass) problem.mass = Mass::identity(structure.equilibrium.num_nodes());
   return lowest_eigenmodes(problem);
 }
 
@@ -310,24 +310,20 @@ stages: [{loads: [{type: point_load, at: [200, 100], force: [0, -1]}]}]
   const auto negative = linear.negative_eigenvalues().of_stiffness;
   ASSERT_TRUE(negative && *negative > 0);
   for (const bool with_mass : {true, false}) {
-    EigenProblem problem{.solve = [&](auto b, auto x) { linear.solve(b, x); },
-                         .shifted = {},
-                         .mass = with_mass ? unit_mass(structure.body)
-                                           : std::vector<Mat6>(equilibrium.num_nodes(), Mat6::Identity()),
-                         .count = 6,
-                         .num_negative = negative};
+    EigenProblem problem{
+        .solve = [&](auto b, auto x) { linear.solve(b, x); },
+        .shifted = {},
+        .mass = with_mass ? unit_mass(structure.body) : Mass::identity(equilibrium.num_nodes()),
+        .count = 6,
+        .num_negative = negative};
     const Eigen::MatrixXd k = dense(linear.matrix_with(tangents));
-    Eigen::MatrixXd m = Eigen::MatrixXd::Zero(k.rows(), k.rows());
-    for (std::size_t b = 0; b < problem.mass.size(); ++b)
-      m.block<6, 6>(6 * static_cast<Eigen::Index>(b), 6 * static_cast<Eigen::Index>(b)) = problem.mass[b];
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> all(k, m);
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> all(k, problem.mass.dense());
     EXPECT_EQ((all.eigenvalues().array() < 0).count(), *negative);
     const std::unique_ptr<DirectSolver> whole = direct_solvers().choose("cholmod").make();
     int shifts = 0;
     problem.shifted = [&](double shift) -> InverseOperator {
       BlockMatrix matrix = linear.matrix_with(tangents);
-      for (std::size_t b = 0; b < problem.mass.size(); ++b)
-        matrix.add(BlockId{b}, BlockId{b}, shift * problem.mass[b]);
+      problem.mass.add_to(matrix, shift);
       ++shifts;
       if (!whole->factor(matrix) || whole->num_negative_pivots() != 0) return {};
       return [&](auto b, auto x) {

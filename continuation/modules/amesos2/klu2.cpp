@@ -2,7 +2,7 @@
 #include <Tpetra_CrsMatrix.hpp>
 #include <algorithm>
 
-#include "continuation/linear/direct_solver.hpp"
+#include "continuation/linear/direct/direct_solver.hpp"
 #include "continuation/modules/mpi_start.hpp"
 #include "continuation/modules/trilinos_session.hpp"
 
@@ -90,7 +90,7 @@ class Klu2 final : public DirectSolver {
 }  // namespace
 }  // namespace dda
 
-/// What continuation/linear/amesos2.cpp loads; the caller owns it.
+/// What continuation/linear/direct/amesos2.cpp loads; the caller owns it.
 extern "C" dda::DirectSolver* dda_klu2() {
   static const dda::TrilinosSession session;
   return new dda::Klu2;

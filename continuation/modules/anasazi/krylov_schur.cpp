@@ -42,12 +42,11 @@ class ColumnOperator : public Operator {
   Teuchos::RCP<const Map> map_;
 };
 
-class Mass final : public ColumnOperator {
+class MassOperator final : public ColumnOperator {
  public:
   using ColumnOperator::ColumnOperator;
   void multiply(std::span<const double> x, std::span<double> y) const override {
-    for (std::size_t b = 0; b < problem_.mass.size(); ++b)
-      Eigen::Map<Vec6>(y.data() + 6 * b) = problem_.mass[b] * Eigen::Map<const Vec6>(x.data() + 6 * b);
+    problem_.mass.multiply(x, y);
   }
 };
 
@@ -63,7 +62,7 @@ class ShiftInvert final : public ColumnOperator {
   }
 
  private:
-  Mass mass_;
+  MassOperator mass_;
   const InverseOperator& solve_;
 };
 
@@ -84,8 +83,9 @@ Eigenmodes anasazi_krylov_schur(const EigenProblem& problem, const Search& searc
   constexpr int block_size = 3;
   const auto map = Teuchos::rcp(new Map(problem.n(), 0, all_ranks()));
   using Problem = Anasazi::BasicEigenproblem<double, MultiVector, Operator>;
-  const auto eigen = Teuchos::rcp(new Problem(Teuchos::rcp(new ShiftInvert(map, problem, search.solve)),
-                                              Teuchos::rcp(new Mass(map, problem)), start(map, block_size)));
+  const auto eigen =
+      Teuchos::rcp(new Problem(Teuchos::rcp(new ShiftInvert(map, problem, search.solve)),
+                               Teuchos::rcp(new MassOperator(map, problem)), start(map, block_size)));
   eigen->setHermitian(true);
   eigen->setNEV(count);
   if (!eigen->setProblem()) throw std::runtime_error("Anasazi refuses the eigenvalue problem");

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "continuation/solve/krylov_schur.hpp"
+#include "continuation/stability/krylov_schur.hpp"
 
 namespace dda {
 

@@ -3,7 +3,7 @@
 
 #include "continuation/modules/mpi_start.hpp"
 
-/// What continuation/linear/mumps_matrix.cpp loads: MUMPS on this process alone, with MPI, which it asks for
+/// What continuation/linear/direct/mumps_matrix.cpp loads: MUMPS on this process alone, with MPI, which it asks for
 /// its ranks.
 extern "C" void dda_mumps(DMUMPS_STRUC_C* instance) {
   dda::start_mpi();

@@ -1,7 +1,7 @@
 #include "continuation/modules/anasazi/krylov_schur.hpp"
 #include "continuation/modules/tpetra/block_vector.hpp"
 #include "continuation/modules/trilinos_session.hpp"
-#include "continuation/solve/krylov_schur.hpp"
+#include "continuation/stability/krylov_schur.hpp"
 
 namespace {
 
@@ -15,7 +15,7 @@ extern "C" dda::LocalVector* dda_block_vector(std::size_t size) {
   return new dda::BlockVector(Teuchos::rcp(new dda::TpetraMap(size, 0, dda::all_ranks())));
 }
 
-/// What continuation/solve/krylov_schur.cpp loads.
+/// What continuation/stability/krylov_schur.cpp loads.
 extern "C" void dda_krylov_schur(const dda::EigenProblem& problem, const dda::Search& search,
                                  dda::Eigenmodes& found) {
   begin_session();

@@ -27,8 +27,8 @@ def worst_point(step, values, what):
 
 
 def residuals(step):
-    """(residual force of every block, sum of the forces on it); nan where a traction is not stored."""
-    size = np.sqrt(step.model.mesh.areas)
+    """(residual force of every block and jump, sum of the forces on it); nan where a traction is not stored."""
+    size = np.concatenate([np.sqrt(step.model.mesh.areas), np.ones(len(step.model.jumps))])
     unit = np.stack([np.ones_like(size), np.ones_like(size), size, size, size, size], -1)
     residual, scale = np.zeros((len(size), 6)), np.zeros(len(size))
     for blocks, forces in step.parts():
@@ -38,6 +38,8 @@ def residuals(step):
     for side in (0, 1):  # tractions of bonds are worked out from displacements
         of_bonds = np.where(step.model.points.active, 0, step.model.points.weight * step.noise)
         np.add.at(noise, step.model.points.blocks[:, side], of_bonds)
+    point, node, _ = step.model.points.jumps
+    np.add.at(noise, node, np.where(step.model.points.active, 0, step.model.points.weight * step.noise)[point])
     np.add.at(noise, step.model.springs["block"], step.spring_noise)
     return np.maximum(np.abs(residual / unit).max(axis=1) - noise, 0), scale
 
@@ -57,10 +59,18 @@ def equilibrium(steps):
         bad = np.zeros(len(error), dtype=bool)
         bad[step.model.points.blocks[~known].ravel()] = True
         unknown, error = int(bad.sum()), np.where(bad, 0, error)
-        block = int(np.argmax(np.where(np.isnan(error), np.inf, error)))
+        node = int(np.argmax(np.where(np.isnan(error), np.inf, error)))
         note = f" ({unknown} blocks have bonds by multipliers, which are not stored)" if unknown else ""
-        found.append((error[block], at(step, step.model.centroids[block], f"block {block}") + note))
+        found.append((error[node], at(step, *place_of(step, node)) + note))
     return worst_of("block equilibrium", found, EQUILIBRIUM)
+
+
+def place_of(step, node):
+    """Where a node is, and what."""
+    beyond = node - step.model.mesh.num_blocks
+    if beyond < 0:
+        return step.model.centroids[node], f"block {node}"
+    return step.model.jumps.middle[beyond], f"the part beyond the cut through block {step.model.jumps.block[beyond]}"
 
 
 def per_interface(steps, value):
@@ -107,10 +117,22 @@ def multipliers_settled(steps):
     return worst_of(name, found, MULTIPLIERS)
 
 
+def damage_before(before, now):
+    """Damage of the points of a step one step before; what was not there had none."""
+    def keys(step):
+        points = step.model.points
+        rows = np.column_stack([points.place, points.normal, points.blocks])
+        return [tuple(row) for row in rows]
+    if before.model is now.model:
+        return before.damage
+    known = dict(zip(keys(before), before.damage))
+    return np.array([known.get(key, 0.0) for key in keys(now)])
+
+
 def damage_grows(steps):
     found = []
     for before, now in zip(steps, steps[1:]):
-        fall = before.damage - now.damage
+        fall = damage_before(before, now) - now.damage
         found.append(worst_point(now, fall, "damage") if len(fall) else (0.0, "everywhere"))
     return worst_of("damage never falls", found, DAMAGE)
 
@@ -127,10 +149,11 @@ def reactions_carry(steps):
     """Loads and reactions sum up to nothing; what is left hangs in the weak springs."""
     found, largest = [], 0.0
     for step in steps:
-        springs = step.model.springs
-        held = springs["row"] * step.spring_forces[springs["spring"], None]
-        loads, every = step.model.forces(step.load_factor), np.arange(step.model.mesh.num_blocks)
-        rest = resultant(step, springs["block"], held) + resultant(step, every, loads)
+        springs, every = step.model.springs, np.arange(step.model.mesh.num_blocks)
+        of_blocks = springs["block"] < len(every)
+        held = (springs["row"] * step.spring_forces[springs["spring"], None])[of_blocks]
+        loads = step.model.forces(step.load_factor)[:len(every)]
+        rest = resultant(step, springs["block"][of_blocks], held) + resultant(step, every, loads)
         largest = max(largest, np.abs(held[:, :2]).sum() + np.abs(loads[:, :2]).sum())
         found.append((max(np.abs(rest).max() - step.spring_noise.sum(), 0.0), f"step {step.number}"))
     found = [(float(over(np.array(rest), largest)), place) for rest, place in found]
@@ -141,15 +164,15 @@ def displacements(steps):
     found = []
     for step in steps:
         moved = np.hypot(step.d[:, 0], step.d[:, 1]) / step.model.size
-        block = int(np.argmax(np.where(np.isnan(moved), np.inf, moved)))
-        found.append((moved[block], at(step, step.model.centroids[block], f"block {block}")))
+        node = int(np.argmax(np.where(np.isnan(moved), np.inf, moved)))
+        found.append((moved[node], at(step, *place_of(step, node))))
     return worst_of("displacements within the structure's size", found, DISPLACEMENT)
 
 
 def stored_energy(step):
     """Of blocks, joints and supports; loads and what drives the structure have none."""
     model, points = step.model, step.model.points
-    total = 0.5 * (model.volumes * np.einsum("bi,bi->b", step.d[:, 3:], step.stress)).sum()
+    total = 0.5 * (model.volumes * np.einsum("bi,bi->b", step.strain, step.stress)).sum()
     springs = model.springs
     held = (springs["dead"] == 0) & (springs["reference"] == 0)
     total += 0.5 * (step.spring_forces[held]**2 / springs["stiffness"][held]).sum()

@@ -1,7 +1,9 @@
 """What a run's equilibrium is checked with: blocks, points, loads and springs, from fields/mesh.h5 and the deck alone.
 
 Per block d = (u0, v0, r0, εx, εy, γxy) about the centroid, u(x) = T(x) d; per point a trial opening q in (n, s).
+Nodes are the blocks and, where cracks cut them, behind these the jumps of cuts.py.
 """
+import copy
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -9,7 +11,7 @@ import numpy as np
 
 from ..errors import NothingStored
 from ..fields import read_mesh, text_of
-from . import laws
+from . import cuts, laws
 
 GAUSS = 0.5 / np.sqrt(3.0)
 RULES = {"gauss": (0.5 - GAUSS, 0.5 + GAUSS), "vertices": (0.0, 1.0), "midpoint": (0.5,)}
@@ -97,19 +99,37 @@ class Tables:
 
 
 class Model:
-    """Geometry, stiffness, points, loads and springs of a run."""
+    """Geometry, stiffness, points, loads and springs of a run; `jumps` is empty as long as no block is cut."""
 
     def __init__(self, file, deck):
         if "model" not in file:
             raise NothingStored(f"{file.filename}: has no /model; this run was written by a version before `dda verify`")
-        if deck.get("cracks"):
-            raise NothingStored(f"{file.filename}: what cracks cut blocks into is not stored")
         self.deck, self.mesh, self.thickness = deck, read_mesh(file), deck["thickness"]
         tables = Tables(file["model"])
         self._set_blocks(tables)
         self._set_sides(tables)
         self._set_loads(tables)
         self._set_springs(tables)
+
+    def at(self, fields):
+        """With the blocks as cracks have cut them at a step."""
+        return self._cut(fields.cut) if len(fields.cut.cuts) else self
+
+    def _cut(self, cut):
+        out = copy.copy(self)
+        out.jumps = cuts.Jumps(self, cut)
+        out.sides = cuts.pieces_of_sides(self, cut)
+        out.points = Points(out)
+        nodes = list(out.jumps.node_of_cut)
+        out.loads = {part: np.concatenate([force, np.pad(cut.forces[part][nodes], ((0, 0), (0, 3)))])
+                     for part, force in self.loads.items()}
+        felt = cut.spring_parts
+        node = np.array([out.jumps.node_of_cut[number] for number in felt["cut"]], dtype=int)
+        out.springs = self.springs | {
+            "spring": np.concatenate([self.springs["spring"], felt["spring"]]),
+            "block": np.concatenate([self.springs["block"], node]),
+            "row": np.concatenate([self.springs["row"], np.pad(felt["row"], ((0, 0), (0, 3)))])}
+        return out
 
     def _set_blocks(self, tables):
         materials = [self.deck["materials"][name] for name in tables["region_materials"]]
@@ -128,6 +148,9 @@ class Model:
         self.interfaces = [interface_of(name, self.deck) for name in tables["interface_names"]] + [BOND]
         self.sides = {"blocks": tables.rows("side/blocks", 2).astype(int), "ends": tables.rows("side/ends", 4),
                       "stiffness": tables["side/stiffness"], "interface": tables["side/interface"].astype(int)}
+        ends = self.sides["ends"]
+        self.sides |= {"edge": ends[:, 2:] - ends[:, :2], "is_through": np.zeros(len(ends), dtype=bool)}
+        self.jumps = ()
         self.points = Points(self)
 
     def _set_loads(self, tables):
@@ -149,7 +172,7 @@ class Model:
         return float(np.hypot(*np.ptp(self.mesh.vertices, axis=0)))
 
     def forces(self, load_factor):
-        """External forces on d without those of springs and initial stress, blocks × 6."""
+        """External forces on d without those of springs and initial stress, nodes × 6."""
         return self.loads["dead"] + load_factor * self.loads["reference"]
 
     def initial_stress(self, load_factor):
@@ -157,7 +180,11 @@ class Model:
 
 
 class Points:
-    """All points of all sides, side after side; the active ones are those whose tractions are stored, in that order."""
+    """All points of all sides, side after side; the active ones are those whose tractions are stored, in that order.
+
+    Of a cut through a block both sides are the block, whose own motion does not open it: `jumps` are (point, node, rows) of
+    the jumps by which either face moves beside its block.
+    """
 
     def __init__(self, model):
         sides = model.sides
@@ -167,15 +194,17 @@ class Points:
         self.interface = sides["interface"][self.side]
         share = np.concatenate([rules[i] for i in sides["interface"]]) if len(counts) else np.zeros(0)
         start, end = sides["ends"][self.side, :2], sides["ends"][self.side, 2:]
-        edge = end - start
-        length = np.hypot(edge[:, 0], edge[:, 1])
-        self.place = start + share[:, None] * edge
-        self.normal = np.stack([edge[:, 1], -edge[:, 0]], -1) / length[:, None]
+        length = np.hypot(*(end - start).T)
+        self.place = start + share[:, None] * (end - start)
+        edge = sides["edge"][self.side]
+        self.normal = np.stack([edge[:, 1], -edge[:, 0]], -1) / np.hypot(edge[:, 0], edge[:, 1])[:, None]
         self.tangent = np.stack([-self.normal[:, 1], self.normal[:, 0]], -1)
         self.weight = length * model.thickness / counts[self.side]
         self.blocks = sides["blocks"][self.side]
+        self.is_through = sides["is_through"][self.side]
         self._set_laws(model)
         self._set_rows(model)
+        self._set_jumps(model)
 
     def _set_laws(self, model):
         of = [model.interfaces[i] for i in range(len(model.interfaces))]
@@ -186,7 +215,8 @@ class Points:
         self.kind = np.array([interface.treatment for interface in of])[self.interface]
         first, second = model.moduli[self.blocks].T
         apart = model.centroids[self.blocks[:, 1]] - model.centroids[self.blocks[:, 0]]
-        self.spring_unit = 2 * first * second / (first + second) / np.hypot(apart[:, 0], apart[:, 1])
+        distance = np.where(self.is_through, np.sqrt(model.mesh.areas[self.blocks[:, 0]]), np.hypot(apart[:, 0], apart[:, 1]))
+        self.spring_unit = 2 * first * second / (first + second) / distance
         self.perturbation = np.array([interface.perturbation for interface in of])[self.interface]
 
     def _set_rows(self, model):
@@ -197,8 +227,27 @@ class Points:
                              np.stack([s[:, 0] * n[:, 0], s[:, 1] * n[:, 1], s[:, 0] * n[:, 1] + s[:, 1] * n[:, 0]], -1)], 1)
         trace = trace_constants(model.mesh, model.stiffness)[self.blocks]
         shares = np.where((self.kind == "consistent")[:, None], trace[:, ::-1] / trace.sum(axis=1, keepdims=True), 0.0)
+        shares[self.is_through] = 1, 0
         self.jump_rows, self.stress_rows = [], []
         for side, sign in ((0, -1.0), (1, 1.0)):
             offset = self.place - model.centroids[self.blocks[:, side]]
-            self.jump_rows.append(sign * frame @ displacement_rows(offset[:, 0], offset[:, 1]))
+            rows = sign * frame @ displacement_rows(offset[:, 0], offset[:, 1])
+            self.jump_rows.append(np.where(self.is_through[:, None, None], 0, rows))
             self.stress_rows.append(shares[:, side, None, None] * traction)
+
+    def _set_jumps(self, model):
+        jumps, point, node, rows = model.jumps, [], [], []
+        own = model.mesh.num_blocks - 1 + np.cumsum(model.sides["is_through"])[self.side]
+
+        def add(p, of, sign):
+            point.append(p)
+            node.append(of)
+            rows.append(sign * np.stack([self.normal[p], self.tangent[p]]) @ jumps.rows(of, self.place[p]))
+        for p in np.flatnonzero(np.isin(self.blocks, list(jumps.parts_of)).any(axis=1)) if jumps else []:
+            if self.is_through[p]:
+                add(p, own[p], 1.0)
+                continue
+            for side, sign in ((0, -1.0), (1, 1.0)):
+                for of in jumps.at(self.blocks[p, side], self.place[p]):
+                    add(p, of, sign)
+        self.jumps = np.array(point, dtype=int), np.array(node, dtype=int), np.array(rows).reshape(-1, 2, 6)

@@ -9,27 +9,50 @@ from .model import displacement_rows
 ROUND_OFF = 64 * np.finfo(float).eps
 
 
+DISPLACEMENT, STRAIN = ["displacement_x", "displacement_y"], ["strain_xx", "strain_yy", "strain_2xy"]
+
+
+def stretched(strain, x, y):
+    """What strains alone make of places (x, y)."""
+    return np.stack([strain[:, 0] * x + strain[:, 2] * y / 2, strain[:, 1] * y + strain[:, 2] * x / 2], -1)
+
+
+def motions(mesh, moved, strain, about):
+    """d of every polygon about the points given, from the displacement of its vertices and its strain."""
+    centre, centroids = mesh.means(moved), mesh.means(mesh.vertices)
+    of = np.repeat(np.arange(mesh.num_blocks), np.diff(mesh.offsets))
+    x, y = (mesh.vertices - centroids[of]).T
+    turned = moved - centre[of] - stretched(strain[of], x, y)
+    lever = np.add.reduceat(x * turned[:, 1] - y * turned[:, 0], mesh.offsets[:-1])
+    turn = lever / np.add.reduceat(x**2 + y**2, mesh.offsets[:-1])
+    x, y = (about - centroids).T
+    centre = centre + stretched(strain, x, y) + np.stack([-turn * y, turn * x], -1)
+    return np.column_stack([centre, turn, strain])
+
+
 def unknowns(model, fields):
-    """d of every block, from the displacement of its vertices and its strain."""
-    moved = fields.vertices[["displacement_x", "displacement_y"]].to_numpy()
-    strain = fields.blocks[["strain_xx", "strain_yy", "strain_2xy"]].to_numpy()
-    centre = model.mesh.means(moved)
-    of = np.repeat(np.arange(model.mesh.num_blocks), np.diff(model.mesh.offsets))
-    x, y = (model.mesh.vertices - model.centroids[of]).T
-    e = strain[of]
-    turned = moved - centre[of] - np.stack([e[:, 0] * x + e[:, 2] * y / 2, e[:, 1] * y + e[:, 2] * x / 2], -1)
-    lever = np.add.reduceat(x * turned[:, 1] - y * turned[:, 0], model.mesh.offsets[:-1])
-    return np.column_stack([centre, lever / np.add.reduceat(x**2 + y**2, model.mesh.offsets[:-1]), strain])
+    """d of every block, of one that is cut by the part that moves with it, and e of every jump."""
+    strain = fields.blocks[STRAIN].to_numpy()
+    out = motions(model.mesh, fields.vertices[DISPLACEMENT].to_numpy(), strain, model.centroids)
+    if not len(fields.cut.block):
+        return np.concatenate([out, np.zeros((len(model.jumps), 6))])
+    block = fields.cut.block
+    of_parts = motions(fields.cut.parts, fields.part_vertices[DISPLACEMENT].to_numpy(), strain[block], model.centroids[block])
+    for b, parts in model.jumps.parts_of.items():
+        out[b] = of_parts[parts[0]]
+    return np.concatenate([out, model.jumps.unknowns(of_parts, model.centroids)])
 
 
 class Step:
     """Everything about a stored step that does not need another one. `releasing`: it is between two equilibria."""
 
     def __init__(self, model, fields, releasing=False):
-        self.model, self.fields, self.releasing = model, fields, releasing
+        self.model, self.fields, self.releasing = model.at(fields), fields, releasing
+        model = self.model
         self.number, self.load_factor = fields.step, fields.load_factor
         self.d = unknowns(model, fields)
-        self.stress = np.einsum("bij,bj->bi", model.stiffness, self.d[:, 3:]) + model.initial_stress(self.load_factor)
+        self.strain = self.d[:model.mesh.num_blocks, 3:]
+        self.stress = np.einsum("bij,bj->bi", model.stiffness, self.strain) + model.initial_stress(self.load_factor)
         self._set_openings()
         self._set_tractions()
 
@@ -40,6 +63,8 @@ class Step:
     def _set_openings(self):
         points = self.model.points
         self.jump = self._of_blocks(points.jump_rows, self.d)
+        point, node, rows = points.jumps
+        np.add.at(self.jump, point, np.einsum("pij,pj->pi", rows, self.d[node]))
         self.mean = self._of_blocks(points.stress_rows, self.stress)
         self.trial = self.jump + self.mean / points.trial
 
@@ -49,11 +74,10 @@ class Step:
         self.traction = np.zeros_like(self.trial)
         self.damage, self.factor = np.zeros(len(self.trial)), np.ones(len(self.trial))
         if points.active.any():
-            table = self.fields.points
-            self.traction[points.active] = table[["traction_n", "traction_s"]].to_numpy()
-            self.damage[points.active] = table["damage"]
-            if "strength_factor" in table:
-                self.factor[points.active] = table["strength_factor"]
+            self.traction[points.active] = self._stored("traction_n", "traction_s")
+            self.damage[points.active] = self._stored("damage")[:, 0]
+            if any("strength_factor" in table for table in (self.fields.points, self.fields.cracks)):
+                self.factor[points.active] = self._stored("strength_factor")[:, 0]
         for number, interface in enumerate(self.model.interfaces):
             chosen = self.points_of(number) & ~points.active
             if interface.treatment == "lagrange":
@@ -61,6 +85,11 @@ class Step:
             elif chosen.any():
                 self.traction[chosen] = interface.law.traction(self.trial[chosen], points.trial[chosen])
         self._set_multipliers()
+
+    def _stored(self, *columns):
+        """Of the active points: those of sides, and behind them those of cuts."""
+        tables = [table for table in (self.fields.points, self.fields.cracks) if len(table)]
+        return np.concatenate([table[list(columns)].to_numpy() for table in tables])
 
     def _set_multipliers(self):
         """m of unknown multipliers is P⁻¹ t/(1 + δ); of iterated ones what the stored opening w = g + m − P⁻¹ t says."""
@@ -70,7 +99,7 @@ class Step:
         self.multiplier = np.where(unknown[:, None], due, 0)
         if iterated.any():
             opening = np.zeros_like(carried)
-            opening[points.active] = self.fields.points[["opening_n", "opening_s"]].to_numpy()
+            opening[points.active] = self._stored("opening_n", "opening_s")
             self.multiplier[iterated] = (opening + carried - self.jump)[iterated]
         self.gap = np.where(iterated[:, None], due - self.multiplier, 0)
         self.trial = self.trial + self.multiplier
@@ -109,15 +138,15 @@ class Step:
     @cached_property
     def weak_forces(self):
         """Of the weak springs at the centroids, blocks × 3."""
-        scale = np.column_stack([np.ones((len(self.d), 2)), self.model.mesh.areas])
-        return -self.model.weak_stiffness * scale * self.d[:, :3]
+        areas = self.model.mesh.areas
+        return -self.model.weak_stiffness * np.column_stack([np.ones((len(areas), 2)), areas]) * self.d[:len(areas), :3]
 
     @property
     def weak_energy(self):
-        return -0.5 * (self.weak_forces * self.d[:, :3]).sum()
+        return -0.5 * (self.weak_forces * self.d[:len(self.weak_forces), :3]).sum()
 
     def parts(self):
-        """(blocks, forces on their d) of tractions, springs, loads, weak springs and stresses; they sum up to zero."""
+        """(nodes, forces on their d) of tractions, springs, loads, weak springs and stresses; they sum up to zero."""
         model, points = self.model, self.model.points
         for side in (0, 1):
             block = points.blocks[:, side]
@@ -125,11 +154,12 @@ class Step:
             of_stress = np.einsum("pij,pi->pj", points.stress_rows[side], (self.traction - self.mean) / points.trial)
             force[:, 3:] += np.einsum("pij,pj->pi", model.stiffness[block], of_stress)
             yield block, -points.weight[:, None] * force
+        point, node, rows = points.jumps
+        yield node, -points.weight[point, None] * np.einsum("pij,pi->pj", rows, self.traction[point])
         springs = model.springs
         yield springs["block"], springs["row"] * self.spring_forces[springs["spring"], None]
-        every = np.arange(model.mesh.num_blocks)
-        yield every, model.forces(self.load_factor)
-        yield every, np.column_stack([self.weak_forces, -model.volumes[:, None] * self.stress])
+        yield np.arange(len(self.d)), model.forces(self.load_factor)
+        yield np.arange(model.mesh.num_blocks), np.column_stack([self.weak_forces, -model.volumes[:, None] * self.stress])
 
     def centre_rows(self):
         """T of the centroids about the origin: turns forces on d into a resultant force and moment."""

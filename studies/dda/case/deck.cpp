@@ -1,6 +1,6 @@
 #include "studies/dda/case/deck.hpp"
 
-#include "framework/files/run_folder.hpp"
+#include "framework/files/whole_file.hpp"
 #include "framework/messages/provenance.hpp"
 #include "models/crack_kind.hpp"
 #include "studies/dda/case/parameter_list.hpp"

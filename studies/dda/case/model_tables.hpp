@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "framework/files/results.hpp"
+#include "framework/files/run/results.hpp"
 #include "models/body/body.hpp"
 #include "models/equilibrium.hpp"
 #include "models/parameters.hpp"
@@ -12,15 +12,29 @@ namespace dda {
 /// What equilibrium, laws and reactions of a run can be checked from, beside its fields and deck: `/model` of
 /// fields/mesh.h5. All of it is given; nothing of it is a result.
 ///
-///     side/blocks [n,2], ends [n,4], stiffness k [n], interface [n]     sides between blocks; −1 a bond
-///     nobody named load/block [m], dead [m,6], reference [m,6]      forces on d in the last stage: dead + λ
-///     reference; without
-///                                                      what initial stress and springs exert
-///     spring/stiffness p̄ [s], dead, reference [s]      far ends δ(λ) of supports and driven points; names of
-///     reactions spring_part/spring, block [r], row [r,6]         l · u of spring s = Σ row · d_block
+///     side/blocks [n,2], ends [n,4], stiffness k [n]   sides between blocks, as they are without cuts
+///          interface [n]                               −1 a bond that nobody named
+///     load/block [m], dead [m,6], reference [m,6]      forces on d in the last stage: dead + λ reference;
+///                                                      without what initial stress and springs exert
+///     spring/stiffness p̄ [s], dead, reference [s]      far ends δ(λ) of supports and driven points;
+///            names [s]                                 of reactions
+///     spring_part/spring, block [r], row [r,6]         l · u of spring s = Σ row · d_block
 ///     interface_names, region_materials                               texts, by index
 ///     initial_stress/dead, reference [blocks,3]        where there is any
 std::vector<ResultsTable> model_tables(const Body& body, const ModelParameters& model,
                                        const Equilibrium& equilibrium);
+
+/// The same of the cuts that there are at a step, in the order in which they came: tables in the step's own file.
+///
+///     cuts/ends [c,4], block, crack, is_provisional [c]
+///          side [c]                                    along which it runs; −1 through its block
+///          stiffness k, interface [c]
+///          dead, reference [c,3]                       forces on the jump e of a cut through a block
+///          spring_part/spring, cut [r], row [r,3]      adds Σ row · e to l · u of spring s
+///     parts/moves [k,2]                                (part, cut): the part moves by the jump of the cut,
+///                                                      J(x) e of models/body/motion.hpp, beside its block
+///     cracks/cut, crack, is_provisional [pieces]
+std::vector<ResultsTable> cut_tables(const Body& body, const ModelParameters& model,
+                                     const Equilibrium& equilibrium);
 
 }  // namespace dda

@@ -9,7 +9,7 @@
 #include "continuation/solve/loca.hpp"
 #include "framework/base/suggestion.hpp"
 #include "framework/deck/settings.hpp"
-#include "framework/files/run_folder.hpp"
+#include "framework/files/whole_file.hpp"
 
 namespace dda {
 namespace {

@@ -132,12 +132,7 @@ void Simulation::prepare() {
   walker_ = std::make_unique<Walker>(*stepper_);
   if (front_ && front_->is_automatic()) begin_cracks();
   notices_ = equilibrium_->interfaces().notices;
-  if (front_) {
-    notices_.push_back(
-        "cracks through blocks: stored fields show each block as if it were whole, moved by what lies left "
-        "of its cuts; `deformed.svg` shows the parts, log.jsonl where cracks have grown to");
-    note_coarse_cracks();
-  }
+  if (front_) note_coarse_cracks();
   if (const std::size_t multipliers = equilibrium_->num_unknown_multipliers(); multipliers > 0)
     if (const int redundant = num_redundant(equilibrium_->unperturbed()); redundant > 0)
       notices_.push_back(fmt::format(
@@ -178,6 +173,9 @@ void Simulation::begin_path() {
   path_ = std::make_unique<Path>(*walker_, deck_.path, gauges_, Route{landings(), legs()});
   if (front_)
     path_->run({*cracked_, [this] { return look_up(); },
+                [this] {
+                  if (grows_) grows_();
+                },
                 [this](const Growth& growth) {
                   if (has_grown_) has_grown_(growth);
                 }});
@@ -198,11 +196,6 @@ void Simulation::restore_cracks(const std::vector<Cut>& cuts, std::vector<CrackF
 void Simulation::require_cracks() const {
   Findings findings;
   const Position& where = deck_.cracks.front().where;
-  if (deck_.record.eigenvalues.count > 0)
-    findings.add(where, "eigenvalues (`record.eigenvalues`) are not known of blocks that cracks cut");
-  if (deck_.record.stiffness)
-    findings.add(where,
-                 "the stiffness by contribution (`record.stiffness`) is not known of blocks that cracks cut");
   if (deck_.path.branch == Branching::to_lowest)
     findings.add(where, "cracks through blocks follow one branch: `path.branch: follow`");
   findings.throw_if_any();

@@ -24,8 +24,11 @@ class Simulation {
   const CrackFront* cracks() const { return front_.get(); }
   /// Cuts the blocks as they were cut in a run that goes on.
   void restore_cracks(const std::vector<Cut>& cuts, std::vector<CrackFront::Memory> memory);
-  /// Told how unknowns and points follow from earlier ones whenever a crack has changed them.
-  void when_grown(std::function<void(const Growth&)> listener) { has_grown_ = std::move(listener); }
+  /// Told before a crack changes unknowns and points, and then how they follow from earlier ones.
+  void when_grown(std::function<void()> before, std::function<void(const Growth&)> after) {
+    grows_ = std::move(before);
+    has_grown_ = std::move(after);
+  }
 
   /// Factorises and stands at the start. Call before `walker` and `path`.
   void prepare();
@@ -72,6 +75,7 @@ class Simulation {
   std::unique_ptr<CrackFront> front_;
   std::unique_ptr<Equilibrium> equilibrium_;
   std::unique_ptr<CrackedStructure> cracked_;
+  std::function<void()> grows_;
   std::function<void(const Growth&)> has_grown_;
   std::unique_ptr<System> system_;
   std::unique_ptr<Stepper> stepper_;

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "framework/figure/plot.hpp"
+#include "framework/files/whole_file.hpp"
 #include "studies/dda/commands/commands.hpp"
 #include "studies/dda/commands/path_distance.hpp"
 #include "studies/dda/run/summary.hpp"

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "framework/deck/explain.hpp"
+#include "framework/deck/writing/explain.hpp"
 #include "studies/dda/case/parameter_list.hpp"
 #include "studies/dda/commands/commands.hpp"
 

@@ -15,7 +15,7 @@
 #include "framework/base/suggestion.hpp"
 #include "framework/base/threads.hpp"
 #include "framework/messages/provenance.hpp"
-#include "meshing/gmsh_model.hpp"
+#include "meshing/files/gmsh_model.hpp"
 #include "studies/dda/commands/commands.hpp"
 
 namespace dda {
@@ -76,7 +76,8 @@ class Grammar {
           line_.overrides.insert(line_.overrides.begin(),
                                  "path.parameters=" + quoted(std::filesystem::absolute(file).string()));
         },
-        "A Teuchos::ParameterList, XML or YAML, for NOX and LOCA; `dda explain parameters` has what it may set");
+        "A Teuchos::ParameterList, XML or YAML, for NOX and LOCA; `dda explain parameters` has what it may "
+        "set");
   }
   void add_set(CLI::App* sub) {
     sub->add_option("--set", line_.overrides,

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
-#include "framework/files/run_folder.hpp"
+#include "framework/files/run/run_folder.hpp"
+#include "framework/files/whole_file.hpp"
 #include "studies/dda/commands/commands.hpp"
 #include "studies/dda/figures/overlay.hpp"
 

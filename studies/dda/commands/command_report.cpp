@@ -1,7 +1,8 @@
 #include <fmt/format.h>
 
 #include "framework/base/errors.hpp"
-#include "framework/files/run_folder.hpp"
+#include "framework/files/run/run_folder.hpp"
+#include "framework/files/whole_file.hpp"
 #include "studies/dda/commands/commands.hpp"
 #include "studies/dda/report/report.hpp"
 

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "framework/files/whole_file.hpp"
 #include "studies/dda/commands/commands.hpp"
 #include "studies/dda/run/profile.hpp"
 #include "studies/dda/run/summary.hpp"

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <thread>
 
-#include "framework/files/run_folder.hpp"
+#include "framework/files/whole_file.hpp"
 #include "studies/dda/commands/commands.hpp"
 #include "studies/dda/sweep/case_command.hpp"
 #include "studies/dda/sweep/processes.hpp"

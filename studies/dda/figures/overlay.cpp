@@ -6,10 +6,10 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "framework/deck/node.hpp"
+#include "framework/deck/document/node.hpp"
 #include "framework/deck/units.hpp"
 #include "framework/figure/style.hpp"
-#include "framework/files/run_folder.hpp"
+#include "framework/files/whole_file.hpp"
 #include "studies/dda/figures/stability_pictures.hpp"
 #include "studies/dda/record/column_names.hpp"
 

@@ -9,6 +9,7 @@
 #include "framework/figure/axis.hpp"
 #include "framework/figure/drawing.hpp"
 #include "framework/figure/style.hpp"
+#include "framework/files/whole_file.hpp"
 #include "studies/dda/figures/stability_pictures.hpp"
 
 namespace dda {

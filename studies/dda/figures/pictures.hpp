@@ -1,7 +1,7 @@
 #pragma once
 
 #include "framework/figure/plot.hpp"
-#include "framework/files/run_folder.hpp"
+#include "framework/files/run/run_folder.hpp"
 #include "studies/dda/case/deck.hpp"
 #include "studies/dda/record/run_memory.hpp"
 #include "studies/dda/record/torn_pieces.hpp"

@@ -7,7 +7,8 @@
 #include <cmath>
 
 #include "framework/figure/drawing.hpp"
-#include "framework/files/results_reader.hpp"
+#include "framework/files/run/results_reader.hpp"
+#include "framework/files/whole_file.hpp"
 #include "studies/dda/figures/stability_lines.hpp"
 #include "studies/dda/record/stability_record.hpp"
 
@@ -111,7 +112,7 @@ class ModeSheet {
       add_state(out, {0, -down}, step, row);
       for (std::size_t i = 0; i < modes; ++i)
         if (const auto name = fmt::format("mode_{}", i + 1); results_.has(step, name))
-          add(out, {static_cast<double>(i + 1) * width(), -down}, upright(results_.values(step, name)),
+          add(out, {static_cast<double>(i + 1) * width(), -down}, upright(shape_of(step, name)),
               {eigenvalues_.value(row, i), eigenvalues_.origin(row, i)});
       down += height();
     }
@@ -125,36 +126,64 @@ class ModeSheet {
   double width() const { return 1.15 * size().x() + 1.2 * largest(); }
   double height() const { return size().y() + 2 * largest() + 3.5 * line(); }
 
+  /// Outlines of blocks, of those that are cut of their parts, and how each vertex moves.
+  struct Shape {
+    std::vector<std::vector<Vec2>> outlines;
+    std::vector<Vec2> moves;
+
+    void scale(double factor) {
+      for (Vec2& move : moves) move *= factor;
+    }
+  };
+
+  Shape shape_of(int step, const std::string& name) const {
+    Shape out;
+    const CutBlocks cut = results_.cut(step);
+    const auto add = [&](const std::vector<Vec2>& outline, const std::vector<double>& moved,
+                         std::size_t first) {
+      out.outlines.push_back(outline);
+      for (std::size_t v = first; v < first + outline.size(); ++v)
+        out.moves.emplace_back(moved[3 * v], moved[3 * v + 1]);
+    };
+    const std::vector<double> of_blocks = results_.values(step, name);
+    const auto& blocks = fields_.body().assembly.blocks;
+    for (std::size_t b = 0, vertex = 0; b < blocks.size(); vertex += blocks[b++].outline.vertices.size())
+      if (!std::ranges::binary_search(cut.part_block, b)) add(blocks[b].outline.vertices, of_blocks, vertex);
+    if (cut.parts.empty()) return out;
+    const std::vector<double> of_parts = results_.values(step, "parts/" + name);
+    std::size_t vertex = 0;
+    for (const auto& outline : cut.parts) {
+      add(outline, of_parts, vertex);
+      vertex += outline.size();
+    }
+    return out;
+  }
+
   /// A shape has no sign: most of it goes upwards.
-  static std::vector<double> upright(std::vector<double> shape) {
+  static Shape upright(Shape shape) {
     double sum = 0;
-    for (std::size_t i = 0; i + 2 < shape.size(); i += 3) sum += shape[i + 1] + 1e-3 * shape[i];
-    if (sum < 0)
-      for (double& value : shape) value = -value;
+    for (const Vec2& move : shape.moves) sum += move.y() + 1e-3 * move.x();
+    if (sum < 0) shape.scale(-1);
     return shape;
   }
 
   /// The deformed structure at a stage.
   void add_state(svg::Drawing& out, const Vec2& shift, int step, std::size_t row) const {
-    std::vector<double> shape = results_.values(step, "displacement");
+    Shape shape = shape_of(step, "displacement");
     double top = 0;
-    for (std::size_t i = 0; i + 2 < shape.size(); i += 3)
-      top = std::max(top, std::hypot(shape[i], shape[i + 1]));
-    for (double& value : shape) value /= top > 0 ? top : 1;
+    for (const Vec2& move : shape.moves) top = std::max(top, move.norm());
+    if (top > 0) shape.scale(1 / top);
     add(out, shift, shape,
         {fmt::format("step {}", step), fmt::format("load {:.4g} {}", eigenvalues_.load(row), unit_)});
   }
 
-  void add(svg::Drawing& out, const Vec2& shift, const std::vector<double>& shape,
+  void add(svg::Drawing& out, const Vec2& shift, const Shape& shape,
            const std::vector<std::string>& texts) const {
     const double scale = largest();
-    std::size_t vertex = 0;
-    for (const Block& block : fields_.body().assembly.blocks) {
+    auto move = shape.moves.begin();
+    for (const auto& outline : shape.outlines) {
       svg::Fill fill;
-      for (const Vec2& x : block.outline.vertices) {
-        fill.outline.push_back(x + shift + scale * Vec2(shape[3 * vertex], shape[3 * vertex + 1]));
-        ++vertex;
-      }
+      for (const Vec2& x : outline) fill.outline.push_back(x + shift + scale * *move++);
       out.polygons.push_back(std::move(fill));
     }
     Vec2 below(box_.low.x() + 0.5 * size().x(), box_.low.y() - largest());

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "framework/figure/plot.hpp"
-#include "framework/files/run_folder.hpp"
+#include "framework/files/run/run_folder.hpp"
 #include "studies/dda/record/fields.hpp"
 #include "studies/dda/record/measures.hpp"
 

@@ -27,9 +27,33 @@ FailureIndicator::FailureIndicator(Simulation& simulation, IndicatorMemory memor
       parameters_(simulation.deck().record.eigenvalues),
       memory_(std::move(memory)),
       tracker_(memory_.modes) {
-  if (parameters_.count == 0) return;
-  mass_.assign(simulation.equilibrium().num_blocks(), Mat6::Identity());
-  if (parameters_.mass) mass_ = unit_mass(simulation.body());
+  if (parameters_.count > 0) mass_ = mass();
+}
+
+/// Of blocks and jumps; an identity has none of what a jump's node does not use either.
+Mass FailureIndicator::mass() const {
+  Mass out = unit_mass(simulation_.body());
+  if (parameters_.mass) return out;
+  const std::size_t blocks = simulation_.equilibrium().num_blocks();
+  out = Mass::identity(out.num_nodes());
+  constexpr double next_to_none = 1e-9;
+  for (std::size_t node = blocks; node < out.num_nodes(); ++node)
+    out.diagonal[node].diagonal().tail<3>().setConstant(next_to_none);
+  return out;
+}
+
+std::vector<double> FailureIndicator::followed(const std::vector<double>& shape, const Growth& growth) const {
+  std::vector<double> out = growth.unknowns(shape);
+  const Equilibrium& now = simulation_.equilibrium();
+  out.resize(block_unknowns * (now.num_blocks() + now.num_jumps()));
+  return out;
+}
+
+void FailureIndicator::follow(const Growth& growth) {
+  for (auto* shapes : {&memory_.modes.shapes, &shapes_})
+    for (std::vector<double>& shape : *shapes) shape = followed(shape, growth);
+  tracker_ = ModeTracker(memory_.modes);
+  if (parameters_.count > 0) mass_ = mass();
 }
 
 RecordedColumns FailureIndicator::columns() const {

@@ -39,6 +39,10 @@ class FailureIndicator {
   RecordedColumns columns() const;
   /// At the state at which the walker stands; the first look gives what ratios are relative to.
   void look(const RecordedStep& at);
+  /// Cracks have grown: modes go on in the unknowns that there are now.
+  void follow(const Growth& growth);
+  /// A shape of before in them.
+  std::vector<double> followed(const std::vector<double>& shape, const Growth& growth) const;
   const IndicatorMemory& memory() const { return memory_; }
   /// Shapes of the last look, in ascending order of μ; none when it computed none.
   const std::vector<std::vector<double>>& shapes() const { return shapes_; }
@@ -48,12 +52,13 @@ class FailureIndicator {
   double path_stiffness() const;
   Eigenmodes modes(int count);
   void find_eigenvalues();
+  Mass mass() const;
   std::vector<double> ratios_of(const Eigenmodes& found);
   bool is_rigid(const Eigenmodes& found, std::size_t mode) const;
 
   Simulation& simulation_;
   const EigenvalueParameters& parameters_;
-  std::vector<Mat6> mass_;
+  Mass mass_;
   IndicatorMemory memory_;
   ModeTracker tracker_;
   double stiffness_ = 1;  ///< over that at the start

@@ -6,6 +6,7 @@
 
 #include "models/body/motion.hpp"
 #include "models/loading.hpp"
+#include "studies/dda/case/model_tables.hpp"
 
 namespace dda {
 namespace {
@@ -42,9 +43,22 @@ void add_stress(const std::vector<Vec3>& from, std::vector<Vec3>& to) {
 void append(const Vec2& v, std::vector<double>& to) { to.insert(to.end(), {v.x(), v.y()}); }
 void append(const Vec3& v, std::vector<double>& to) { to.insert(to.end(), v.begin(), v.end()); }
 
-std::vector<double> flat(const std::vector<Vec2>& from) {
+std::vector<double> flat(std::span<const Vec2> from) {
   std::vector<double> out;
   for (const Vec2& v : from) append(v, out);
+  return out;
+}
+
+/// Of the parts what their blocks have.
+StoredField of_parts(const StoredField& of_blocks, const std::vector<std::size_t>& block) {
+  StoredField out = of_blocks;
+  out.place = FieldPlace::part;
+  out.values.clear();
+  const auto width = static_cast<std::ptrdiff_t>(out.components);
+  for (const std::size_t b : block) {
+    const auto row = of_blocks.values.begin() + width * static_cast<std::ptrdiff_t>(b);
+    out.values.insert(out.values.end(), row, row + width);
+  }
   return out;
 }
 
@@ -53,6 +67,7 @@ std::vector<double> flat(const std::vector<Vec2>& from) {
 Fields::Fields(const Body& body, const ModelParameters& model, const Equilibrium& equilibrium,
                const Units& units)
     : body_(body),
+      model_(model),
       equilibrium_(equilibrium),
       units_(units),
       segments_(pieces_of_sides(body.assembly, equilibrium)) {
@@ -141,20 +156,24 @@ Fields::Interface Fields::interface_at(const StoredState& at) const {
   return out;
 }
 
-StoredField Fields::displacement_of_blocks(const State& state) const {
-  StoredField out{"displacement", units_.length, FieldPlace::block_vertex, 2, {}, "x y z"};
-  for (std::size_t b = 0; b < body_.assembly.num_blocks(); ++b)
-    for (const Vec2& x : body_.assembly.blocks[b].outline.vertices)
-      append(displacement(BlockId(b), x, state.d), out.values);
-  return out;
-}
-
-/// The mean of both sides, so that a crack is drawn between its faces.
-StoredField Fields::displacement_of_segments(const State& state) const {
-  StoredField out{"displacement", units_.length, FieldPlace::segment_end, 2, {}, "x y z"};
-  for (std::size_t p = 0; p < segments_.size(); ++p)
-    for (const Vec2& x : segments_[p]) append(displacement_between(p, x, state.d), out.values);
-  return out;
+/// Of the vertices of all blocks, and of the parts of those that are cut.
+void Fields::add_motion(const std::string& name, const std::string& unit, std::span<const double> d,
+                        Snapshot& out) const {
+  StoredField whole{name, unit, FieldPlace::block_vertex, 2, {}, "x y z"};
+  StoredField parts{name, unit, FieldPlace::part_vertex, 2, {}, "x y z"};
+  for (std::size_t b = 0; b < body_.assembly.num_blocks(); ++b) {
+    const BlockId block(b);
+    for (const Vec2& x : body_.assembly.blocks[b].outline.vertices) {
+      Vec2 u = displacement(block, x, d);
+      if (body_.cracks) u += displacement_by(body_.cracks->jumps_at(block, x), x, d);
+      append(u, whole.values);
+    }
+    if (!body_.cracks || body_.cracks->parts(block).empty()) continue;
+    for (const auto& part : moved_parts(block, d))
+      for (const MovedVertex& vertex : part) append(vertex.u, parts.values);
+  }
+  out.fields.push_back(std::move(whole));
+  if (!parts.values.empty()) out.fields.push_back(std::move(parts));
 }
 
 void Fields::add_blocks(const State& state, Snapshot& out) const {
@@ -168,49 +187,74 @@ void Fields::add_blocks(const State& state, Snapshot& out) const {
     append(e, strain.values);
     append(s, stress.values);
   }
-  out.fields.push_back(displacement_of_blocks(state));
-  out.fields.push_back(std::move(strain));
-  out.fields.push_back(std::move(stress));
+  add_motion("displacement", units_.length, state.d, out);
+  for (StoredField* field : {&strain, &stress}) {
+    if (!out.cut.parts.empty()) out.fields.push_back(of_parts(*field, out.cut.part_block));
+    out.fields.push_back(std::move(*field));
+  }
 }
 
 /// A shape has no size of its own: its largest displacement becomes 1.
-StoredField Fields::mode_of_blocks(const std::vector<double>& shape, std::size_t number) const {
-  StoredField out = displacement_of_blocks({shape, 0});
-  out.name = "mode_" + std::to_string(number);
-  out.unit = "";
+std::vector<double> Fields::mode(const std::vector<double>& shape) const {
   double largest = 0;
-  for (std::size_t i = 0; i + 1 < out.values.size(); i += 2)
-    largest = std::max(largest, std::hypot(out.values[i], out.values[i + 1]));
+  for (std::size_t b = 0; b < body_.assembly.num_blocks(); ++b)
+    for (const auto& part : moved_parts(BlockId(b), shape))
+      for (const MovedVertex& vertex : part) largest = std::max(largest, vertex.u.norm());
+  std::vector<double> out = shape;
   if (largest > 0)
-    for (double& value : out.values) value /= largest;
+    for (double& value : out) value /= largest;
   return out;
 }
 
-void Fields::add_points(const StoredState& at, Snapshot& out) const {
-  Interface here = interface_at(at);
-  for (auto* values : {&here.opening, &here.jump, &here.traction}) values->resize(segments_.size());
-  here.damage.resize(segments_.size());
+void Fields::add_points(const Interface& all, const Points& points, const StoredState& at,
+                        Snapshot& out) const {
+  if (points.begin == points.end) return;
+  const auto of = [&](const auto& values) {
+    return std::span(values).subspan(points.begin, points.end - points.begin);
+  };
+  const auto damage = of(all.damage);
   const std::string stress = label(dimension::stress, units_);
-  out.fields.push_back(displacement_of_segments(at.state));
-  out.fields.push_back({"opening", units_.length, FieldPlace::segment, 2, flat(here.opening), "n s"});
-  out.fields.push_back({"jump", units_.length, FieldPlace::segment, 2, flat(here.jump), "n s"});
-  out.fields.push_back({"traction", stress, FieldPlace::segment, 2, flat(here.traction), "n s"});
-  out.fields.push_back({"damage", "", FieldPlace::segment, 1, std::move(here.damage), ""});
-  if (!equilibrium_.interfaces().has_fields) return;
-  StoredField strength{"strength_factor", "", FieldPlace::segment, 1, {}, ""};
-  for (std::size_t p = 0; p < segments_.size(); ++p)
+  // The mean of both faces, so that a crack is drawn between them.
+  StoredField moved{"displacement", units_.length, points.place_of_ends, 2, {}, "x y z"};
+  StoredField strength{"strength_factor", "", points.place, 1, {}, ""};
+  for (std::size_t p = points.begin; p < points.end; ++p) {
+    for (const Vec2& x : segment(p)) append(displacement_between(p, x, at.state.d), moved.values);
     strength.values.push_back(equilibrium_.point(p).strength_factor);
-  out.fields.push_back(std::move(strength));
+  }
+  out.fields.push_back(std::move(moved));
+  out.fields.push_back({"opening", units_.length, points.place, 2, flat(of(all.opening)), "n s"});
+  out.fields.push_back({"jump", units_.length, points.place, 2, flat(of(all.jump)), "n s"});
+  out.fields.push_back({"traction", stress, points.place, 2, flat(of(all.traction)), "n s"});
+  out.fields.push_back({"damage", "", points.place, 1, {damage.begin(), damage.end()}, ""});
+  if (equilibrium_.interfaces().has_fields) out.fields.push_back(std::move(strength));
+}
+
+CutBlocks Fields::cut_blocks() const {
+  CutBlocks out;
+  if (!body_.cracks || body_.cracks->empty()) return out;
+  for (std::size_t b = 0; b < body_.assembly.num_blocks(); ++b)
+    for (const Part& part : body_.cracks->parts(BlockId(b))) {
+      out.parts.push_back(part.outline.vertices);
+      out.part_block.push_back(b);
+    }
+  for (std::size_t p = segments_.size(); p < equilibrium_.num_active(); ++p) out.pieces.push_back(segment(p));
+  out.tables = cut_tables(body_, model_, equilibrium_);
+  return out;
 }
 
 Snapshot Fields::snapshot(const StoredState& at) const {
   Snapshot out{.step = at.step,
                .time = static_cast<double>(at.step),
                .numbers = {{"load_factor", at.state.load_factor}},
-               .fields = {}};
+               .fields = {},
+               .cut = cut_blocks()};
   add_blocks(at.state, out);
-  for (std::size_t i = 0; i < at.modes.size(); ++i) out.fields.push_back(mode_of_blocks(at.modes[i], i + 1));
-  if (!segments_.empty()) add_points(at, out);
+  for (std::size_t i = 0; i < at.modes.size(); ++i)
+    add_motion("mode_" + std::to_string(i + 1), "", mode(at.modes[i]), out);
+  const Interface all = interface_at(at);
+  add_points(all, {0, segments_.size(), FieldPlace::segment, FieldPlace::segment_end}, at, out);
+  add_points(all, {segments_.size(), equilibrium_.num_active(), FieldPlace::crack, FieldPlace::crack_end}, at,
+             out);
   return out;
 }
 

@@ -4,7 +4,7 @@
 
 #include "continuation/state/system.hpp"
 #include "framework/deck/units.hpp"
-#include "framework/files/results.hpp"
+#include "framework/files/run/results.hpp"
 #include "models/body/body.hpp"
 #include "models/parameters.hpp"
 
@@ -22,11 +22,13 @@ struct StoredState {
 ///
 ///     blocks     displacement (vertices), strain ε, stress C ε + σ0(λ)
 ///     modes      φ_1, φ_2, … as displacements (vertices), the largest of each 1
+///     parts      of blocks that cracks have cut: displacement (vertices), modes, strain and stress of their block
 ///     points     jump g = [u] (n, s),  opening w = q − P⁻¹ t,  traction t,  damage,
 ///                the strength's factor where some interface has a random field
 ///
 /// Interface points are the active ones (they can crack, or iterate a multiplier); each owns an equal piece
-/// of its side, a segment of the mesh.
+/// of its side, a segment of the mesh, or of a cut, a piece of a crack. A vertex of a cut block moves with the part
+/// at which it lies.
 class Fields {
  public:
   Fields(const Body& body, const ModelParameters& model, const Equilibrium& equilibrium, const Units& units);
@@ -57,13 +59,20 @@ class Fields {
   /// Displacement of a block at x, as far as cuts leave it whole [L].
   Vec2 displacement(BlockId block, const Vec2& x, std::span<const double> d) const;
   Vec2 displacement_by(std::span<const JumpId> jumps, const Vec2& x, std::span<const double> d) const;
+  void add_motion(const std::string& name, const std::string& unit, std::span<const double> d,
+                  Snapshot& out) const;
   void add_blocks(const State& state, Snapshot& out) const;
-  void add_points(const StoredState& at, Snapshot& out) const;
-  StoredField displacement_of_blocks(const State& state) const;
-  StoredField mode_of_blocks(const std::vector<double>& shape, std::size_t number) const;
-  StoredField displacement_of_segments(const State& state) const;
+  /// Active points, from the first to before the last.
+  struct Points {
+    std::size_t begin, end;
+    FieldPlace place, place_of_ends;
+  };
+  void add_points(const Interface& all, const Points& points, const StoredState& at, Snapshot& out) const;
+  std::vector<double> mode(const std::vector<double>& shape) const;
+  CutBlocks cut_blocks() const;
 
   const Body& body_;
+  const ModelParameters& model_;
   const Equilibrium& equilibrium_;
   Units units_;
   std::vector<std::array<Vec2, 2>> segments_;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "studies/dda/record/crack_record.hpp"
 #include "studies/dda/record/failure_indicator.hpp"
 #include "studies/dda/record/fields.hpp"
 #include "studies/dda/record/measures.hpp"
@@ -37,6 +38,7 @@ struct RunMemory {
   double largest_gap = 0;                ///< that iterated multipliers left in a step
   long long num_factorisations = 0;      ///< of the processes before this one
   std::vector<FirstCrack> first_cracks;  ///< by interface
+  std::vector<GrownSegment> grown;       ///< of cracks through blocks, as they came
 
   /// The single numbers; what else there is has records of its own.
   template <class Self, class Visit>

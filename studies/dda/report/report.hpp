@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "framework/files/curve_table.hpp"
-#include "framework/files/results_reader.hpp"
+#include "framework/files/run/results_reader.hpp"
 
 namespace dda::report {
 

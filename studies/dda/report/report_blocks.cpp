@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <numeric>
 
-#include "framework/files/base64.hpp"
+#include "framework/files/run/base64.hpp"
 #include "studies/dda/report/report.hpp"
 
 namespace dda::report {
@@ -60,10 +60,12 @@ Motion motion_of(const std::vector<Vec2>& outline, const double* moved) {
   return out;
 }
 
-Json motions(const ResultsMesh& mesh, const std::vector<double>& moved) {
+using Outlines = std::vector<std::vector<Vec2>>;
+
+Json motions(const Outlines& outlines, const std::vector<double>& moved) {
   std::vector<double> means, gradients;
   const double* next = moved.data();
-  for (const auto& outline : mesh.blocks) {
+  for (const auto& outline : outlines) {
     const Motion motion = motion_of(outline, next);
     means.insert(means.end(), {motion.mean.x(), motion.mean.y()});
     const Eigen::Matrix2d& g = motion.gradient;
@@ -80,33 +82,54 @@ std::vector<std::uint32_t> damaged(const std::vector<double>& damage) {
   return out;
 }
 
-/// The interface points with damage: where their ends move, opening max(w_n, 0), sliding |w_s| and damage.
-Json cracks(const ResultsReader& results, int step) {
-  const std::vector<double> damage = results.values(step, "segments/damage");
-  const std::vector<double> opening = results.values(step, "segments/opening");
-  const std::vector<double> moved = results.values(step, "segments/displacement");
-  std::vector<double> widths, slips, damages, ends;
-  const std::vector<std::uint32_t> points = damaged(damage);
-  for (const std::uint32_t p : points) {
-    widths.push_back(std::max(opening[3 * p], 0.0));
-    slips.push_back(std::abs(opening[3 * p + 1]));
-    damages.push_back(damage[p]);
-    for (const std::size_t i : {6 * p, 6 * p + 1, 6 * p + 3, 6 * p + 4}) ends.push_back(moved[i]);
+/// Interface points with damage: where their ends move, opening max(w_n, 0), sliding |w_s| and damage.
+struct Cracked {
+  std::vector<std::uint32_t> points;
+  std::vector<double> opening, sliding, damage, ends;
+
+  /// Those of a group of the step; their numbers in it.
+  std::vector<std::uint32_t> add(const ResultsReader& results, int step, const std::string& group) {
+    if (!results.has(step, group + "/damage")) return {};
+    const std::vector<double> of_all = results.values(step, group + "/damage");
+    const std::vector<double> w = results.values(step, group + "/opening");
+    const std::vector<double> moved = results.values(step, group + "/displacement");
+    const std::vector<std::uint32_t> found = damaged(of_all);
+    for (const std::uint32_t p : found) {
+      opening.push_back(std::max(w[3 * p], 0.0));
+      sliding.push_back(std::abs(w[3 * p + 1]));
+      damage.push_back(of_all[p]);
+      for (const std::size_t i : {6 * p, 6 * p + 1, 6 * p + 3, 6 * p + 4}) ends.push_back(moved[i]);
+    }
+    return found;
   }
-  return {{"points", integers(points)},
-          {"opening", singles(widths)},
-          {"sliding", singles(slips)},
-          {"damage", singles(damages)},
-          {"ends", quantised(ends)}};
+};
+
+/// `points` are segments of the mesh; the rest has its own places, `pieces`: of cracks through blocks.
+Json cracks(const ResultsReader& results, const CutBlocks& cut, int step) {
+  Cracked all;
+  const std::vector<std::uint32_t> points = all.add(results, step, "segments");
+  std::vector<double> pieces;
+  for (const std::uint32_t p : all.add(results, step, "cracks"))
+    for (const Vec2& x : cut.pieces[p]) pieces.insert(pieces.end(), {x.x(), x.y()});
+  return {{"points", integers(points)},      {"pieces", singles(pieces)},
+          {"opening", singles(all.opening)}, {"sliding", singles(all.sliding)},
+          {"damage", singles(all.damage)},   {"ends", quantised(all.ends)}};
 }
 
-Json geometry(const ResultsMesh& mesh) {
+/// Numbers of vertices, and their places.
+std::pair<std::vector<std::uint16_t>, std::vector<double>> flat(const Outlines& outlines) {
   std::vector<std::uint16_t> counts;
-  std::vector<double> vertices, segments;
-  for (const auto& outline : mesh.blocks) {
+  std::vector<double> vertices;
+  for (const auto& outline : outlines) {
     for (const Vec2& x : outline) vertices.insert(vertices.end(), {x.x(), x.y()});
     counts.push_back(static_cast<std::uint16_t>(outline.size()));
   }
+  return {std::move(counts), std::move(vertices)};
+}
+
+Json geometry(const ResultsMesh& mesh) {
+  const auto [counts, vertices] = flat(mesh.blocks);
+  std::vector<double> segments;
   for (const auto& [start, end] : mesh.segments)
     segments.insert(segments.end(), {start.x(), start.y(), end.x(), end.y()});
   return {{"length_unit", mesh.length_unit},
@@ -121,15 +144,30 @@ constexpr std::size_t coded(std::size_t bytes) { return (bytes + 2) / 3 * 4; }
 std::size_t size_of_step(const ResultsReader& results, int step, std::size_t num_blocks) {
   constexpr std::size_t of_block = 2 * (2 + 4 + 3), of_crack = 4 * 4 + 4 * 2, frame = 600;
   std::size_t out = coded(of_block * num_blocks) + frame;
-  if (results.has(step, "segments/damage"))
-    out += coded(of_crack * damaged(results.values(step, "segments/damage")).size());
+  for (const char* points : {"segments/damage", "cracks/damage"})
+    if (results.has(step, points)) out += coded(of_crack * damaged(results.values(step, points)).size());
+  constexpr std::size_t of_vertex = 2 * 4, of_part = of_block + 2 + 4;
+  const CutBlocks cut = results.cut(step);
+  out += coded(of_part * cut.parts.size());
+  for (const auto& outline : cut.parts) out += coded(of_vertex * outline.size());
   return out;
 }
 
+/// Outlines of the parts of cut blocks, which belong to the step, and how they move.
+Json parts(const CutBlocks& cut, const std::vector<double>& moved) {
+  const auto [counts, vertices] = flat(cut.parts);
+  return {{"blocks", integers({cut.part_block.begin(), cut.part_block.end()})},
+          {"counts", base64_of(std::span<const std::uint16_t>(counts))},
+          {"vertices", singles(vertices)},
+          {"motion", motions(cut.parts, moved)}};
+}
+
 Json step_data(const ResultsReader& results, const ResultsMesh& mesh, int step) {
-  Json out{{"step", step}, {"motion", motions(mesh, results.values(step, "displacement"))}};
+  Json out{{"step", step}, {"motion", motions(mesh.blocks, results.values(step, "displacement"))}};
   if (results.has(step, "stress")) out["stress"] = quantised(results.values(step, "stress"));
-  if (results.has(step, "segments/damage")) out["cracks"] = cracks(results, step);
+  const CutBlocks cut = results.cut(step);
+  if (results.has(step, "segments/damage") || !cut.pieces.empty()) out["cracks"] = cracks(results, cut, step);
+  if (!cut.parts.empty()) out["parts"] = parts(cut, results.values(step, "parts/displacement"));
   return out;
 }
 

@@ -1,8 +1,8 @@
 #include <map>
 #include <sstream>
 
-#include "framework/files/base64.hpp"
-#include "framework/files/run_folder.hpp"
+#include "framework/files/run/base64.hpp"
+#include "framework/files/whole_file.hpp"
 #include "studies/dda/report/report.hpp"
 
 namespace dda::report {

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "framework/base/errors.hpp"
-#include "framework/deck/node.hpp"
-#include "framework/files/run_folder.hpp"
+#include "framework/deck/document/node.hpp"
+#include "framework/files/whole_file.hpp"
 #include "framework/messages/provenance.hpp"
 #include "studies/dda/record/column_names.hpp"
 #include "studies/dda/record/stability_record.hpp"

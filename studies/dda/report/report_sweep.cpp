@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "framework/base/errors.hpp"
-#include "framework/files/base64.hpp"
-#include "framework/files/run_folder.hpp"
+#include "framework/files/run/base64.hpp"
+#include "framework/files/run/run_folder.hpp"
 #include "framework/messages/provenance.hpp"
 #include "studies/dda/record/column_names.hpp"
 #include "studies/dda/report/report.hpp"

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "framework/base/errors.hpp"
-#include "framework/files/base64.hpp"
+#include "framework/files/run/base64.hpp"
 #include "studies/dda/report/report.hpp"
 
 namespace dda::report {

@@ -1,9 +1,10 @@
 #include "studies/dda/run/restart.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
-#include "framework/files/record.hpp"
+#include "framework/files/run/record.hpp"
 
 namespace dda {
 namespace {
@@ -130,13 +131,28 @@ PathMemory take_path(const RestartData& data, LinearSystem& linear) {
 void put_linear(RestartData& data, const std::string& name, const LinearSystem& linear) {
   data.numbers[name + ".base"] = flat(linear.base());
   data.integers[name + ".updated"] = {linear.updated_points().begin(), linear.updated_points().end()};
+  const std::vector<std::size_t> grown = linear.grown();
+  data.integers[name + ".grown"] = {grown.begin(), grown.end()};
 }
 
-void restore_linear(const RestartData& data, const std::string& name, LinearSystem& linear) {
-  const Integers& updated = data.integers.at(name + ".updated");
-  const std::vector<std::size_t> points(updated.begin(), updated.end());
-  if (!linear.restore(matrices(data.numbers.at(name + ".base")), points))
+/// The linear systems of a path by their names.
+std::map<std::string, LinearSystem*> linear_systems(System& system) {
+  std::map<std::string, LinearSystem*> out{{"linear", &system.linear()}};
+  if (system.iterates_multipliers()) out["path_linear"] = &system.path_linear();
+  return out;
+}
+
+/// The base that a system had, where there are the cuts with which it was factorised: of their points, the first ones.
+void restore_base(const RestartData& data, const std::string& name, LinearSystem& linear,
+                  std::size_t points) {
+  const std::vector<Mat2> base = matrices(data.numbers.at(name + ".base"));
+  if (base.size() < points || !linear.restore(std::span(base).first(points)))
     throw std::runtime_error("the stiffness of the restart file is singular");
+}
+
+void restore_columns(const RestartData& data, const std::string& name, LinearSystem& linear) {
+  const Integers& updated = data.integers.at(name + ".updated");
+  linear.restore_columns(std::vector<std::size_t>(updated.begin(), updated.end()));
 }
 
 void put_walker(RestartData& data, const Walker& walker) {
@@ -151,9 +167,7 @@ void put_walker(RestartData& data, const Walker& walker) {
 }
 
 void restore_walker(const RestartData& data, Walker& walker) {
-  restore_linear(data, "linear", walker.system().linear());
-  if (walker.system().iterates_multipliers())
-    restore_linear(data, "path_linear", walker.system().path_linear());
+  for (const auto& [name, linear] : linear_systems(walker.system())) restore_columns(data, name, *linear);
   StoredState here = take_state(data, "here", walker.system().linear());
   auto at = take<Candidate>(data, "walker");
   at.state = std::move(here.state);
@@ -214,19 +228,17 @@ void put_cracks(RestartData& data, const CrackFront* cracks) {
   put_all(data, "cracks", records);
 }
 
-void restore_cracks(const RestartData& data, const fs::path& folder, Simulation& simulation) {
-  if (!simulation.cracks()) return;
+std::vector<CrackFront::Memory> take_cracks(const RestartData& data, const fs::path& folder,
+                                            const CrackFront& cracks) {
   const auto found = data.texts.find("cracks.end");
-  std::vector<CrackFront::Memory> memory;
+  std::vector<CrackFront::Memory> out;
   if (found != data.texts.end())
     for (const CrackRecord& record : take_all<CrackRecord>(data, "cracks"))
-      memory.push_back({static_cast<std::size_t>(record.entry), record.tip, record.direction, record.aims,
-                        found->second.at(memory.size())});
-  if (!simulation.cracks()->may_have(memory))
+      out.push_back({static_cast<std::size_t>(record.entry), record.tip, record.direction, record.aims,
+                     found->second.at(out.size())});
+  if (!cracks.may_have(out))
     throw InputError(Position{folder.string()}, "the run had other cracks through its blocks");
-  std::vector<Cut> cuts;
-  for (const CutRecord& record : take_all<CutRecord>(data, "cuts")) cuts.push_back(record.cut);
-  simulation.restore_cracks(cuts, std::move(memory));
+  return out;
 }
 
 /// What each law of the structure remembers, as the law declares it.
@@ -255,6 +267,29 @@ void check_structure(const RestartData& data, const fs::path& folder, const Equi
       "stopping rules and records may change");
 }
 
+/// Makes the cuts again, as many at a time as there were when the bases were factorised, and each time when their
+/// borders have grown: a cut changes last digits of what was there before it.
+void restore_structure(const RestartData& data, const fs::path& folder, Simulation& simulation) {
+  std::vector<Cut> cuts;
+  std::vector<CrackFront::Memory> memory;
+  if (const CrackFront* cracks = simulation.cracks()) {
+    memory = take_cracks(data, folder, *cracks);
+    for (const CutRecord& record : take_all<CutRecord>(data, "cuts")) cuts.push_back(record.cut);
+  }
+  const auto linears = linear_systems(simulation.walker().system());
+  std::set<std::size_t> counts{cuts.size()};
+  for (const auto& [name, linear] : linears)
+    for (const std::int64_t count : data.integers.at(name + ".grown")) counts.insert(std::size_t(count));
+  for (const std::size_t count : counts) {
+    if (simulation.cracks())
+      simulation.restore_cracks({cuts.begin(), cuts.begin() + std::ptrdiff_t(count)}, memory);
+    if (count == cuts.size()) check_structure(data, folder, simulation.equilibrium());
+    for (const auto& [name, linear] : linears)
+      if (std::size_t(data.integers.at(name + ".grown").front()) == count)
+        restore_base(data, name, *linear, simulation.equilibrium().num_active());
+  }
+}
+
 long long num_factorisations(const Simulation& simulation) {
   return static_cast<long long>(simulation.system().linear().num_factorisations());
 }
@@ -271,6 +306,7 @@ RestartData restart_data(const Simulation& simulation, const RunMemory& memory, 
   put(out, "start", memory.start);
   put(out, "peak", memory.peak);
   put_all(out, "first_cracks", memory.first_cracks);
+  put_all(out, "grown", memory.grown);
   if (memory.peak_state) put_state(out, "peak_state", *memory.peak_state);
   put(out, "run", memory);
   out.integers["factorisations"] = {memory.num_factorisations + num_factorisations(simulation)};
@@ -297,9 +333,8 @@ DeckFile deck_of(const RestartData& data, const fs::path& folder, const std::vec
 }
 
 RunMemory restore(const RestartData& data, const fs::path& folder, Simulation& simulation) {
-  restore_cracks(data, folder, simulation);
-  check_structure(data, folder, simulation.equilibrium());
   simulation.walker().begin_stage(simulation.equilibrium().stages().size() - 1);
+  restore_structure(data, folder, simulation);
   restore_walker(data, simulation.walker());
   simulation.begin_path();
   PathMemory path = take_path(data, simulation.system().linear());
@@ -317,6 +352,7 @@ RunMemory restore(const RestartData& data, const fs::path& folder, Simulation& s
   out.stiffness = {nlohmann::ordered_json::parse(stiffness.at(0)), stiffness.at(1)};
   out.num_factorisations = data.integers.at("factorisations").at(0) - num_factorisations(simulation);
   out.first_cracks = take_all<FirstCrack>(data, "first_cracks");
+  out.grown = take_all<GrownSegment>(data, "grown");
   return out;
 }
 

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "framework/files/restart_file.hpp"
+#include "framework/files/run/restart_file.hpp"
 #include "studies/dda/case/simulation.hpp"
 #include "studies/dda/record/run_memory.hpp"
 

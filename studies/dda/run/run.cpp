@@ -8,7 +8,8 @@
 #include <cstdio>
 
 #include "framework/base/memory.hpp"
-#include "framework/files/results.hpp"
+#include "framework/files/run/results.hpp"
+#include "framework/files/whole_file.hpp"
 #include "framework/messages/interrupt.hpp"
 #include "studies/dda/case/parameter_list.hpp"
 #include "studies/dda/run/restart.hpp"

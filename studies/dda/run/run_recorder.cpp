@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/files/whole_file.hpp"
 #include "framework/messages/provenance.hpp"
 #include "studies/dda/case/coarse_zones.hpp"
 #include "studies/dda/case/model_tables.hpp"
@@ -90,7 +91,7 @@ RunRecorder::RunRecorder(const RunFolder& folder, Simulation& simulation, const 
   simulation.path().report_to([this](const std::string& event, const std::string& text) {
     log_.info(event, {{"step", memory_.last_step + 1}, {"text", text}});
   });
-  simulation.when_grown([this](const Growth& growth) { carry_peak(growth); });
+  simulation.when_grown([this] { store_peak(); }, [this](const Growth& growth) { follow(growth); });
   if (memory) {
     const std::vector<int> steps = results_.steps();
     last_stored_ = steps.empty() ? -1 : steps.back();
@@ -163,6 +164,7 @@ void RunRecorder::record(const Point& point) {
       events_.add(point, simulation_.walker(), simulation_.path().ending().kind != Ending::Kind::running);
   memory_.events = events_.list();
   append_row(now, point);
+  if (simulation_.cracks()) note_growth(*simulation_.cracks(), now, memory_.grown);
   keep_peak(point, now);
   log_step(point, now);
   look_for_crawling();
@@ -193,25 +195,34 @@ void RunRecorder::look_for_crawling() {
   goal_before_ = goal;
 }
 
-/// The state of the highest load is held back until the load falls, so that only the peak itself is stored.
+/// The state of the highest load is held back until the load falls, so that only the peak itself is stored; or until a
+/// crack grows, whose new cuts would not be in equilibrium in it.
 void RunRecorder::keep_peak(const Point& point, const Measurement& now) {
   if (point.is_highest) {
     memory_.peak = now;
     memory_.peak_state = here();
     memory_.is_peak_stored = false;
-  } else if (!memory_.is_peak_stored) {
-    store(*memory_.peak_state);
-    memory_.is_peak_stored = true;
+  } else {
+    store_peak();
   }
 }
 
-/// The state that is held back must fit the structure when it is stored.
-void RunRecorder::carry_peak(const Growth& growth) {
+void RunRecorder::store_peak() {
+  if (!memory_.peak_state || memory_.is_peak_stored) return;
+  store(*memory_.peak_state);
+  memory_.is_peak_stored = true;
+}
+
+/// Figures draw the peak in the structure of the end, and modes are looked for in those before.
+void RunRecorder::follow(const Growth& growth) {
   measures_ = measures_of(simulation_, columns_of_parts());
+  indicator_.follow(growth);
+  memory_.indicator = indicator_.memory();
   if (!memory_.peak_state) return;
   StoredState& peak = *memory_.peak_state;
   peak.state.d = growth.unknowns(peak.state.d.all());
   peak.history = growth.of_points(peak.history);
+  for (std::vector<double>& mode : peak.modes) mode = indicator_.followed(mode, growth);
   if (!peak.state.multipliers.empty()) peak.state.multipliers = growth.of_points(peak.state.multipliers);
 }
 
@@ -283,6 +294,8 @@ nlohmann::ordered_json RunRecorder::finish(const Ending& ending) {
   out = summarise(simulation_, memory_, measures_, ending);
   out["stability"] = stability_counts(curve);
   out["interfaces"] = interfaces_.summary(fields_, here());
+  if (simulation_.cracks())
+    out["cracks"] = cracks_summary(*simulation_.cracks(), memory_.grown, fields_, here());
   out["notices"] = notices_;
   if (!torn_.empty()) out["torn_out"] = to_json(simulation_, torn_);
   if (deck_.deck.record.condition) {

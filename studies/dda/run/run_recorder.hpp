@@ -3,8 +3,9 @@
 #include <optional>
 #include <utility>
 
-#include "framework/files/results_writer.hpp"
-#include "framework/files/run_folder.hpp"
+#include "framework/files/run/results_writer.hpp"
+#include "framework/files/run/run_folder.hpp"
+#include "framework/files/whole_file.hpp"
 #include "framework/messages/log.hpp"
 #include "framework/messages/progress.hpp"
 #include "studies/dda/case/simulation.hpp"
@@ -45,7 +46,8 @@ class RunRecorder {
  private:
   void start();
   void keep_peak(const Point& point, const Measurement& now);
-  void carry_peak(const Growth& growth);
+  void store_peak();
+  void follow(const Growth& growth);
   void store(const StoredState& at);
   void store_here();
   void write_restart_file();

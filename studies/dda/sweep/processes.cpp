@@ -16,7 +16,7 @@
 
 #include "framework/base/errors.hpp"
 #include "framework/base/memory.hpp"
-#include "meshing/gmsh_model.hpp"
+#include "meshing/files/gmsh_model.hpp"
 
 namespace dda {
 namespace {

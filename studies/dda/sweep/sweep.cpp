@@ -7,7 +7,7 @@
 
 #include "framework/deck/dimension_of.hpp"
 #include "framework/deck/settings.hpp"
-#include "framework/files/run_folder.hpp"
+#include "framework/files/whole_file.hpp"
 #include "studies/dda/case/deck.hpp"
 #include "studies/dda/sweep/sweep_decks.hpp"
 

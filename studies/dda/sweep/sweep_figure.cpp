@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "framework/files/run_folder.hpp"
+#include "framework/files/whole_file.hpp"
 #include "studies/dda/figures/overlay.hpp"
 
 namespace dda {

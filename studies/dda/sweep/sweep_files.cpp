@@ -4,10 +4,10 @@
 #include <array>
 #include <map>
 
-#include "framework/deck/node_json.hpp"
 #include "framework/deck/settings.hpp"
+#include "framework/deck/writing/node_json.hpp"
 #include "framework/files/curve_table.hpp"
-#include "framework/files/run_folder.hpp"
+#include "framework/files/whole_file.hpp"
 #include "framework/messages/provenance.hpp"
 #include "studies/dda/record/column_names.hpp"
 

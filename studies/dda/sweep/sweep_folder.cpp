@@ -7,7 +7,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "framework/files/run_folder.hpp"
+#include "framework/files/run/run_folder.hpp"
+#include "framework/files/whole_file.hpp"
 
 namespace dda {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "framework/deck/schema.hpp"
-#include "framework/files/run_folder.hpp"
+#include "framework/files/run/run_folder.hpp"
 #include "studies/dda/sweep/sweep.hpp"
 
 namespace dda {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string>
 
-#include "framework/deck/node.hpp"
+#include "framework/deck/document/node.hpp"
 #include "meshing/scene/scene.hpp"
 
 namespace dda {

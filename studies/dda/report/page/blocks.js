@@ -31,21 +31,8 @@ class Blocks {
     this.steps = data.steps;
     this.tornOut = (tornOut ?? []).flatMap((piece) => piece.blocks);
     this.states = new Map();
-    this.centres = this.findCentres();
+    this.centres = centresOf(this.vertices, this.offsets);
     this.box = this.findBox();
-  }
-
-  /** Means of the vertices, about which the motion of a block is given. */
-  findCentres() {
-    const centres = new Float64Array(2 * this.numBlocks);
-    for (let b = 0; b < this.numBlocks; b += 1) {
-      const count = this.offsets[b + 1] - this.offsets[b];
-      for (let v = this.offsets[b]; v < this.offsets[b + 1]; v += 1) {
-        centres[2 * b] += this.vertices[2 * v] / count;
-        centres[2 * b + 1] += this.vertices[2 * v + 1] / count;
-      }
-    }
-    return centres;
   }
 
   findBox() {
@@ -65,20 +52,19 @@ class Blocks {
     return this.states.get(index);
   }
 
-  /** Every vertex where the magnified displacement puts it. */
-  movedVertices(index, magnification) {
-    const {mean, gradient} = this.state(index);
-    const moved = new Float32Array(this.vertices.length);
-    for (let b = 0; b < this.numBlocks; b += 1)
-      for (let v = this.offsets[b]; v < this.offsets[b + 1]; v += 1) {
-        const dx = this.vertices[2 * v] - this.centres[2 * b];
-        const dy = this.vertices[2 * v + 1] - this.centres[2 * b + 1];
-        const g = 4 * b;
-        moved[2 * v] = this.vertices[2 * v] + magnification * (mean[2 * b] + gradient[g] * dx + gradient[g + 1] * dy);
-        moved[2 * v + 1] =
-            this.vertices[2 * v + 1] + magnification * (mean[2 * b + 1] + gradient[g + 2] * dx + gradient[g + 3] * dy);
-      }
-    return moved;
+  /**
+   * Outlines where the magnified displacement puts them, each with its block: of blocks that cracks have cut those of
+   * their parts. `place` puts an array of vertices somewhere else.
+   */
+  movedOutlines(index, magnification, place) {
+    const {motion, parts} = this.state(index);
+    const isCut = new Set(parts?.blocks ?? []);
+    const whole = outlinesOf(this, place(movedVertices(this, motion, magnification)))
+                      .map((outline, block) => ({block, outline}))
+                      .filter(({block}) => !isCut.has(block));
+    if (!parts) return whole;
+    const ofParts = outlinesOf(parts, place(movedVertices(parts, parts.motion, magnification)));
+    return [...whole, ...ofParts.map((outline, i) => ({block: parts.blocks[i], outline}))];
   }
 
   /** A field over the blocks, null when nothing is to be shown. */
@@ -97,13 +83,15 @@ class Blocks {
     return cracks ? decoded(cracks[name], Float32Array) : new Float32Array(0);
   }
 
-  /** Ends of the cracked pieces of interface: x, y, x, y for each. */
+  /** Ends of the cracked pieces of interfaces, and of cracks through blocks: x, y, x, y for each. */
   crackEnds(index, magnification) {
-    const {points, ends} = this.state(index);
-    const placed = new Float32Array(4 * points.length);
-    for (let p = 0; p < points.length; p += 1)
-      for (let k = 0; k < 4; k += 1)
-        placed[4 * p + k] = this.segments[4 * points[p] + k] + magnification * ends[4 * p + k];
+    const {points, pieces, ends} = this.state(index);
+    const placed = new Float32Array(ends.length);
+    for (let i = 0; i < ends.length; i += 1) {
+      const beyond = i - 4 * points.length;
+      const from = beyond >= 0 ? pieces[beyond] : this.segments[4 * points[Math.floor(i / 4)] + (i % 4)];
+      placed[i] = from + magnification * ends[i];
+    }
     return placed;
   }
 
@@ -126,11 +114,61 @@ function offsetsOf(counts) {
   return offsets;
 }
 
-function decodedStep({motion, cracks}) {
+/** Means of the vertices, about which the motion of an outline is given. */
+function centresOf(vertices, offsets) {
+  const centres = new Float64Array(2 * (offsets.length - 1));
+  for (let b = 0; b + 1 < offsets.length; b += 1) {
+    const count = offsets[b + 1] - offsets[b];
+    for (let v = offsets[b]; v < offsets[b + 1]; v += 1) {
+      centres[2 * b] += vertices[2 * v] / count;
+      centres[2 * b + 1] += vertices[2 * v + 1] / count;
+    }
+  }
+  return centres;
+}
+
+/** Every vertex of some outlines where the magnified displacement puts it. */
+function movedVertices({vertices, offsets, centres}, {mean, gradient}, magnification) {
+  const moved = new Float32Array(vertices.length);
+  for (let b = 0; b + 1 < offsets.length; b += 1)
+    for (let v = offsets[b]; v < offsets[b + 1]; v += 1) {
+      const dx = vertices[2 * v] - centres[2 * b];
+      const dy = vertices[2 * v + 1] - centres[2 * b + 1];
+      const g = 4 * b;
+      moved[2 * v] = vertices[2 * v] + magnification * (mean[2 * b] + gradient[g] * dx + gradient[g + 1] * dy);
+      moved[2 * v + 1] =
+          vertices[2 * v + 1] + magnification * (mean[2 * b + 1] + gradient[g + 2] * dx + gradient[g + 3] * dy);
+    }
+  return moved;
+}
+
+/** The vertices of each outline. */
+function outlinesOf({offsets}, vertices) {
+  return Array.from({length: offsets.length - 1}, (_, b) => vertices.subarray(2 * offsets[b], 2 * offsets[b + 1]));
+}
+
+function decodedMotion({mean, gradient}) {
+  return {mean: dequantised(mean), gradient: dequantised(gradient)};
+}
+
+function decodedParts({blocks, counts, vertices: places, motion}) {
+  const offsets = offsetsOf(decoded(counts, Uint16Array));
+  const vertices = decoded(places, Float32Array);
   return {
-    mean: dequantised(motion.mean),
-    gradient: dequantised(motion.gradient),
+    blocks: decoded(blocks, Uint32Array),
+    offsets,
+    vertices,
+    centres: centresOf(vertices, offsets),
+    motion: decodedMotion(motion)
+  };
+}
+
+function decodedStep({motion, cracks, parts}) {
+  return {
+    motion: decodedMotion(motion),
+    parts: parts ? decodedParts(parts) : null,
     points: cracks ? decoded(cracks.points, Uint32Array) : new Uint32Array(0),
+    pieces: cracks ? decoded(cracks.pieces, Float32Array) : new Float32Array(0),
     ends: cracks ? dequantised(cracks.ends) : new Float32Array(0),
   };
 }

@@ -32,7 +32,8 @@ class PicturePainter {
 
   paint(surface, width, height) {
     this.view = this.options.view ?? PicturePainter.viewOf(this.blocks, width, height);
-    const moved = this.onPicture(this.blocks.movedVertices(this.options.index, this.options.magnification));
+    const moved = this.blocks.movedOutlines(
+        this.options.index, this.options.magnification, (places) => this.onPicture(places));
     surface.clipped({x: 0, y: 0, width, height}, () => {
       this.paintBlocks(surface, moved, width, height);
       this.paintCracks(surface);
@@ -62,8 +63,8 @@ class PicturePainter {
 
   /** What has been torn out under a load or a support has a red outline. */
   paintTornOut(surface, moved) {
-    const {offsets, tornOut} = this.blocks;
-    const outlines = tornOut.map((b) => moved.subarray(2 * offsets[b], 2 * offsets[b + 1]));
+    const isTornOut = new Set(this.blocks.tornOut);
+    const outlines = moved.filter(({block}) => isTornOut.has(block)).map(({outline}) => outline);
     if (outlines.length > 0) surface.tracks(outlines, {stroke: STYLE.markOutline, width: 2.4, closed: true});
   }
 
@@ -72,10 +73,9 @@ class PicturePainter {
     const {blocks, scales} = this;
     const values = scales.field ? blocks.field(this.options.index, this.options.field) : null;
     const bins = new Map();
-    for (let b = 0; b < blocks.numBlocks; b += 1) {
-      const outline = moved.subarray(2 * blocks.offsets[b], 2 * blocks.offsets[b + 1]);
+    for (const {block, outline} of moved) {
       if (!isInView(outline, width, height)) continue;
-      const fill = values ? scales.field.colourOfBin(scales.field.binOf(values[b])) : STYLE.blockFill;
+      const fill = values ? scales.field.colourOfBin(scales.field.binOf(values[block])) : STYLE.blockFill;
       if (!bins.has(fill)) bins.set(fill, []);
       bins.get(fill).push(outline);
     }

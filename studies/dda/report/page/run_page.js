@@ -14,7 +14,7 @@ class RunPage {
 
   elements() {
     return [
-      ...this.top(), this.pathSection(), this.stabilitySection(), this.energySection(), this.askedSection(),
+      ...this.top(), this.pathSection(), this.cracksSection(), this.stabilitySection(), this.energySection(), this.askedSection(),
       this.logSection(), this.timeSection(), this.provenanceSection()
     ].filter(Boolean);
   }
@@ -85,6 +85,19 @@ class RunPage {
     } else
       figures.append(element("p", {class: "quiet"}, this.whyNoBlocks()));
     return section("path", "Path", figures, this.curve ? eventTable(this.curve) : null);
+  }
+
+  /** Of cracks through blocks. */
+  cracksSection() {
+    const {cracks} = this.summary;
+    if (!Array.isArray(cracks) || cracks.length === 0) return null;
+    const unit = this.summary.units?.length ?? "";
+    const loadUnit = this.table?.column(COLUMN.load)?.unit ?? "";
+    if (this.blocks) this.figures.cracks = new CrackPathFigure(this.blocks, cracks, this.data.name);
+    return section(
+        "cracks", "Cracks through blocks", crackTable(cracks, unit),
+        this.blocks ? element("div", {class: "figures"}, this.figures.cracks.figure) : null,
+        cutTable(cracks, unit, loadUnit));
   }
 
   whyNoBlocks() {

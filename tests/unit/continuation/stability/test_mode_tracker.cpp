@@ -10,7 +10,7 @@ namespace {
 /// Unit shapes of one block in the plane of its first two unknowns.
 std::vector<double> shape(double angle) { return {std::cos(angle), std::sin(angle), 0, 0, 0, 0}; }
 
-const std::vector<Mat6> mass{Mat6::Identity()};
+const Mass mass = Mass::identity(1);
 
 TEST(ModeTracker, FollowsShapesThroughACrossing) {
   ModeTracker tracker;

@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 
-#include "framework/deck/node.hpp"
+#include "framework/deck/document/node.hpp"
 #include "unit/framework/deck/messages.hpp"
 
 namespace dda {

@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "framework/deck/dimension_of.hpp"
-#include "framework/deck/node_json.hpp"
 #include "framework/deck/settings.hpp"
+#include "framework/deck/writing/node_json.hpp"
 #include "unit/framework/deck/deck_example.hpp"
 #include "unit/framework/deck/messages.hpp"
 

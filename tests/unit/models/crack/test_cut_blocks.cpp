@@ -5,9 +5,12 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
+#include "models/body/mass.hpp"
 #include "models/body/motion.hpp"
+#include "models/stiffness_parts.hpp"
 #include "support/cut_structure.hpp"
 #include "support/dense.hpp"
+#include "support/random.hpp"
 
 namespace dda {
 namespace {
@@ -110,6 +113,79 @@ TEST(CutBlocks, AreDefiniteWhereTheyAreNotConvex) {
   body.cracks = &cracks;
   const Equilibrium equilibrium(body, deck);
   EXPECT_EQ(dense(equilibrium.intact()).llt().info(), Eigen::Success);
+}
+
+/// ∫ |u|² dV by three points on each triangle of a fan, exact for squares of linear fields.
+double kinetic(const CutStructure& structure, const Vector& d) {
+  const Body& body = structure.body();
+  double sum = 0;
+  const auto add = [&](BlockId block, const std::vector<Vec2>& outline, std::span<const JumpId> jumps) {
+    const auto square = [&](const Vec2& x) {
+      const auto of = [&](BlockId node) { return d.segment<6>(6 * static_cast<Eigen::Index>(node.value())); };
+      Vec2 u = displacement_rows(x - body.block(block).moments.centroid) * of(block);
+      for (const JumpId jump : jumps) u += motion_of(body, jump, x).rows * of(body.node_of(jump));
+      return u.squaredNorm();
+    };
+    for (std::size_t i = 1; i + 1 < outline.size(); ++i) {
+      const Vec2 &a = outline[0], &b = outline[i], &c = outline[i + 1];
+      const double area = cross(b - a, c - a) / 2;
+      sum += area / 3 * (square((a + b) / 2) + square((b + c) / 2) + square((c + a) / 2));
+    }
+  };
+  for (std::size_t b = 0; b < body.assembly.num_blocks(); ++b) {
+    const auto parts = body.cracks->parts(BlockId{b});
+    for (const Part& part : parts) add(BlockId{b}, part.outline.vertices, part.jumps);
+    if (parts.empty()) add(BlockId{b}, body.block(BlockId{b}).outline.vertices, {});
+  }
+  return body.thickness * sum;
+}
+
+TEST(CutBlocks, MoveWithTheMassOfTheirParts) {
+  for (const std::string& pattern : patterns) {
+    CutStructure structure({.subdivision = pattern});
+    ASSERT_GE(cut_some(structure), 9);
+    const Mass mass = unit_mass(structure.body());
+    const Eigen::MatrixXd m = mass.dense();
+    Random random(5);
+    Vector d = Vector::NullaryExpr(m.rows(), [&](Eigen::Index) { return random.between(-1, 1); });
+    for (std::size_t j = 0; j < structure.body().num_jumps(); ++j)
+      d.segment<3>(6 * static_cast<Eigen::Index>(structure.body().node_of(JumpId{j}).value()) + 3).setZero();
+    const double wanted = kinetic(structure, d);
+    EXPECT_NEAR(d.dot(m * d), wanted, 1e-12 * wanted) << pattern;
+    std::vector<double> product(static_cast<std::size_t>(m.rows()));
+    mass.multiply({d.data(), product.size()}, product);
+    EXPECT_LT((vector(product) - m * d).norm(), 1e-14 * (m * d).norm());
+    EXPECT_EQ(m.llt().info(), Eigen::Success) << pattern;
+  }
+}
+
+/// Three eigenvalues of K φ = μ M φ are those of a free body where nothing is left of a cut all through, none before.
+TEST(CutBlocks, WhatIsSeveredMovesFreely) {
+  for (const std::string& pattern : patterns) {
+    CutStructure structure({.subdivision = pattern, .support_stiffness = 1e3});
+    ASSERT_GE(structure.cut_straight({11.3, 0}, {0.07, 1}), 3);
+    const Equilibrium equilibrium = structure.equilibrium();
+    std::vector<Mat2> tangents;
+    for (std::size_t p = 0; p < equilibrium.num_points(); ++p)
+      tangents.emplace_back(equilibrium.point(p).intact_stiffness().asDiagonal());
+    const Eigen::MatrixXd mass = unit_mass(structure.body()).dense();
+    const auto lowest = [&](bool is_severed) {
+      std::vector<Mat2> now = tangents;
+      for (std::size_t p = 0; p < equilibrium.num_points(); ++p)
+        if (is_severed && equilibrium.point(p).cut) now[p].setZero();
+      BlockMatrix k = block_stiffness(equilibrium, now);
+      for (std::size_t p = 0; is_severed && p < equilibrium.num_active(); ++p)
+        add_stress_energy(k, equilibrium.point(p));
+      return Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(dense(k), mass, Eigen::EigenvaluesOnly)
+          .eigenvalues()
+          .head<4>()
+          .eval();
+    };
+    const auto whole = lowest(false), severed = lowest(true);
+    EXPECT_GT(whole[0], 1e-6 * whole[3]) << pattern;
+    EXPECT_LT(severed.head<3>().cwiseAbs().maxCoeff(), 1e-10 * severed[3]) << pattern;
+    EXPECT_GT(severed[3], whole[0]) << "the shorter piece that is held is stiffer";
+  }
 }
 
 /// f · K0⁻¹ f of the stage's load.

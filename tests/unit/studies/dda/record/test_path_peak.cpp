@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "framework/files/run_folder.hpp"
+#include "framework/files/whole_file.hpp"
 #include "studies/dda/record/path_peak.hpp"
 #include "unit/framework/files/scratch.hpp"
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "framework/files/whole_file.hpp"
 #include "studies/dda/figures/stability_pictures.hpp"
 #include "studies/dda/record/stability_record.hpp"
 #include "unit/framework/files/scratch.hpp"

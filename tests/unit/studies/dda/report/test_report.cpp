@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "framework/base/errors.hpp"
-#include "framework/files/results_writer.hpp"
+#include "framework/files/run/results_writer.hpp"
 #include "studies/dda/report/report.hpp"
 #include "unit/framework/files/scratch.hpp"
 
@@ -156,6 +156,34 @@ TEST(Report, BlocksAndCracksAreCompact) {
   EXPECT_EQ(second["cracks"]["points"], "AQAAAA==");   // point 1 alone has damage
   EXPECT_EQ(second["cracks"]["opening"], "AABAQA==");  // 3, of w = (3, -4)
   EXPECT_EQ(second["cracks"]["sliding"], "AACAQA==");  // 4
+}
+
+/// Of a cut block the parts and their motion stand beside the blocks, and the cracked pieces behind the points of sides.
+TEST(Report, PartsOfCutBlocksBelongToTheirStep) {
+  const Scratch scratch;
+  ResultsWriter file(scratch.path(), two_triangles(), {});
+  file.store(snapshot(1));
+  Snapshot cut = snapshot(2);
+  cut.cut = {.parts = {{{1, 0}, {1, 1}, {0.5, 0.5}}, {{1, 1}, {0, 1}, {0.5, 0.5}}},
+             .part_block = {1, 1},
+             .pieces = {{Vec2{0.5, 0.5}, Vec2{0.75, 0.75}}, {Vec2{0.75, 0.75}, Vec2{1, 1}}}};
+  cut.fields.push_back(
+      {"displacement", "mm", FieldPlace::part_vertex, 2, {0, 0, 0, 0, 0, 0, 3, 0, 3, 0, 3, 0}, "x y z"});
+  cut.fields.push_back({"displacement", "mm", FieldPlace::crack_end, 2, {0, 0, 0, 0, 1, 1, 2, 2}, "x y z"});
+  cut.fields.push_back({"opening", "mm", FieldPlace::crack, 2, {0, 0, 2, -1}, "n s"});
+  cut.fields.push_back({"damage", "", FieldPlace::crack, 1, {0, 1}, ""});
+  file.store(cut);
+  const Json steps = data_of_blocks(ResultsReader(scratch.path()), 2, {})["steps"];
+  EXPECT_FALSE(steps[0].contains("parts"));
+  const Json& parts = steps[1]["parts"];
+  EXPECT_EQ(parts["blocks"], "AQAAAAEAAAA=");  // 1, 1
+  EXPECT_EQ(parts["counts"], "AwADAA==");      // 3, 3
+  EXPECT_NEAR(parts["motion"]["mean"]["scale"], 3.0 / 32767, 1e-12);
+  const Json& cracks = steps[1]["cracks"];
+  EXPECT_EQ(cracks["points"], "AQAAAA==");
+  EXPECT_EQ(cracks["pieces"], "AABAPwAAQD8AAIA/AACAPw==");  // 0.75, 0.75, 1, 1
+  EXPECT_EQ(cracks["opening"], "AABAQAAAAEA=");             // 3, then 2
+  EXPECT_NEAR(cracks["ends"]["scale"], 8.0 / 32767, 1e-12);
 }
 
 TEST(Report, WhatDoesNotMoveHasNoSize) {

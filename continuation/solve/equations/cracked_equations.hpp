@@ -1,0 +1,137 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "continuation/contact/contact_walk.hpp"
+#include "continuation/equation/control_equation.hpp"
+#include "continuation/linear/dense/condensed_update.hpp"
+#include "continuation/solve/equations/equations.hpp"
+#include "continuation/solve/equations/pieces_watch.hpp"
+
+namespace dda {
+
+/// Equilibrium of the points with columns under one control, everything else being linear.
+///
+///     F = q − q_dead − λ q_ref − m + G (z − z₀),     z = W (t(q; h) − D_base (q − m)),     N(q, λ) = 0
+///     d = d_dead + λ d_ref − Z (z − z₀)
+///
+/// with the base, Z and G of a LinearSystem and the iterated multipliers m; z₀ = 0 until refined. An
+/// iteration costs a dense solve of the size of the cracked components.
+class CrackedEquations final : public WalkedEquations {
+ public:
+  /// What the error of q is measured by: the openings, or what the points carry, t/(E/h), by which
+  /// equilibrium is judged: joints may open much further than they are pressed together.
+  enum class Accuracy { of_openings, of_what_is_carried };
+  /// When an iteration ends. Newton's method counts only iterations that bring no new set of pieces of the laws;
+  /// a set that comes back ends it at once where something else can be tried.
+  struct Rule {
+    int max_iterations = 15;
+    bool may_settle = false;  ///< of Newton's method: sets may come back
+    int at_least = 0;         ///< of walks
+    Accuracy accuracy = Accuracy::of_openings;
+  };
+
+  CrackedEquations(const System& system, LinearSystem& linear, const ControlSum& control);
+
+  /// The openings of a state, from which an iteration by Newton's method, or by walks, begins with the
+  /// multipliers of now.
+  Iterate begin(const State& guess, const Rule& rule);
+  Iterate begin_walks(const State& guess, const Rule& rule);
+  /// Walks go on from where the last iterate was, which has been made the origin (`refine`).
+  Iterate go_on_walking(const Rule& rule);
+  std::size_t num_points() const { return points_.size(); }
+  /// Whether all of them are contacts, without damage.
+  bool only_touch() const { return only_touch_; }
+  /// Makes the z found so far the origin z₀, d_dead being solved for with it: z itself may be large, as where
+  /// points slide that are held in the base, and then so are the errors of Z and G in its products. The
+  /// iteration goes on from there.
+  void refine();
+  /// The whole structure at an iterate.
+  State state(const Iterate& at);
+  /// ‖R‖ of that state as far as the equations tell, R = Bᵀ (W (t − D_base B d) − z) [F].
+  double residual_norm(const State& at) const;
+
+  Unknowns unknowns() const override { return Unknowns::cracked; }
+  std::size_t size() const override { return 2 * points_.size(); }
+  void residual(const Iterate& at, std::span<double> out) override;
+  double norm(const Iterate& at) override;
+  void load_derivative(const Iterate& at, std::span<double> out) override;
+  bool factorise(const Iterate& at) override;
+  void solve(const Iterate& at, std::span<const std::span<double>> columns) override;
+  void multiply(const Iterate& at, std::span<const double> in, std::span<double> out) override;
+  double control(const Iterate& at) override;
+  double control_gradient(const Iterate& at, std::span<double> per_x) override;
+  double per_path() const override { return -1 / control_.scale; }
+  Verdict judge(const Iterate& at, int iterations) override;
+  /// Contact and friction solved exactly (contact_walk.hpp), what cracks by its tangent.
+  std::vector<double> walk_from(const Iterate& at) override;
+
+ private:
+  /// By so much the equations may be missed, of the size of the openings or of what the points carry.
+  static constexpr double good = 1e-11;
+
+  using Matrix = Eigen::MatrixXd;
+  using Vector = Eigen::VectorXd;
+
+  Eigen::Index length() const { return 2 * static_cast<Eigen::Index>(points_.size()); }
+  Iterate start_at(const State& guess, const Rule& rule, bool walks);
+  Vec2 multiplier(std::size_t i) const;
+  double opening_scale() const;
+  double largest_miss(Accuracy accuracy) const;
+  bool is_solved(Accuracy accuracy) const;
+  void evaluate(const Iterate& at);
+  void evaluate();
+  std::size_t pieces() const;
+  auto couplings(std::size_t i) const {
+    return linear_.couplings().block(0, 2 * static_cast<Eigen::Index>(i), length(), 2);
+  }
+  Vector gap() const;
+  std::vector<double> unbalanced(const State& at) const;
+  State state_here();
+  std::vector<bool> steady_points() const;
+  double value() const;
+  double rounding_of_value() const;
+  Verdict judge_newton(int iterations);
+  Verdict judge_walks(int iterations);
+  void linearise();
+  void set_coefficients(double unit);
+  ContactProblem::Point point_of(std::size_t i) const;
+
+  const System& system_;
+  LinearSystem& linear_;
+  const ControlSum control_;
+  const std::vector<std::size_t> points_;
+  Vector dead_, live_;  ///< q_dead + m, q_ref
+  Vector along_;        ///< Zᵀ ∂g/∂d
+  double gauge_dead_ = 0, gauge_live_ = 0;
+  bool only_touch_ = false;
+  std::shared_ptr<const std::vector<double>> origin_;  ///< d_dead once it is refined
+  Vector z_origin_;                                    ///< z₀
+
+  // at the last iterate
+  Vector q_, z_, difference_, spending_;
+  mutable std::optional<Vector> coupled_;  ///< G (z − z₀), once it was asked for
+  double load_factor_ = 0, spent_ = 0;
+  double carried_ = 0;               ///< largest t/(E/h) of the points [L]
+  double scale_ = 0;                 ///< size of the openings of the loads alone and of the guess [L]
+  std::vector<Mat2> change_;         ///< E
+  std::vector<std::size_t> active_;  ///< places in points_ with z or E
+  bool is_factorised_ = false;
+  CondensedUpdate update_;     ///< 1 + G E
+  bool is_condensed_ = false;  ///< since the iteration began
+
+  // of the iteration
+  Rule rule_;
+  bool walks_ = false;
+  PiecesWatch pieces_;
+  std::vector<double> start_;  ///< x where it begins
+  Vector before_;              ///< q of the iterate judged last
+  double error_before_ = 0;
+  int rises_ = 0;           ///< walks that have hardly brought the error down
+  ContactProblem problem_;  ///< all but contact and friction made linear
+  double unit_ = 0;         ///< of the control in it
+  ContactMatrix matrix_;
+};
+
+}  // namespace dda
