@@ -28,7 +28,7 @@ std::optional<Point> start_step(PathState& path, const CrackFront::Asked& asked)
     auto point = jump_to(path, *std::move(next), StepKind::growth, of_cuts * path.walker.here().stored);
     path.memory.step = step;
     if (point) {
-      path.report("started", fmt::format("crack {} {} ({:.6g}, {:.6g})", *crack,
+      path.report("begun", fmt::format("crack {} {} ({:.6g}, {:.6g})", *crack,
                                          asked.moved ? "moves to" : "stands ready at", x.x(), x.y()));
       return point;
     }
