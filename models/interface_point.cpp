@@ -10,6 +10,7 @@
 #include "models/body/motion.hpp"
 #include "models/interface/scaled_law.hpp"
 #include "models/interface_book.hpp"
+#include "models/jump_rows.hpp"
 #include "models/locked_joints.hpp"
 #include "models/treatment/trace_constant.hpp"
 
@@ -122,14 +123,15 @@ class PointMaker {
     const Side& side = body_.assembly.sides[stretch.side];
     const Vec2 edge = stretch.end - stretch.start;
     const SideFaces faces = faces_of(side);
-    const auto places = quadrature(interface.points);
+    const PointLine line{stretch.start, stretch.end, faces.normal, quadrature(interface.points)};
     std::vector<Local> laws = laws_along(interface, stretch.start, edge);
     const double k = stiffness(interface, laws, faces, side);
     const Treatment& treatment = *interface.treatment;
+    JumpsOfPoints jumps = jumps_along_side(body_, stretch.side, line);
     const BlockId node{body_.num_nodes() + out.num_nodes};
     if (treatment.multiplier() == Multiplier::unknown) ++out.num_nodes;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      const auto& [xi, share] = places[i];
+    for (std::size_t i = 0; i < line.points.size(); ++i) {
+      const auto& [xi, share] = line.points[i];
       const bool is_separate = laws[i].law->contact({}, k).has_value();
       InterfacePoint point{.first = side.first,
                            .second = side.second,
@@ -151,7 +153,7 @@ class PointMaker {
                            .spring_unit = spring_unit(faces),
                            .strength_factor = laws[i].factor};
       point.rows = rows_of(point, treatment, faces);
-      add_jumps(point);
+      point.jumps = std::move(jumps[i]);
       out.points.push_back(std::move(point));
       if (interface.is_local()) out.laws.push_back(std::move(laws[i].law));
     }
@@ -162,27 +164,6 @@ class PointMaker {
     return treatment.rows(faces, displacement_rows(point.x - body_.block(point.first).moments.centroid),
                           displacement_rows(point.x - body_.block(point.second).moments.centroid),
                           point.trial_stiffness());
-  }
-
-  /// By which the parts on either side of a point of a side move beside their blocks.
-  void add_jumps(InterfacePoint& point) const {
-    if (body_.num_jumps() == 0) return;
-    const double sign[] = {-1, 1};
-    for (const BlockId block : {point.first, point.second})
-      add_jumps(point, body_.cracks->jumps_at(block, point.x), sign[block == point.second]);
-  }
-  void add_jumps(InterfacePoint& point, std::span<const JumpId> jumps, double sign) const {
-    for (const JumpId jump : jumps) {
-      const Motion motion = motion_of(body_, jump, point.x);
-      point.jumps.push_back({motion.node, sign * frame(point.normal) * motion.rows});
-    }
-  }
-
-  /// [n s]ᵀ.
-  static Mat2 frame(const Vec2& normal) {
-    Mat2 out;
-    out << normal.x(), normal.y(), -normal.y(), normal.x();
-    return out;
   }
 
   void add_cuts(InterfaceSet& out) {
@@ -205,8 +186,10 @@ class PointMaker {
     const double size = std::sqrt(body_.block(cut.block).moments.area);
     const SideFaces faces{of_block, of_block, size, cut.length(), cut.normal()};
     const double k = cut_stiffness(index, through, laws, faces);
+    const auto places = quadrature(interface.points);
+    JumpsOfPoints jumps = jumps_along_cut(body_, cut, {cut.start, cut.end, cut.normal(), places});
     for (std::size_t i = 0; i < laws.size(); ++i) {
-      const auto [xi, share] = quadrature(interface.points)[i];
+      const auto [xi, share] = places[i];
       InterfacePoint point{.first = cut.block,
                            .second = cut.block,
                            .x = cut.start + xi * (cut.end - cut.start),
@@ -222,9 +205,7 @@ class PointMaker {
                            .physical_stiffness = k,
                            .spring_unit = spring_unit(faces),
                            .strength_factor = laws[i].factor};
-      const CrackGeometry::Across across = body_.cracks->across(cut, point.x);
-      add_jumps(point, across.right, 1);
-      add_jumps(point, across.left, -1);
+      point.jumps = std::move(jumps[i]);
       point.rows.first_stress = traction_rows(point.normal) * of_block.stiffness * strain_rows();
       point.rows.first = point.trial_stiffness().cwiseInverse().asDiagonal() * point.rows.first_stress;
       point.rows.second.setZero();

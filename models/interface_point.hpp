@@ -104,7 +104,7 @@ struct InterfaceSet {
 /// (and a notice); a block too large even then is a finding at the interface's position in the deck.
 ///
 /// The inner sides of regions through whose blocks cracks run are bonded. Where cuts end on a bond each piece of it
-/// has points of its own; points that remember something stay, and move with the part at which they stand. Points of
+/// has points of its own; points that remember something stay (models/jump_rows.hpp). Points of
 /// cuts come behind those of sides, in the order of the cuts, so that more cuts add points at the end of each group.
 InterfaceSet make_interface_points(const Body& body, const ModelParameters& model, Findings& findings);
 

@@ -40,9 +40,11 @@ double released_energy(PathState& path, const std::vector<Cut>& before, std::spa
 
 }  // namespace
 
-std::optional<Candidate> at_same_displacement(PathState& path) {
+std::optional<Candidate> standing_still(PathState& path) {
   Walker& walker = path.walker;
-  HeldEquilibrium held(walker.stepper(), path.displacement, path.displacement_of(walker.state()));
+  const Functional load_factor{.rows = {}, .per_load_factor = 1};
+  const Functional& still = path.memory.peak_load > 0 ? path.displacement : load_factor;
+  HeldEquilibrium held(walker.stepper(), still, walker.value(still));
   const auto found = held.solve(walker.state());
   if (!found) return {};
   return walker.settled({*found, walker.system().next_history(*found), held.iterations()});

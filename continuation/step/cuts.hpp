@@ -17,8 +17,9 @@ std::vector<Vec3> block_stress(PathState& path);
 ///     ΔΠ = ½ rᵀ K⁻¹ r       R = r once the cuts bear no traction, K with the secants of all other points
 CrackFront::Surroundings around(PathState& path);
 
-/// The equilibrium with the cuts that there are now at the same displacement of the load, damage growing as it must.
-std::optional<Candidate> at_same_displacement(PathState& path);
+/// The equilibrium with the cuts that there are now at the same displacement of the load, or before it has begun without
+/// any, damage growing as it must.
+std::optional<Candidate> standing_still(PathState& path);
 
 /// Makes the structure anew for the cuts that there are now; `before` are those that it was made for.
 void follow_cuts(PathState& path, const std::vector<Cut>& before);

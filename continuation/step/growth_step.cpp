@@ -134,7 +134,7 @@ std::optional<Point> step_on(PathState& path, double bearable) {
   const std::string why = path.refusal;
   path.reject(to_string(StepKind::growth), why);
   if (!path.walker.leaving().dissipates) {
-    auto next = at_same_displacement(path);
+    auto next = standing_still(path);
     return next ? jump_to(path, *std::move(next), StepKind::growth, bearable) : std::optional<Point>();
   }
   const Move move = path.control->next(path.walker);

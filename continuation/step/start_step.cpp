@@ -22,13 +22,13 @@ std::optional<Point> start_step(PathState& path, const CrackFront::Asked& asked)
   follow_cuts(path, cuts);
   const Vec2& x = front.tip(*crack);
   path.refusal = "no convergence with the cut closed";
-  if (auto next = at_same_displacement(path)) {
+  if (auto next = standing_still(path)) {
     constexpr double of_cuts = 1e-3;  // a closed cut is all but rigid
     const double step = path.memory.step;
     auto point = jump_to(path, *std::move(next), StepKind::growth, of_cuts * path.walker.here().stored);
     path.memory.step = step;
     if (point) {
-      path.report("started", fmt::format("crack {} {} ({:.6g}, {:.6g})", *crack,
+      path.report("begun", fmt::format("crack {} {} ({:.6g}, {:.6g})", *crack,
                                          asked.moved ? "moves to" : "stands ready at", x.x(), x.y()));
       return point;
     }

@@ -201,6 +201,20 @@ CrackGeometry::Across CrackGeometry::across(const Cut& cut, const Vec2& x) const
   return {without(right, left), without(left, right)};
 }
 
+std::vector<std::pair<Vec2, Vec2>> CrackGeometry::pieces_of_cut(const Cut& cut) const {
+  std::vector<Vec2> at{cut.start};
+  for (const Cut& other : cuts_)
+    if (other.block == cut.block && !other.side && is_between(other.end, cut.start, cut.end))
+      at.push_back(other.end);
+  const Vec2 along = cut.end - cut.start;
+  std::ranges::stable_sort(at, {}, [&](const Vec2& x) { return along.dot(x); });
+  at.push_back(cut.end);
+  std::vector<std::pair<Vec2, Vec2>> out;
+  for (std::size_t i = 0; i + 1 < at.size(); ++i)
+    if ((at[i + 1] - at[i]).norm() > tolerance() || at.size() == 2) out.emplace_back(at[i], at[i + 1]);
+  return out;
+}
+
 bool CrackGeometry::is_touched(std::size_t side) const {
   if (empty()) return false;
   const Side& at = assembly_.sides[side];

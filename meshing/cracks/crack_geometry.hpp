@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "meshing/assembly.hpp"
@@ -97,6 +98,8 @@ class CrackGeometry {
     std::vector<JumpId> right, left;
   };
   Across across(const Cut& cut, const Vec2& x) const;
+  /// Between the places at which other cuts end on it, in their order along it.
+  std::vector<std::pair<Vec2, Vec2>> pieces_of_cut(const Cut& cut) const;
   /// Whether a side is divided, opened, or moved by a jump.
   bool is_touched(std::size_t side) const;
   /// In their order along it, one where it is not divided.

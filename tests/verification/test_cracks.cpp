@@ -31,6 +31,13 @@ std::string beam(const std::string& subdivision, double fracture_energy, double 
       subdivision, fracture_energy, askew, path);
 }
 
+/// Puts a text in the place of another.
+void replace(std::string& deck, const std::string& old, const std::string& now) {
+  const std::size_t at = deck.find(old);
+  ASSERT_NE(at, std::string::npos) << old;
+  deck.replace(at, old.size(), now);
+}
+
 /// What a path has come to.
 struct Followed {
   Ending::Kind ending = {};
@@ -129,8 +136,7 @@ TEST(CracksThroughBlocks, FollowTheSamePathByUpdatesAndByFactorisations) {
 TEST(CracksThroughBlocks, BeginByThemselvesWhereTheBeamBendsMost) {
   constexpr double fine = 0.008;
   std::string deck = beam("{type: voronoi, blocks: 1300, seed: 1}", 0.1);
-  const std::string given = "[{at: [150, 0], direction: [0, 1]}]";
-  deck.replace(deck.find(given), given.size(), "automatic");
+  replace(deck, "[{at: [150, 0], direction: [0, 1]}]", "automatic");
   const Followed found = follow(deck);
   EXPECT_EQ(found.ending, Ending::Kind::goal_reached);
   EXPECT_NEAR(found.peak, 11676.0, fine * 11676.0);
@@ -140,28 +146,71 @@ TEST(CracksThroughBlocks, BeginByThemselvesWhereTheBeamBendsMost) {
 
 TEST(CracksThroughBlocks, AreAimedByReleasedEnergyAsWell) {
   std::string deck = beam("{type: voronoi, blocks: 320, seed: 1}", 0.1);
-  deck.replace(deck.find("begin:"), 6, "direction: released_energy, begin:");
+  replace(deck, "begin:", "direction: released_energy, begin:");
   const Followed found = follow(deck);
+  constexpr double coarse = 0.05;  // ways tried are as long as a third of the beam's depth
   EXPECT_EQ(found.ending, Ending::Kind::goal_reached);
-  EXPECT_LT(found.peak, 1.022 * 11676.0);
+  EXPECT_NEAR(found.peak, 11676.0, coarse * 11676.0);
   EXPECT_NEAR(found.work_over_spent, 1, 1e-3);
 }
 
-/// Two cracks in constant moment, 100 mm apart; the supports make one of them lead. What they dissipate is what they
-/// take, and the peak lies between that of one crack and the load at which the strength is reached everywhere.
+/// Two cracks in constant moment: work and energy agree whichever leads.
 TEST(CracksThroughBlocks, GrowSideBySide) {
   std::string deck = beam("{type: voronoi, blocks: 600, seed: 1}", 0.1);
-  const std::string given = "[{at: [150, 0], direction: [0, 1]}]",
-                    load = "[{type: point_load, over: [[145, 100], [155, 100]], force: [0, -1]}]";
-  deck.replace(deck.find(given), given.size(),
-               "[{at: [130, 0], direction: [0, 1]}, {at: [170, 0], direction: [0, 1]}]");
-  deck.replace(
-      deck.find(load), load.size(),
-      "[{type: point_load, over: [[95, 100], [105, 100]], force: [0, -0.5]}, {type: point_load, over: "
-      "[[195, 100], [205, 100]], force: [0, -0.5]}]");
+  replace(deck, "[{at: [150, 0], direction: [0, 1]}]",
+          "[{at: [130, 0], direction: [0, 1]}, {at: [170, 0], direction: [0, 1]}]");
+  replace(deck, "[{type: point_load, over: [[145, 100], [155, 100]], force: [0, -1]}]",
+          "[{type: point_load, over: [[95, 100], [105, 100]], force: [0, -0.5]}, "
+          "{type: point_load, over: [[195, 100], [205, 100]], force: [0, -0.5]}]");
   const Followed found = follow(deck);
   EXPECT_EQ(found.ending, Ending::Kind::goal_reached);
   EXPECT_NEAR(found.work_over_spent, 1, 1e-3);
+  EXPECT_GT(found.tip, 0);
+}
+
+/// A beam in two layers: the crack crosses a joint as strong as the concrete and leaves it whole, and stops at one with a
+/// tenth of its strength, which opens instead: for a brittle joint that is Cook and Gordon's bound of a fifth.
+TEST(CracksThroughBlocks, CrossAnInterfaceOrOpenIt) {
+  for (const double share : {1.0, 0.1}) {
+    std::string deck = beam("{type: voronoi, blocks: 500, seed: 1}", 0.1);
+    replace(deck, "vertices: [[0, 0], [300, 0], [300, 100], [0, 100]]}",
+            "vertices: [[0, 0], [300, 0], [300, 50], [0, 50]]}\n"
+            "    - {name: top, material: concrete, vertices: [[0, 50], [300, 50], [300, 100], [0, 100]]}\n"
+            "  curves: {joint: [[0, 50], [300, 50]]}");
+    replace(deck, "interfaces: {",
+            fmt::format("interfaces: {{joint: {{law: {{type: linear_softening, tensile_strength: {}, "
+                        "fracture_energy: {}}}}}, ",
+                        3 * share, 0.1 * share));
+    replace(deck, "[beam]", "[beam, top]");
+    const Followed found = follow(deck);
+    EXPECT_NEAR(found.work_over_spent, 1, 1e-3);
+    if (share == 1) {
+      EXPECT_NEAR(found.peak, 11676.0, 0.022 * 11676.0) << "as without the joint";
+      EXPECT_GT(found.tip, 70);
+    } else {
+      EXPECT_NEAR(found.tip, 50, 1e-9);
+      EXPECT_LT(found.peak, 11676.0);
+    }
+  }
+}
+
+/// Cracks along sides whose strength and energy go with their projection on the plane of the crack: without that the
+/// bias is 17 %.
+TEST(CracksAlongSides, AreHardlyBiasedWhereTheirPlaneIsGiven) {
+  for (int seed = 1; seed <= 3; ++seed) {
+    std::string deck = beam(fmt::format("{{type: voronoi, blocks: 320, seed: {}}}", seed), 0.1);
+    replace(deck, "cracks: [{through_blocks: [beam], begin: [{at: [150, 0], direction: [0, 1]}]}]\n", "");
+    replace(deck, "between: [concrete, concrete],", "between: [concrete, concrete], crack_normal: [1, 0],");
+    const DeckFile file = deck_from_text(deck, "beam.yaml", {});
+    Timings timings;
+    Simulation simulation(file.deck, timings);
+    simulation.prepare();
+    simulation.begin_path();
+    double peak = 0;
+    for ([[maybe_unused]] const Point& point : simulation.path())
+      peak = std::max(peak, simulation.walker().here().load);
+    EXPECT_NEAR(peak, 11676.0, 0.025 * 11676.0) << "seed " << seed;
+  }
 }
 
 }  // namespace

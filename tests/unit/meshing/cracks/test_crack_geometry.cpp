@@ -141,6 +141,8 @@ TEST(CrackGeometry, ACrackMayEndOnAnotherAndCutsOffAPartThere) {
   expect_sums(cracks);
   EXPECT_EQ(cracks.parts(BlockId{0}).size(), 4u);
   EXPECT_FALSE(cracks.block_ahead(*meets, {-1, 0.1})) << "it ends there";
+  EXPECT_EQ(cracks.pieces_of_cut(cracks.cuts()[0]).size(), 1u);
+  EXPECT_EQ(cracks.pieces_of_cut(cracks.cuts()[1]).size(), 2u);
   const JumpId first{0}, second{1}, third{2};
   EXPECT_THAT(cracks.across(cracks.cut_of(first), {0.5, 1}).right, ElementsAre(first));
   EXPECT_THAT(cracks.across(cracks.cut_of(third), {1.8, 1}).right, ElementsAre(third));

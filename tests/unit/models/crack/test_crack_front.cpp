@@ -74,8 +74,11 @@ TEST(CrackFront, IsAimedAcrossTheTensionWithTheInertiaOfWhatHasGrown) {
     beam.front->grow(0);
     ASSERT_TRUE(beam.front->aim(0, tension(turn)));
     const Vec2 way = beam.cuts().back().end - beam.front->tip(0);
-    // S = f n nᵀ + f/2 n₀ n₀ᵀ:  tan 2φ = sin 2ψ/(1/2 + cos 2ψ), ψ the turn of the tension
-    const double wanted = 0.5 * std::atan2(std::sin(2 * turn), 0.5 + std::cos(2 * turn));
+    // S = f n nᵀ + ι* f n₀ n₀ᵀ:  tan 2φ = sin 2ψ/(ι* + cos 2ψ), ψ the turn of the tension; ι* = ι l_ch/60h of small blocks
+    const double zone = 2 * 0.01 / (0.01 * 0.01),
+                 inertia = 0.5 * zone / 60 / beam.structure.cracks().block_size();
+    ASSERT_GT(inertia, 0.5);
+    const double wanted = 0.5 * std::atan2(std::sin(2 * turn), inertia + std::cos(2 * turn));
     EXPECT_NEAR(std::atan2(-way.x(), way.y()), wanted, 1e-9);
   }
 }
@@ -164,7 +167,8 @@ TEST(CrackFront, PassesThroughCornersThatItComesCloseTo) {
   EXPECT_NE(other.cuts().front().end, Vec2(12.5, 2.5));
 }
 
-/// The way is the top of a parabola of energies, whatever the lengths at which cuts end.
+/// The way is the top of a parabola of energies, whatever the lengths at which cuts end; a side that a trial way takes
+/// turns it by a few degrees.
 TEST(CrackFront, IsAimedWhereMostEnergyIsReleased) {
   for (const double top : {-0.4, 0.1, 0.7}) {
     Fronts beam(voronoi, {Fronts::at(15.2, 0, {0, 1})}, "released_energy");
@@ -176,7 +180,7 @@ TEST(CrackFront, IsAimedWhereMostEnergyIsReleased) {
                                           }};
     ASSERT_TRUE(beam.front->aim(0, around));
     const Vec2 way = beam.cuts().back().end - beam.front->tip(0);
-    EXPECT_NEAR(std::atan2(-way.x(), way.y()), top, 1e-9);
+    EXPECT_NEAR(std::atan2(-way.x(), way.y()), top, 0.02);
   }
 }
 
@@ -263,7 +267,7 @@ TEST(CrackFront, BeginsWhereStressAsksForIt) {
   ASSERT_EQ(beam.front->num_cracks(), 1u);
   const double h = beam.structure.cracks().block_size();
   EXPECT_NEAR(beam.front->tip(0).x(), 17, h);
-  EXPECT_EQ(beam.front->tip(0).y(), 0);
+  EXPECT_NEAR(beam.front->tip(0).y(), 0, 1e-9);
 
   EXPECT_FALSE(beam.front->asked(bent(assembly, 0.17, 10))) << "0.85 of the strength";
   const auto moved = beam.front->asked(bent(assembly, 0.19, 10));
