@@ -168,9 +168,10 @@ Growth Walker::follow(const std::function<Growth()>& remake) {
   here_.state.multipliers = system_.multipliers();
   here_.history = system_.history();
   here_.arriving = {};
-  if (!along.empty()) leaving_.d = growth.unknowns(along);
-  for (auto* rates : {&leaving_.opening, &leaving_.multipliers})
-    if (!rates->empty()) *rates = growth.of_points(*rates);
+  if (along.empty()) return growth;
+  leaving_.d = growth.unknowns(along);
+  leaving_.opening = growth.of_points(leaving_.opening);
+  if (!leaving_.multipliers.empty()) leaving_.multipliers = growth.of_points(leaving_.multipliers);
   return growth;
 }
 

@@ -26,6 +26,7 @@ class Jumps:
         self.middle = (through[["start_x", "start_y"]].to_numpy() + through[["end_x", "end_y"]].to_numpy()) / 2
         self.length = np.sqrt(model.mesh.areas[through["block"]])
         self.block = through["block"].to_numpy()
+        self.tolerance = tolerance_of(model)
         self.moves = [[] for _ in cut.block]
         for part, number in cut.moves:
             self.moves[part].append(self.node_of_cut[number])
@@ -53,6 +54,52 @@ class Jumps:
         away = [distance_to(x, outlines.vertices[outlines.offsets[part]:outlines.offsets[part + 1]]) for part in parts]
         return self.moves[parts[int(np.argmin(away))]]
 
+    def along(self, blocks, line, normal, shares):
+        """By which jumps each point of a line opens, [(node, rows)] for each of `shares` of its length.
+
+        A jump along all of the line enters by its value at the point. Where a cut ends on the line it moves but a piece
+        of it; then a point has what its share N of a traction that varies linearly along the line works on there,
+        rows_i = 1/w_i ∫_piece N_i [n s]ᵀ J ds / L, with two Gauss points.
+        """
+        start, end = line
+        near = np.isin(self.cut.cuts["block"], blocks) & (self.cut.cuts["side"] < 0)
+        ends = self.cut.cuts.loc[near, ["start_x", "start_y", "end_x", "end_y"]].to_numpy().reshape(-1, 2)
+        at = stations(start, end, [x for x in ends if is_between(x, start, end, self.tolerance)], self.tolerance)
+        frame = np.stack([normal, [-normal[1], normal[0]]])
+        moved = {}
+        for a, b in zip(at, at[1:]):
+            for node, sign in self._across(blocks, (a + b) / 2, normal).items():
+                moved.setdefault(node, []).append((a, b, sign))
+        out = [[] for _ in shares]
+        for node, pieces in moved.items():
+            for i, share in enumerate(shares):
+                if len(pieces) == len(at) - 1:
+                    rows = pieces[0][2] * self.rows(node, start + share * (end - start))
+                else:
+                    rows = sum(sign * self._mean(node, (a, b), line, shares, i) for a, b, sign in pieces)
+                out[i].append((node, frame @ rows))
+        return out
+
+    def _across(self, blocks, x, normal):
+        """The jumps between what lies behind a place of a line, of the second block, and before it, with their signs."""
+        off = 1e3 * self.tolerance * normal
+        signs = {}
+        for block, sign in zip(blocks, (-1, 1)):
+            for node in self.at(block, x + sign * off):
+                signs[node] = signs.get(node, 0) + sign
+        return {node: sign for node, sign in signs.items() if sign}
+
+    def _mean(self, node, piece, line, shares, i):
+        (start, end), (a, b) = line, piece
+        along = end - start
+        out = np.zeros((2, 6))
+        for gauss in (0.5 - 0.5 / np.sqrt(3), 0.5 + 0.5 / np.sqrt(3)):
+            x = a + gauss * (b - a)
+            xi = (x - start) @ along / (along @ along)
+            weight = 1.0 if len(shares) == 1 else (xi - shares[1 - i]) / (shares[i] - shares[1 - i])
+            out += weight * self.rows(node, x)
+        return out * len(shares) / 2 * np.hypot(*(b - a)) / np.hypot(*along)
+
     def unknowns(self, of_parts, centroids):
         """e of every jump from the motions of the parts about the centroids of their blocks, jumps × 6."""
         out = np.zeros((len(self), 6))
@@ -69,6 +116,10 @@ class Jumps:
                     system[3 * k + 2, 3 * j + 2] = 1 / self.length[i]
             out[own, :3] = np.linalg.lstsq(system, right, rcond=None)[0].reshape(-1, 3)
         return out
+
+
+def tolerance_of(model):
+    return 1e-9 * np.sqrt(np.sort(model.mesh.areas)[len(model.mesh.areas) // 2])
 
 
 def is_between(x, start, end, tolerance):
@@ -91,7 +142,7 @@ def stations(start, end, marks, tolerance):
 def pieces_of_sides(model, cut):
     """The table of sides with those that cuts divide or open replaced by what is left of them, and the cuts behind it."""
     sides, cuts = model.sides, cut.cuts
-    tolerance = 1e-9 * np.sqrt(np.sort(model.mesh.areas)[len(model.mesh.areas) // 2])
+    tolerance = tolerance_of(model)
     remembers = np.array([interface.is_active or interface.treatment == "lagrange" for interface in model.interfaces])
     starts, ends = cuts[["start_x", "start_y"]].to_numpy(), cuts[["end_x", "end_y"]].to_numpy()
     side_of, block_of = cuts["side"].to_numpy(), cuts["block"].to_numpy()

@@ -237,17 +237,14 @@ class Points:
 
     def _set_jumps(self, model):
         jumps, point, node, rows = model.jumps, [], [], []
-        own = model.mesh.num_blocks - 1 + np.cumsum(model.sides["is_through"])[self.side]
-
-        def add(p, of, sign):
-            point.append(p)
-            node.append(of)
-            rows.append(sign * np.stack([self.normal[p], self.tangent[p]]) @ jumps.rows(of, self.place[p]))
-        for p in np.flatnonzero(np.isin(self.blocks, list(jumps.parts_of)).any(axis=1)) if jumps else []:
-            if self.is_through[p]:
-                add(p, own[p], 1.0)
-                continue
-            for side, sign in ((0, -1.0), (1, 1.0)):
-                for of in jumps.at(self.blocks[p, side], self.place[p]):
-                    add(p, of, sign)
+        is_cut = np.isin(model.sides["blocks"], list(jumps.parts_of)).any(axis=1) if jumps else np.zeros(0, dtype=bool)
+        first = np.searchsorted(self.side, np.arange(len(is_cut)))
+        for s in np.flatnonzero(is_cut):
+            ends, shares = model.sides["ends"][s].reshape(2, 2), RULES[model.interfaces[model.sides["interface"][s]].points]
+            moved = jumps.along(model.sides["blocks"][s], ends, self.normal[first[s]], shares)
+            for p, found in enumerate(moved, start=first[s]):
+                for of, opens in found:
+                    point.append(p)
+                    node.append(of)
+                    rows.append(opens)
         self.jumps = np.array(point, dtype=int), np.array(node, dtype=int), np.array(rows).reshape(-1, 2, 6)

@@ -154,6 +154,7 @@ void Simulation::begin_cracks() {
   const std::vector<Cut> before = crack_geometry_->cuts();
   front_->begin_where_asked(stress);
   walker_->follow([&] { return cracked_->remake(before); });
+  walker_->begin_stage(equilibrium_->stages().size() - 1);
   look_up();
 }
 

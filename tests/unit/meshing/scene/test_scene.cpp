@@ -45,7 +45,8 @@ INSTANTIATE_TEST_SUITE_P(Scene, EverySubdivision,
                                            "{type: voronoi, blocks: 455}",
                                            "{type: voronoi, size: 15, seed: 9}",
                                            "{type: grid, columns: 6, rows: 5}",
-                                           "{type: grid, columns: 6, rows: 5, shape: triangles}"));
+                                           "{type: grid, columns: 6, rows: 5, shape: triangles}",
+                                           "{type: squares, size: 12, angle: 30}"));
 
 /// With its optimisation gmsh turns one of these squares inside out.
 TEST(Quads, DoNotFoldOver) {
@@ -59,7 +60,7 @@ TEST(Quads, DoNotFoldOver) {
 TEST(Scene, EveryRegisteredSubdivisionIsTestedHere) {
   std::vector<std::string> names;
   for (const FamilyMember* member : subdivisions().entries()) names.push_back(member->name);
-  EXPECT_EQ(names, (std::vector<std::string>{"given", "grid", "quads", "triangles", "voronoi"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"given", "grid", "quads", "squares", "triangles", "voronoi"}));
 }
 
 TEST(Scene, ARegionAloneIsSubdivided) {

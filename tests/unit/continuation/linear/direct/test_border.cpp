@@ -89,7 +89,7 @@ class BorderTest : public testing::TestWithParam<std::string> {
   void expect_as_factorised(Following& of) {
     LinearSystem fresh(*of.equilibrium_, of.solver_, LinearSystem::Update::refactorise);
     LinearSystem updated(*of.equilibrium_, of.solver_, LinearSystem::Update::low_rank);
-    fresh.begin_stage(of.equilibrium_->stages()[0]);
+    for (LinearSystem* linear : {&fresh, &updated}) linear->begin_stage(of.equilibrium_->stages()[0]);
     const std::vector<Mat2> tangents = of.tangents();
     for (LinearSystem* linear : {&*of.linear_, &fresh, &updated}) ASSERT_TRUE(linear->set_tangent(tangents));
     Random random(7);
