@@ -183,7 +183,8 @@ TEST(CracksThroughBlocks, CrossAnInterfaceOrOpenIt) {
                         3 * share, 0.1 * share));
     replace(deck, "[beam]", "[beam, top]");
     const Followed found = follow(deck);
-    const double balance = share == 1 ? 1e-3 : 1e-2;  // long steps over the corners of a joint that opens everywhere
+    const double balance =
+        share == 1 ? 1e-3 : 1e-2;  // long steps over the corners of a joint that opens everywhere
     EXPECT_NEAR(found.work_over_spent, 1, balance);
     if (share == 1) {
       EXPECT_NEAR(found.peak, 11676.0, 0.022 * 11676.0) << "as without the joint";
