@@ -18,6 +18,7 @@ constexpr double grazing = 6 * degree, largest_way_along = 60 * degree, same_aim
 constexpr double sliver_turn = 2 * degree;
 constexpr int most_turns = 12, most_aims = 3;
 constexpr std::size_t most_blocks = 12;  // of a segment
+constexpr const char* no_way = "a corner that cannot be cut";
 
 double angle_between(const Vec2& a, const Vec2& b) { return std::abs(std::atan2(cross(a, b), a.dot(b))); }
 
@@ -208,14 +209,39 @@ std::optional<Vec2> CrackFront::cut_once(int crack, const Vec2& from, const Vec2
       std::find_if(cuts.rbegin(), cuts.rend(), [&](const Cut& cut) { return cut.crack == crack; });
   if (last != cuts.rend() && !last->side && last->block == block)
     return open_side(crack, from, direction, largest_way_along);
-  for (int n = 0; n <= most_turns; ++n) {
-    const Vec2 along = Eigen::Rotation2Dd(turn_of_try(n)) * direction;
-    const auto exit = geometry_.exit(block, from, along);
-    if (!exit) continue;
-    for (const Vec2& end : {corner_near(block, *exit), *exit})
-      if (geometry_.cut(block, from, end, crack)) return end;
+  if (auto end = cut_through(crack, block, from, direction)) return end;
+  if (auto end = cut_from_corner(crack, from, direction)) return end;
+  for (int n = 1; n <= most_turns; ++n)
+    if (auto end = cut_through(crack, block, from, Eigen::Rotation2Dd(turn_of_try(n)) * direction))
+      return end;
+  at(crack).end = no_way;
+  return {};
+}
+
+std::optional<Vec2> CrackFront::cut_through(int crack, BlockId block, const Vec2& from,
+                                            const Vec2& direction) {
+  const auto exit = geometry_.exit(block, from, direction);
+  if (!exit) return {};
+  for (const Vec2& end : {corner_near(block, *exit), *exit})
+    if (geometry_.cut(block, from, end, crack)) return end;
+  return {};
+}
+
+std::optional<Vec2> CrackFront::cut_from_corner(int crack, const Vec2& from, const Vec2& direction) {
+  for (const BlockId near : geometry_.blocks_near(from)) {
+    const Vec2 corner = corner_near(near, from);
+    const auto ahead = corner == from ? std::nullopt : geometry_.block_ahead(corner, direction);
+    if (!ahead || !is_open_to_cracks(body_.block(*ahead).region)) continue;
+    const auto on_both = [&](std::size_t side) {
+      return distance(corner, body_.assembly.sides[side].start, body_.assembly.sides[side].end) <=
+             geometry_.tolerance();
+    };
+    const auto sides = geometry_.sides_at(from);
+    const auto between = std::ranges::find_if(sides, on_both);
+    const bool is_opened = between != sides.end() && geometry_.open(*between, from, corner, crack);
+    if (auto end = cut_through(crack, *ahead, corner, direction)) return end;
+    if (is_opened) geometry_.drop_last();
   }
-  at(crack).end = "a corner that cannot be cut";
   return {};
 }
 
@@ -286,6 +312,7 @@ bool CrackFront::aim(int crack, const Surroundings& around) {
   const auto& [strength, characteristic_length] = resistance_.at(region);
   const CrackTip tip{memory.tip,
                      memory.direction,
+                     has_grown(crack),
                      strength,
                      geometry_.block_size(),
                      characteristic_length,
@@ -313,6 +340,8 @@ bool CrackFront::grow(int crack) {
   memory.aims = 0;
   return cut_ahead(crack, memory.direction);
 }
+
+bool CrackFront::is_stuck(int crack) const { return end_of(crack) == no_way; }
 
 bool CrackFront::may_have(const std::vector<Memory>& cracks) const {
   std::vector<std::size_t> count(model_.cracks.size(), 0);

@@ -19,8 +19,9 @@ namespace dda {
 /// of them reaches its strength the segment is aimed once more, by the direction rule, and cut anew if that changes
 /// it by more than a degree; else the crack has grown by it, and the next segment is cut straight on. A segment runs
 /// through block after block until it is long enough; a side that leaves its end within six degrees of the way is
-/// opened instead of a cut, and so is the closest one where the way leads back into the block just cut. Where no part
-/// of a block would be large enough the way is turned by two degrees, up to twelve times.
+/// opened instead of a cut, and so is the closest one where the way leads back into the block just cut. Where a part
+/// of a block would be too small the cut begins at a corner next to it, or else the way is turned by two degrees, up to
+/// twelve times. A crack that finds no way is stuck.
 ///
 /// Where `begin` is `automatic`, the first crack of an entry stands from the start where tension first reaches the
 /// strength by the elastic solution. Once something has cracked, further ones begin, and one that has not grown yet moves,
@@ -73,6 +74,8 @@ class CrackFront {
   bool grow(int crack);
   /// Why it goes no farther; "" while it does.
   const std::string& end_of(int crack) const { return at(crack).end; }
+  /// Whether that is for want of a way: nothing of the structure holds it up.
+  bool is_stuck(int crack) const;
   /// End of what has grown.
   const Vec2& tip(int crack) const { return at(crack).tip; }
 
@@ -101,6 +104,9 @@ class CrackFront {
   std::optional<double> released(int crack, const Vec2& way, double length, const Surroundings& around);
   /// Cuts on from a point; where that leads, or nothing.
   std::optional<Vec2> cut_once(int crack, const Vec2& from, const Vec2& direction);
+  std::optional<Vec2> cut_through(int crack, BlockId block, const Vec2& from, const Vec2& direction);
+  /// The same from a corner next to that point; where a side leads there it is opened.
+  std::optional<Vec2> cut_from_corner(int crack, const Vec2& from, const Vec2& direction);
   std::optional<Vec2> open_side(int crack, const Vec2& from, const Vec2& direction, double within);
   std::string end_at(int crack, const Vec2& x, const Vec2& direction) const;
   bool passes(int crack, std::size_t side) const;

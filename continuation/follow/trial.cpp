@@ -102,7 +102,9 @@ Point noted(PathState& path, const Candidate& candidate, StepKind kind) {
   path.memory.largest_force =
       std::max(path.memory.largest_force, load_on(path.walker.system(), candidate.state));
   const bool is_loaded = std::abs(load) > path.smallest_load();
-  if (path.memory.direction == 0 && is_loaded) path.memory.direction = load > 0 ? 1 : -1;
+  const double change = load - path.walker.state().value(path.load);
+  if (path.memory.direction == 0 && is_loaded && kind != StepKind::growth)
+    path.memory.direction = change > 0 ? 1 : -1;
   constexpr double same = 1e-9;  // the first point of a plateau is the highest, whatever rounding adds
   if (const double here = path.load_of(candidate.state);
       is_loaded && here > (1 + same) * path.memory.peak_load) {

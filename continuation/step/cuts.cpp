@@ -8,16 +8,23 @@
 namespace dda {
 namespace {
 
-/// Takes traction and stiffness from the points of some cuts.
+/// Takes traction and stiffness from those points of some cuts that are under tension: others stay closed.
 void release(const Equilibrium& equilibrium, const std::vector<Cut>& cuts, std::span<const Cut> free,
              LawValues& laws) {
   for (std::size_t p = 0; p < laws.traction.size(); ++p) {
     const InterfacePoint& point = equilibrium.point(p);
-    if (!point.cut) continue;
+    if (!point.cut || !(laws.traction[p].x() > 0)) continue;
     if (std::ranges::none_of(free, [&](const Cut& cut) { return cut.is_at(cuts[*point.cut]); })) continue;
     laws.traction[p].setZero();
     laws.tangent[p].setZero();
   }
+}
+
+/// Holds the opening of every point that still bears traction: what a way beside them would gain by closing them again,
+/// along their soft secants, is no energy of its own.
+void hold(const System& system, LawValues& laws) {
+  for (std::size_t p = 0; p < laws.tangent.size(); ++p)
+    if (!system.is_broken(p)) laws.tangent[p] = system.equilibrium().point(p).intact_stiffness().asDiagonal();
 }
 
 double released_energy(PathState& path, const std::vector<Cut>& before, std::span<const Cut> free) {
@@ -30,6 +37,7 @@ double released_energy(PathState& path, const std::vector<Cut>& before, std::spa
   const State& here = path.walker.state();
   const State at{growth.unknowns(here.d.all()), here.load_factor};
   LawValues laws = system.laws(at);
+  hold(system, laws);
   release(equilibrium, structure.front().geometry().cuts(), free, laws);
   std::vector<double> r(at.d.size()), moved(at.d.size());
   system.residual(at.d.all(), at.load_factor, laws, r);

@@ -150,6 +150,22 @@ std::optional<Point> step_on(PathState& path, double bearable) {
 
 }  // namespace
 
+namespace {
+
+/// A crack that cannot be followed any more would make what comes after it too strong.
+void end_where_stuck(PathState& path, int crack) {
+  const CrackFront& front = path.cracks->structure.front();
+  if (path.ending.kind == Ending::Kind::running && front.is_stuck(crack))
+    path.end(
+        Ending::Kind::stopped_early,
+        fmt::format(
+            "crack {} cannot go on at {}: whichever way it takes, next to nothing of a block is cut off; "
+            "another size or seed of the blocks has its corners elsewhere",
+            crack, place(front.tip(crack))));
+}
+
+}  // namespace
+
 std::optional<Point> growth_step(PathState& path, int crack) {
   CrackFront& front = path.cracks->structure.front();
   if (path.cracks->grows) path.cracks->grows();
@@ -162,9 +178,13 @@ std::optional<Point> growth_step(PathState& path, int crack) {
                            ? fmt::format("crack {} has grown to {}", crack, place(front.tip(crack)))
                            : fmt::format("crack {} ends at {}: {}", crack, place(front.tip(crack)),
                                          front.end_of(crack)));
-  if (auto point = settle_down(path, bearable)) return point;
-  if (auto point = step_on(path, bearable)) return point;
-  if (auto point = settle_down(path, bearable, anywhere)) return point;
+  auto point = settle_down(path, bearable);
+  if (!point) point = step_on(path, bearable);
+  if (!point) point = settle_down(path, bearable, anywhere);
+  if (point) {
+    end_where_stuck(path, crack);
+    return point;
+  }
   const std::vector<Cut> refused = front.geometry().cuts();
   front.restore(cuts, memory);
   follow_cuts(path, refused);

@@ -29,7 +29,7 @@ std::optional<Point> start_step(PathState& path, const CrackFront::Asked& asked)
     path.memory.step = step;
     if (point) {
       path.report("begun", fmt::format("crack {} {} ({:.6g}, {:.6g})", *crack,
-                                         asked.moved ? "moves to" : "stands ready at", x.x(), x.y()));
+                                       asked.moved ? "moves to" : "stands ready at", x.x(), x.y()));
       return point;
     }
   }

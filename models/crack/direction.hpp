@@ -12,9 +12,10 @@ namespace dda {
 /// The end of a crack, and what lies around it.
 struct CrackTip {
   Vec2 at;
-  Vec2 direction;                    ///< of its last segment, a unit vector
-  double strength = 0;               ///< of the law in tension [F/L²]
-  double block_size = 0;             ///< √(median area of the blocks) [L]
+  Vec2 direction;         ///< of its last segment, a unit vector
+  bool has_grown = true;  ///< else there is no such segment, and the direction is that in which it was begun
+  double strength = 0;    ///< of the law in tension [F/L²]
+  double block_size = 0;  ///< √(median area of the blocks) [L]
   double characteristic_length = 0;  ///< l_ch = E/(2 × steepest slope), E Gf/ft² of linear softening [L]
   /// (σx, σy, τxy) at a point; nothing outside of the body [F/L²].
   std::function<std::optional<Vec3>(const Vec2&)> stress;

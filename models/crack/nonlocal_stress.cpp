@@ -35,7 +35,9 @@ Mat2 tensile_part(const Mat2& stress) {
 ///     S = Σ w ⟨σ⟩₊ / Σ w + ι f n₀ n₀ᵀ        w = r exp(−r²/2l²) over the half disc r < R ahead of the tip
 ///
 /// Ahead of a cohesive zone tension is nearly the same in all directions, so that there is no principal axis to
-/// speak of: without the inertia ι cracks in ductile beams curl, and with it they lag by about ι h on a curve.
+/// speak of: without the inertia ι cracks in ductile beams curl, and with it they lag by about ι h on a curve. Nothing has
+/// opened a crack that begins: its first segment has no inertia, so that the direction in which it is begun decides next to
+/// nothing.
 /// R, l and that lag are lengths of the material where blocks are small: they count in h* = max(h, l_ch/60), and the
 /// inertia is ι h*/h. In block sizes alone a finer pattern would see less and less of the body beyond the cohesive
 /// zone's end, and its cracks curl again. Without any tension ahead the crack goes straight on.
@@ -45,7 +47,7 @@ class NonlocalStress final : public CrackDirection {
 
   Vec2 aim(const CrackTip& tip) const override {
     const Vec2 normal(-tip.direction.y(), tip.direction.x());
-    const double inertia = p_.inertia * size(tip) / tip.block_size;
+    const double inertia = tip.has_grown ? p_.inertia * size(tip) / tip.block_size : 0;
     const Mat2 s = mean_ahead(tip) + inertia * tip.strength * normal * normal.transpose();
     const Vec2 opens = Eigen::SelfAdjointEigenSolver<Mat2>(s).eigenvectors().col(1);
     const Vec2 along(opens.y(), -opens.x());

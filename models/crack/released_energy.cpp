@@ -12,19 +12,20 @@ struct ReleasedEnergyParameters {
   double length = 3;
   double least_size = 1.0 / 60;
   double step = 12;
-  double largest_turn = 60;
+  double largest_turn = 48;
 };
 
 constexpr double degree = std::numbers::pi / 180;
 
 /// The way that releases most energy: straight ways of one length L that bear no traction are tried at angles θ a step
 /// apart, from straight on to whichever side releases more, until one between two others releases most; the way is the
-/// top of the parabola through these three,
+/// top of the parabola through these three, and straight on where none is found,
 ///
-///     ΔΠ(θ) = ½ rᵀ K⁻¹ r          r the forces that the traction along the way has held, K with the damage as it is
+///     ΔΠ(θ) = ½ rᵀ K⁻¹ r          r the forces that tension along the way has held, with the shear beside it, K with
+///                                 cracks free where they bear nothing and held where they do
 ///
 /// the finite form of the largest energy release rate (Hussain, Pu & Underwood 1974; cohesive: Dumstorff & Meschke
-/// 2007). L is `length` h*, h* = max(h, l_ch/60): shorter than the cohesive zone it would see the tip alone, where
+/// 2007). Where the way is pressed it stays closed and releases nothing. L is `length` h*, h* = max(h, l_ch/60): shorter than the cohesive zone it would see the tip alone, where
 /// tension is nearly the same in all directions. Each angle costs a factorisation.
 class ReleasedEnergy final : public CrackDirection {
  public:
@@ -42,7 +43,7 @@ class ReleasedEnergy final : public CrackDirection {
     const int most = static_cast<int>(p_.largest_turn / p_.step);
     for (int next : {1, -1})
       while (std::abs(best + next) <= most && at(best + next) > at(best)) best += next;
-    if (!(at(best) > 0)) return tip.direction;
+    if (!(at(best) > 0) || std::abs(best) == most) return tip.direction;
     const double turn = (best + top(at(best - 1), at(best), at(best + 1))) * p_.step;
     return turned(tip.direction, std::clamp(turn, -p_.largest_turn, p_.largest_turn) * degree);
   }
@@ -75,7 +76,7 @@ Schema<ReleasedEnergyParameters> schema() {
       .number("step", &P::step,
               {.fallback = 12.0, .bounds = between(1, 45), .text = "Between the angles tried, in degrees."})
       .number("largest_turn", &P::largest_turn,
-              {.fallback = 60.0, .bounds = between(0, 90), .text = "Of one segment, in degrees."});
+              {.fallback = 48.0, .bounds = between(0, 90), .text = "Of one segment, in degrees."});
 }
 
 }  // namespace

@@ -25,6 +25,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 from same_fields import datasets  # noqa: E402
 
 BEAM = ddapath.read_deck(Path(__file__).resolve().parent / "cracked_beam.yaml")
+STUDIES = Path(__file__).resolve().parents[2] / "studies"
 AREA = 300 * 100
 JOINTS = BEAM["interfaces"]["joints"]
 WEIGHT = {"name": "weight", "loads": [{"type": "body_force", "force": [0, -2e-5]}]}
@@ -109,15 +110,39 @@ class Verified(InScratch):
         np.testing.assert_allclose(*secant, rtol=1e-6)
 
 
+class FirstLoad(InScratch):
+    def test_a_crack_at_its_strength_before_the_load_sets_out(self):
+        """A shear force that stays brings a crack to its strength; that it grows is no loading of the tension that follows."""
+        deck = ddapath.read_deck(STUDIES / "crack-paths" / "double-notch.yaml")
+        deck["scene"]["subdivision"] = {"type": "voronoi", "size": 5.656854249492381, "seed": 2}
+        run = self.run_(deck=deck)
+        self.assertEqual(run.status, "goal_reached")
+        self.assertLess(run.curve["load"][1:4].min(), 0)
+        self.assertGreater(run.summary["peak"]["load"], 15000)  # half of the strength of the section between the notches
+
+
+class Begun(InScratch):
+    def test_the_direction_in_which_a_crack_is_begun_decides_next_to_nothing(self):
+        """A notch under shear: from straight on to 45° the peak stays where the blocks' pattern leaves it, within 1.5 %."""
+        deck = ddapath.read_deck(STUDIES / "crack-paths" / "shear-beam.yaml")
+        peaks = []
+        for across in (0, 0.5, 1):
+            deck["cracks"][0]["begin"][0]["direction"] = [across, 1]
+            peaks.append(self.run_(deck=deck).summary["peak"]["load"])
+        self.assertLess(max(peaks) / min(peaks), 1.015)
+
+
 class Friction(InScratch):
     def test_a_crack_that_closes_bears_shear_by_friction_alone(self):
-        """Opened by bending, closed again by the load turned round: what slides on the broken cuts is at -t_n tan φ."""
+        """Opened by bending, closed again by the load turned round: what slides on the broken cuts is at -t_n tan φ. A crack
+        across the tension would close without sliding: this one is kept on a slope."""
         turned = [{**BEAM["stages"][0], "until": {"cmod": 0.1}}, {"name": "reversal", "unload": True, "until": {"load": -2000}}]
-        run = self.run_({"stages": turned, "path.stop": {}})
+        sloping = {"begin": [{"at": [120, 30], "direction": [0.8, 1]}], "direction": {"type": "nonlocal_stress", "largest_turn": 0}}
+        run = self.run_({"stages": turned, "path.stop": {}, "cracks": [{"through_blocks": ["beam"], **sloping}]})
         self.assertEqual([finding.check for finding in verify(run.folder) if not finding.holds], [])
         cracks = run.cracks()
         closed = cracks[(cracks["damage"] > 0.999) & (cracks["traction_n"] < -0.01)]
-        self.assertGreater(len(closed), 2)
+        self.assertGreater(len(closed), 1)
         slope = (closed["traction_s"].abs() / -closed["traction_n"]).max()
         self.assertAlmostEqual(slope, math.tan(math.radians(JOINTS["law"]["friction_angle"])), delta=0.01 * slope)
 
@@ -164,7 +189,7 @@ class Restart(InScratch):
         """From before, at and after every growth of the crack, and between: the same curve, fields and grids."""
         whole = self.run_(name="whole")
         grown = np.flatnonzero(whole.curve["control"] == "growth")
-        self.assertGreater(len(grown), 6)
+        self.assertGreater(len(grown), 4)
         last = len(whole.curve) - 1
         steps = {step + k for step in grown for k in (-1, 0, 1)} | set(range(3, last, 9))
         expected = datasets(whole.folder)
@@ -211,7 +236,7 @@ class Stability(InScratch):
         curve = self.whole.curve
         is_frozen = curve["control"].isin(["growth", "event"])
         grown = curve.index[(curve["control"] == "growth") & is_frozen.shift(fill_value=False)]
-        self.assertGreater(len(grown), 1)
+        self.assertGreater(len(grown), 0)
         for name in ("mu_1", "mu_2", "mu_3", "mu_ratio_1", "mu_ratio_2", "mu_ratio_3"):
             np.testing.assert_allclose(curve[name][grown].to_numpy(), curve[name][grown - 1].to_numpy(), rtol=1e-3)
         self.assertFalse(curve[["mu_ratio_2", "mu_ratio_3"]].isna().any(axis=None))

@@ -129,7 +129,7 @@ class Reports(unittest.TestCase):
     def test_cracks_through_blocks(self):
         """Path, length and cuts are told; cut blocks are drawn in the parts that the fields have."""
         folder = self.work / "cracked"
-        dda("run", CRACKED, "--folder", folder, "--quiet")
+        dda("run", CRACKED, "--folder", folder, "--quiet", "--set", "scene.subdivision={type: voronoi, blocks: 150, seed: 3}")
         crack = json.loads((folder / "summary.json").read_text())["cracks"][0]
         page = self.open(folder)
         told = self.text(page, "#cracks")

@@ -83,6 +83,16 @@ TEST(CrackFront, IsAimedAcrossTheTensionWithTheInertiaOfWhatHasGrown) {
   }
 }
 
+TEST(CrackFront, HasNoInertiaBeforeItHasGrown) {
+  for (const double turn : {-0.5, 0.2, 0.6})
+    for (const double begun : {-0.3, 0.0, 0.3}) {
+      Fronts beam(voronoi, {Fronts::at(15.2, 0, {begun, 1})});
+      ASSERT_TRUE(beam.front->aim(0, tension(turn)));
+      const Vec2 way = beam.cuts().back().end - beam.front->tip(0);
+      EXPECT_NEAR(std::atan2(-way.x(), way.y()), turn, 1e-9);
+    }
+}
+
 TEST(CrackFront, StaysWhereTheAimIsTheSame) {
   Fronts beam(voronoi, {Fronts::at(15.2, 0, {0, 1})});
   beam.front->grow(0);
@@ -98,6 +108,19 @@ TEST(CrackFront, AimsASegmentThreeTimesAtMost) {
   EXPECT_FALSE(beam.front->aim(0, tension(-0.5)));
   beam.front->grow(0);
   EXPECT_TRUE(beam.front->aim(0, tension(-0.5)));
+}
+
+/// A millionth beside a corner, with the block behind it ahead: straight on next to nothing of a block would be cut off.
+TEST(CrackFront, GoesOnFromACornerThatItHasAllButMet) {
+  const std::string diagonal = "{type: grid, columns: 12, rows: 4}";
+  Fronts beam(diagonal, {Fronts::at(15 - 1e-6, 0, {1, 1})});
+  EXPECT_EQ(beam.cuts().front().start, Vec2(15, 0));
+  EXPECT_EQ(beam.cuts().front().end, Vec2(17.5, 2.5));
+  while (beam.front->grow(0)) {
+  }
+  EXPECT_EQ(beam.front->end_of(0), "the boundary");
+  EXPECT_FALSE(beam.front->is_stuck(0));
+  EXPECT_EQ(beam.front->tip(0), Vec2(25, 10));
 }
 
 TEST(CrackFront, EndsOnAnotherCrack) {
@@ -182,6 +205,15 @@ TEST(CrackFront, IsAimedWhereMostEnergyIsReleased) {
     const Vec2 way = beam.cuts().back().end - beam.front->tip(0);
     EXPECT_NEAR(std::atan2(-way.x(), way.y()), top, 0.02);
   }
+}
+
+TEST(CrackFront, RunsStraightOnWhereNoWayReleasesMoreThanItsNeighbours) {
+  Fronts beam(voronoi, {Fronts::at(15.2, 0, {0, 1})}, "released_energy");
+  beam.front->grow(0);
+  EXPECT_FALSE(beam.front->aim(0, {{}, [](std::span<const Cut> free) {
+                                     const Vec2 way = free.back().end - free.front().start;
+                                     return way.squaredNorm() * (2 + std::atan2(-way.x(), way.y()));
+                                   }}));
 }
 
 /// A beam in two layers, `upper` above `lower`, that meet in a curve `joint`.
