@@ -18,7 +18,8 @@ constexpr double grazing = 6 * degree, largest_way_along = 60 * degree, same_aim
 constexpr double sliver_turn = 2 * degree;
 constexpr int most_turns = 12, most_aims = 3;
 constexpr std::size_t most_blocks = 12;  // of a segment
-constexpr const char* no_way = "a corner that cannot be cut";
+constexpr const char* no_way = "whichever way it takes, next to nothing of a block is cut off";
+constexpr const char* turned_back = "it turns back towards its beginning";
 
 double angle_between(const Vec2& a, const Vec2& b) { return std::abs(std::atan2(cross(a, b), a.dot(b))); }
 
@@ -338,10 +339,16 @@ bool CrackFront::grow(int crack) {
   memory.direction = (ahead.back().end - memory.tip).normalized();
   memory.tip = ahead.back().end;
   memory.aims = 0;
+  // Next to the last bit of a section, pressed for a hinge, the stress ahead has no direction for it any more.
+  const auto first = std::ranges::find(geometry_.cuts(), crack, &Cut::crack);
+  if (memory.direction.dot(memory.tip - first->start) < 0) {
+    memory.end = turned_back;
+    return false;
+  }
   return cut_ahead(crack, memory.direction);
 }
 
-bool CrackFront::is_stuck(int crack) const { return end_of(crack) == no_way; }
+bool CrackFront::is_stuck(int crack) const { return end_of(crack) == no_way || end_of(crack) == turned_back; }
 
 bool CrackFront::may_have(const std::vector<Memory>& cracks) const {
   std::vector<std::size_t> count(model_.cracks.size(), 0);

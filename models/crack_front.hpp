@@ -21,7 +21,7 @@ namespace dda {
 /// through block after block until it is long enough; a side that leaves its end within six degrees of the way is
 /// opened instead of a cut, and so is the closest one where the way leads back into the block just cut. Where a part
 /// of a block would be too small the cut begins at a corner next to it, or else the way is turned by two degrees, up to
-/// twelve times. A crack that finds no way is stuck.
+/// twelve times. A crack that finds no way is stuck, and so is one that turns back towards its beginning.
 ///
 /// Where `begin` is `automatic`, the first crack of an entry stands from the start where tension first reaches the
 /// strength by the elastic solution. Once something has cracked, further ones begin, and one that has not grown yet moves,

@@ -156,12 +156,9 @@ namespace {
 void end_where_stuck(PathState& path, int crack) {
   const CrackFront& front = path.cracks->structure.front();
   if (path.ending.kind == Ending::Kind::running && front.is_stuck(crack))
-    path.end(
-        Ending::Kind::stopped_early,
-        fmt::format(
-            "crack {} cannot go on at {}: whichever way it takes, next to nothing of a block is cut off; "
-            "another size or seed of the blocks has its corners elsewhere",
-            crack, place(front.tip(crack))));
+    path.end(Ending::Kind::stopped_early, fmt::format("crack {} cannot be followed any farther at {}: {}; "
+                                                      "other blocks, of another size or seed, may lead it on",
+                                                      crack, place(front.tip(crack)), front.end_of(crack)));
 }
 
 }  // namespace

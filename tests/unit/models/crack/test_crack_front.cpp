@@ -93,6 +93,20 @@ TEST(CrackFront, HasNoInertiaBeforeItHasGrown) {
     }
 }
 
+TEST(CrackFront, IsStuckWhereItTurnsBackTowardsItsBeginning) {
+  Fronts beam(voronoi, {Fronts::at(15.2, 0, {0, 1})});
+  ASSERT_TRUE(beam.front->grow(0));
+  bool goes_on = true;
+  for (int n = 0; goes_on && n < 12; ++n) {
+    const Vec2 way = (beam.cuts().back().end - beam.front->tip(0)).normalized();
+    beam.front->aim(0, tension(std::atan2(-way.x(), way.y()) + 0.7, 1));
+    goes_on = beam.front->grow(0);
+  }
+  EXPECT_FALSE(goes_on);
+  EXPECT_EQ(beam.front->end_of(0), "it turns back towards its beginning");
+  EXPECT_TRUE(beam.front->is_stuck(0));
+}
+
 TEST(CrackFront, StaysWhereTheAimIsTheSame) {
   Fronts beam(voronoi, {Fronts::at(15.2, 0, {0, 1})});
   beam.front->grow(0);
