@@ -26,6 +26,7 @@ double distance(const std::vector<double>& a, const std::vector<double>& b) {
 
 bool Standstill::has_moved(const Watch& watch, const Station& now) const {
   if (watch.of_rescues && !now.is_rescue) return true;
+  if (now.movements.size() != watch.from.movements.size()) return true;  // a crack through blocks has grown
   const double moved = distance(now.movements, watch.from.movements);
   if (moved > std::max(watch.share * largest_movement_, smallest_)) return true;
   if (largest_movement_ <= smallest_) return false;

@@ -37,6 +37,15 @@ TEST(Standstill, CreepIsSeenLater) {
   EXPECT_LT(seen, 100);
 }
 
+TEST(Standstill, PointsThatAreAddedAreProgress) {
+  const auto with_points = [](int i) {
+    Station out = station(1, 1);
+    out.movements.resize(static_cast<std::size_t>(2 + i / 5), 0.0);
+    return out;
+  };
+  EXPECT_EQ(steps_until_still(with_points), -1);
+}
+
 TEST(Standstill, RescuesMayChangeLess) {
   const auto creeps = [](bool is_rescue) {
     return steps_until_still([&](int i) { return station(1 + 2e-6 * i, 1, is_rescue); });
