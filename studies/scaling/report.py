@@ -1,5 +1,6 @@
 """Table, exponents and figure from results/scaling.csv; nothing in the marked region of README.md is typed."""
 
+import math
 import os
 import platform
 
@@ -54,7 +55,7 @@ def draw(by_beam, names, file):
     for panel, (beam, rows) in zip(panels[0], by_beam.items()):
         for name in names:
             heavy = name in LIMITS
-            panel.loglog([row["blocks"] for row in rows], [max(row.get(name) or 0, 1e-6) for row in rows], marker="o", markersize=3,
+            panel.loglog([row["blocks"] for row in rows], [row.get(name) or math.nan for row in rows], marker="o", markersize=3,
                          linewidth=2.2 if heavy else 1, color="black" if name == "total" else None, label=name)
         panel.set_title(beam)
         panel.set_xlabel("blocks")
