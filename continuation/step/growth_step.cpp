@@ -59,9 +59,9 @@ std::optional<Candidate> settled(PathState& path, double far) {
 }
 
 /// ½ Σ W t·P⁻¹t of the closed segment ahead of a crack: what its cuts store, which without them the rest gives back.
-double energy_ahead(const PathState& path, int crack) {
+/// `cuts` are those that the equilibrium has.
+double energy_ahead(const PathState& path, int crack, const std::vector<Cut>& cuts) {
   const System& system = path.walker.system();
-  const auto& cuts = path.cracks->structure.front().geometry().cuts();
   const auto laws = system.laws(path.walker.state());
   double out = 0;
   for (std::size_t p = 0; p < laws.opening.size(); ++p) {
@@ -199,7 +199,7 @@ std::optional<Point> aim_step(PathState& path, int crack, const PlaceBefore& bef
   if (path.cracks->grows) path.cracks->grows();
   if (!front.aim(crack, around(path))) return {};
   before.go_back(path);
-  const double bearable = energy_ahead(path, crack) + energy_of_opened_bonds(path, cuts);
+  const double bearable = energy_ahead(path, crack, cuts) + energy_of_opened_bonds(path, cuts);
   follow_cuts(path, cuts);
   path.report("aimed", fmt::format("crack {} is aimed anew from {}", crack, place(front.tip(crack))));
   if (before.is_at_rest()) {
