@@ -1,4 +1,4 @@
-#include "models/crack/direction.hpp"
+#include "models/crack_direction/direction.hpp"
 #include "models/gauge/gauge.hpp"
 #include "models/interface/law.hpp"
 #include "models/load/load.hpp"

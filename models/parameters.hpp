@@ -9,7 +9,7 @@
 #include "framework/deck/schema.hpp"
 #include "models/body/place.hpp"
 #include "models/body/random_field.hpp"
-#include "models/crack/direction.hpp"
+#include "models/crack_direction/direction.hpp"
 #include "models/gauge/gauge.hpp"
 #include "models/interface/law.hpp"
 #include "models/load/load.hpp"

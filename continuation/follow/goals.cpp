@@ -93,6 +93,24 @@ double share_of_goals(const PathState& path) {
   return share;
 }
 
+namespace {
+
+void end_where_stuck(PathState& path) {
+  if (!path.cracks || path.ending.kind != Ending::Kind::running) return;
+  const CrackFront& front = path.cracks->structure.front();
+  for (int crack = 0; crack < static_cast<int>(front.num_cracks()); ++crack)
+    if (front.is_stuck(crack)) {
+      path.end(Ending::Kind::stopped_early,
+               fmt::format("crack {} cannot be followed any farther at ({:.6g}, {:.6g}): {}; other blocks, "
+                           "of another size "
+                           "or seed, may lead it on",
+                           crack, front.tip(crack).x(), front.tip(crack).y(), front.end_of(crack)));
+      return;
+    }
+}
+
+}  // namespace
+
 void settle(PathState& path) {
   while (path.ending.kind == Ending::Kind::running) {
     if (std::string text = goal_of_path(path); !text.empty()) {
@@ -111,6 +129,7 @@ void settle(PathState& path) {
   const int wanted = path.parameters.stop.after_steps;
   if (path.ending.kind == Ending::Kind::running && wanted > 0 && path.walker.effort().accepted >= wanted)
     path.end(Ending::Kind::goal_reached, fmt::format("{} steps", path.walker.effort().accepted));
+  end_where_stuck(path);
 }
 
 namespace {

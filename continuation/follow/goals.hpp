@@ -1,6 +1,6 @@
 #pragma once
 
-#include "continuation/follow/path_state.hpp"
+#include "continuation/course/path_state.hpp"
 
 namespace dda {
 
@@ -14,7 +14,8 @@ void note_travel(PathState& path);
 
 double share_of_goals(const PathState& path);
 
-/// Ends the path where it has reached its goal, and begins the next leg where only the leg has.
+/// Ends the path where it has reached its goal, and begins the next leg where only the leg has; and where a crack through
+/// blocks is stuck, which would make all that comes after too strong.
 void settle(PathState& path);
 
 /// Ends the path where nothing changes any more.

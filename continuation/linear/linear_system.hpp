@@ -13,8 +13,8 @@
 #include "continuation/linear/unsymmetric_inertia.hpp"
 #include "continuation/linear/update_columns.hpp"
 #include "framework/messages/timings.hpp"
+#include "models/crack/growth.hpp"
 #include "models/equilibrium.hpp"
-#include "models/growth.hpp"
 
 namespace dda {
 

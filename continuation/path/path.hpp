@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "continuation/follow/path_state.hpp"
+#include "continuation/course/path_state.hpp"
 
 namespace dda {
 

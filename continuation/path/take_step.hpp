@@ -1,6 +1,6 @@
 #pragma once
 
-#include "continuation/follow/path_state.hpp"
+#include "continuation/course/path_state.hpp"
 
 namespace dda {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "continuation/linear/linear_system.hpp"
-#include "models/growth.hpp"
+#include "models/crack/growth.hpp"
 
 namespace dda {
 
@@ -67,6 +67,8 @@ class System {
   /// The base on which contacts are solved, made when it is asked for: always symmetric, with contact of
   /// separate bodies closed and held.
   LinearSystem& contact_linear();
+  /// The same if it has been made.
+  const LinearSystem* made_contact_linear() const { return contact_.get(); }
   /// Whether some joint is in contact without being bonded, or has cracked.
   bool has_contacts() const;
   /// Whether bodies are joined by contact from the start.

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "continuation/follow/path_state.hpp"
+#include "continuation/course/path_state.hpp"
 
 namespace dda {
 
@@ -12,9 +12,10 @@ namespace dda {
 std::vector<Vec3> block_stress(PathState& path);
 
 /// What directions of cracks may ask of the structure where the walker stands: stress is that of the first block at
-/// a point; energy is released by the structure with its damage as it is,
+/// a point; energy is released by the structure once the points of the cuts that are in tension bear none, those that are
+/// pressed staying closed,
 ///
-///     ΔΠ = ½ rᵀ K⁻¹ r       R = r once the cuts bear no traction, K with the secants of all other points
+///     ΔΠ = ½ rᵀ K⁻¹ r       R = r then, K without these points and the broken ones; all others held as they are
 CrackFront::Surroundings around(PathState& path);
 
 /// The equilibrium with the cuts that there are now at the same displacement of the load, or before it has begun without

@@ -150,19 +150,6 @@ std::optional<Point> step_on(PathState& path, double bearable) {
 
 }  // namespace
 
-namespace {
-
-/// A crack that cannot be followed any more would make what comes after it too strong.
-void end_where_stuck(PathState& path, int crack) {
-  const CrackFront& front = path.cracks->structure.front();
-  if (path.ending.kind == Ending::Kind::running && front.is_stuck(crack))
-    path.end(Ending::Kind::stopped_early, fmt::format("crack {} cannot be followed any farther at {}: {}; "
-                                                      "other blocks, of another size or seed, may lead it on",
-                                                      crack, place(front.tip(crack)), front.end_of(crack)));
-}
-
-}  // namespace
-
 std::optional<Point> growth_step(PathState& path, int crack) {
   CrackFront& front = path.cracks->structure.front();
   if (path.cracks->grows) path.cracks->grows();
@@ -178,10 +165,7 @@ std::optional<Point> growth_step(PathState& path, int crack) {
   auto point = settle_down(path, bearable);
   if (!point) point = step_on(path, bearable);
   if (!point) point = settle_down(path, bearable, anywhere);
-  if (point) {
-    end_where_stuck(path, crack);
-    return point;
-  }
+  if (point) return point;
   const std::vector<Cut> refused = front.geometry().cuts();
   front.restore(cuts, memory);
   follow_cuts(path, refused);

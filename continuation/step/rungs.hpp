@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "continuation/follow/path_state.hpp"
+#include "continuation/course/path_state.hpp"
 #include "continuation/follow/turns.hpp"
 
 namespace dda {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "continuation/control/control.hpp"
-#include "continuation/follow/path_state.hpp"
+#include "continuation/course/path_state.hpp"
 #include "continuation/follow/place_before.hpp"
 
 namespace dda {

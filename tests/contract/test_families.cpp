@@ -4,7 +4,7 @@
 #include "continuation/detour/increment/load_solver.hpp"
 #include "continuation/linear/direct/direct_solver.hpp"
 #include "meshing/subdivision/subdivision.hpp"
-#include "models/crack/direction.hpp"
+#include "models/crack_direction/direction.hpp"
 #include "models/gauge/gauge.hpp"
 #include "models/interface/law.hpp"
 #include "models/load/load.hpp"

@@ -213,6 +213,32 @@ class Restart(InScratch):
                 self.assertEqual((run.folder / "curve.csv").read_bytes(), (whole.folder / "curve.csv").read_bytes())
 
 
+    def test_beside_contact_bit_for_bit(self):
+        """Contacts are solved on a base of their own, which is made when first they are and grows with the cracks."""
+        lintel = ddapath.read_deck(Path(__file__).resolve().parent / "cracked_lintel.yaml")
+        whole = self.run_(deck=lintel, name="whole")
+        self.assertGreater((whole.curve["control"] == "growth").sum(), 4)
+        for step in range(2, len(whole.curve) - 1, 5):
+            with self.subTest(step=step):
+                run = self.run_(deck=lintel | {"path": lintel["path"] | {"stop": {"load_below": 0.2, "after_steps": step}}}, name="part")
+                resume(run.folder, "path.stop.after_steps=0")
+                self.assertEqual((run.folder / "curve.csv").read_bytes(), (whole.folder / "curve.csv").read_bytes())
+
+    def test_a_crack_that_is_stuck_stays_stuck(self):
+        """Without inertia a crack curls where a beam is all but broken; a resumed run says the same and adds nothing."""
+        deck = ddapath.read_deck(STUDIES / "crack-paths" / "l-panel.yaml")
+        deck["scene"]["subdivision"] = {"type": "voronoi", "size": 25, "seed": 1}
+        deck["cracks"][0]["direction"] = {"type": "nonlocal_stress", "inertia": 0}
+        with self.assertRaises(ddapath.StoppedEarly) as stopped:
+            self.run_(deck=deck)
+        run = stopped.exception.results
+        self.assertIn("turns back", run.summary["reason"])
+        before = (run.folder / "curve.csv").read_bytes()
+        self.assertEqual(subprocess.run([str(ddapath.find_program()), "resume", str(run.folder), "--quiet"], capture_output=True).returncode, 3)
+        self.assertEqual((run.folder / "curve.csv").read_bytes(), before)
+        self.assertEqual(ddapath.read_run(run.folder).summary["reason"], run.summary["reason"])
+
+
 class Stability(InScratch):
     @classmethod
     def setUpClass(cls):

@@ -2,7 +2,7 @@
 
 #include "framework/files/whole_file.hpp"
 #include "framework/messages/provenance.hpp"
-#include "models/crack_kind.hpp"
+#include "models/crack/kind.hpp"
 #include "studies/dda/case/parameter_list.hpp"
 
 namespace dda {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "continuation/follow/path_parameters.hpp"
+#include "continuation/course/path_parameters.hpp"
 #include "framework/deck/units.hpp"
 #include "meshing/scene/scene.hpp"
 #include "models/parameters.hpp"

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "studies/dda/record/trace.hpp"
+#include "studies/dda/record/path/trace.hpp"
 
 namespace dda {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "models/crack_front.hpp"
+#include "models/crack/front.hpp"
 #include "studies/dda/record/measures.hpp"
 
 namespace dda {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "continuation/follow/point.hpp"
+#include "continuation/course/point.hpp"
 #include "framework/files/curve_table.hpp"
 #include "models/interface/law.hpp"
 #include "studies/dda/case/deck.hpp"

@@ -135,6 +135,9 @@ void put_linear(RestartData& data, const std::string& name, const LinearSystem& 
   data.integers[name + ".grown"] = {grown.begin(), grown.end()};
 }
 
+/// The system with which contacts are solved, which is made when first there are any; each time it makes its columns anew.
+constexpr const char* contact_linear = "contact_linear";
+
 /// The linear systems of a path by their names.
 std::map<std::string, LinearSystem*> linear_systems(System& system) {
   std::map<std::string, LinearSystem*> out{{"linear", &system.linear()}};
@@ -164,6 +167,8 @@ void put_walker(RestartData& data, const Walker& walker) {
   put(data, "effort", walker.effort());
   put_linear(data, "linear", walker.system().linear());
   if (walker.system().iterates_multipliers()) put_linear(data, "path_linear", walker.system().path_linear());
+  if (const LinearSystem* contact = walker.system().made_contact_linear())
+    put_linear(data, contact_linear, *contact);
 }
 
 void restore_walker(const RestartData& data, Walker& walker) {
@@ -204,6 +209,7 @@ struct CrackRecord {
   int entry = 0;
   Vec2 tip, direction;
   int aims = 0;
+  bool is_stuck = false;
 
   template <class Self, class Visit>
   static void visit(Self& self, Visit& visit) {
@@ -211,6 +217,7 @@ struct CrackRecord {
     visit("tip", self.tip);
     visit("direction", self.direction);
     visit("aims", self.aims);
+    visit("is_stuck", self.is_stuck);
   }
 };
 
@@ -222,8 +229,9 @@ void put_cracks(RestartData& data, const CrackFront* cracks) {
   std::vector<CrackRecord> records;
   auto& ends = data.texts["cracks.end"] = {};
   for (const CrackFront::Memory& memory : cracks->memory()) {
-    records.push_back({static_cast<int>(memory.entry), memory.tip, memory.direction, memory.aims});
-    ends.push_back(memory.end);
+    records.push_back(
+        {static_cast<int>(memory.entry), memory.tip, memory.direction, memory.aims, memory.end.is_stuck});
+    ends.push_back(memory.end.reason);
   }
   put_all(data, "cracks", records);
 }
@@ -234,8 +242,11 @@ std::vector<CrackFront::Memory> take_cracks(const RestartData& data, const fs::p
   std::vector<CrackFront::Memory> out;
   if (found != data.texts.end())
     for (const CrackRecord& record : take_all<CrackRecord>(data, "cracks"))
-      out.push_back({static_cast<std::size_t>(record.entry), record.tip, record.direction, record.aims,
-                     found->second.at(out.size())});
+      out.push_back({static_cast<std::size_t>(record.entry),
+                     record.tip,
+                     record.direction,
+                     record.aims,
+                     {found->second.at(out.size()), record.is_stuck}});
   if (!cracks.may_have(out))
     throw InputError(Position{folder.string()}, "the run had other cracks through its blocks");
   return out;
@@ -267,6 +278,16 @@ void check_structure(const RestartData& data, const fs::path& folder, const Equi
       "stopping rules and records may change");
 }
 
+/// Adds how many cuts there were when a base was factorised, and each time when its border had grown.
+void add_counts(const RestartData& data, const std::string& name, std::set<std::size_t>& counts) {
+  for (const std::int64_t count : data.integers.at(name + ".grown")) counts.insert(std::size_t(count));
+}
+
+/// Whether a base was factorised with so many cuts.
+bool is_base_at(const RestartData& data, const std::string& name, std::size_t count) {
+  return std::size_t(data.integers.at(name + ".grown").front()) == count;
+}
+
 /// Makes the cuts again, as many at a time as there were when the bases were factorised, and each time when their
 /// borders have grown: a cut changes last digits of what was there before it.
 void restore_structure(const RestartData& data, const fs::path& folder, Simulation& simulation) {
@@ -278,15 +299,19 @@ void restore_structure(const RestartData& data, const fs::path& folder, Simulati
   }
   const auto linears = linear_systems(simulation.walker().system());
   std::set<std::size_t> counts{cuts.size()};
-  for (const auto& [name, linear] : linears)
-    for (const std::int64_t count : data.integers.at(name + ".grown")) counts.insert(std::size_t(count));
+  for (const auto& [name, linear] : linears) add_counts(data, name, counts);
+  const bool has_contact = data.integers.contains(contact_linear + std::string(".grown"));
+  if (has_contact) add_counts(data, contact_linear, counts);
   for (const std::size_t count : counts) {
     if (simulation.cracks())
       simulation.restore_cracks({cuts.begin(), cuts.begin() + std::ptrdiff_t(count)}, memory);
     if (count == cuts.size()) check_structure(data, folder, simulation.equilibrium());
     for (const auto& [name, linear] : linears)
-      if (std::size_t(data.integers.at(name + ".grown").front()) == count)
+      if (is_base_at(data, name, count))
         restore_base(data, name, *linear, simulation.equilibrium().num_active());
+    if (has_contact && is_base_at(data, contact_linear, count))
+      restore_base(data, contact_linear, simulation.walker().system().contact_linear(),
+                   simulation.equilibrium().num_active());
   }
 }
 

@@ -11,7 +11,7 @@
 #include "studies/dda/case/model_tables.hpp"
 #include "studies/dda/figures/pictures.hpp"
 #include "studies/dda/figures/stability_pictures.hpp"
-#include "studies/dda/record/path_peak.hpp"
+#include "studies/dda/record/path/peak.hpp"
 #include "studies/dda/record/stability_record.hpp"
 #include "studies/dda/run/profile.hpp"
 #include "studies/dda/run/restart.hpp"

@@ -11,10 +11,10 @@
 #include "studies/dda/case/simulation.hpp"
 #include "studies/dda/record/failure_indicator.hpp"
 #include "studies/dda/record/interface_record.hpp"
-#include "studies/dda/record/path_events.hpp"
+#include "studies/dda/record/path/events.hpp"
+#include "studies/dda/record/path/trace.hpp"
 #include "studies/dda/record/run_memory.hpp"
 #include "studies/dda/record/torn_pieces.hpp"
-#include "studies/dda/record/trace.hpp"
 
 namespace dda {
 

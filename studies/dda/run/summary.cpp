@@ -5,7 +5,7 @@
 #include "continuation/linear/matrix_quality.hpp"
 #include "framework/base/threads.hpp"
 #include "framework/messages/provenance.hpp"
-#include "studies/dda/record/small_extrema.hpp"
+#include "studies/dda/record/path/small_extrema.hpp"
 
 namespace dda {
 namespace {

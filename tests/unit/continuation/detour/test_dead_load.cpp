@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
+#include "continuation/course/path_parameters.hpp"
 #include "continuation/detour/dead_load.hpp"
-#include "continuation/follow/path_parameters.hpp"
 #include "continuation/state/acceptance.hpp"
 #include "support/structure.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "continuation/course/path_parameters.hpp"
 #include "continuation/detour/dead_load.hpp"
-#include "continuation/follow/path_parameters.hpp"
 #include "support/cracked.hpp"
 
 namespace dda {

@@ -5,7 +5,7 @@
 #include <functional>
 #include <numbers>
 
-#include "models/crack_front.hpp"
+#include "models/crack/front.hpp"
 #include "support/cut_structure.hpp"
 
 namespace dda {

@@ -1,4 +1,4 @@
-#include "studies/dda/record/path_peak.hpp"
+#include "studies/dda/record/path/peak.hpp"
 
 #include <algorithm>
 #include <cmath>

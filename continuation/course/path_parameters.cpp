@@ -1,4 +1,4 @@
-#include "continuation/follow/path_parameters.hpp"
+#include "continuation/course/path_parameters.hpp"
 
 namespace dda {
 namespace {

@@ -1,4 +1,4 @@
-#include "models/crack_front.hpp"
+#include "models/crack/front.hpp"
 
 #include <fmt/format.h>
 
@@ -18,8 +18,6 @@ constexpr double grazing = 6 * degree, largest_way_along = 60 * degree, same_aim
 constexpr double sliver_turn = 2 * degree;
 constexpr int most_turns = 12, most_aims = 3;
 constexpr std::size_t most_blocks = 12;  // of a segment
-constexpr const char* no_way = "whichever way it takes, next to nothing of a block is cut off";
-constexpr const char* turned_back = "it turns back towards its beginning";
 
 double angle_between(const Vec2& a, const Vec2& b) { return std::abs(std::atan2(cross(a, b), a.dot(b))); }
 
@@ -61,7 +59,7 @@ void CrackFront::begin() {
     const CrackParameters& entry = parameters(crack);
     throw InputError(entry.where, fmt::format("no crack can begin at ({:g}, {:g}) along ({:g}, {:g}): {}",
                                               at(crack).tip.x(), at(crack).tip.y(), at(crack).direction.x(),
-                                              at(crack).direction.y(), at(crack).end));
+                                              at(crack).direction.y(), end_of(crack)));
   }
 }
 
@@ -202,8 +200,8 @@ std::optional<Vec2> CrackFront::open_side(int crack, const Vec2& from, const Vec
 
 std::optional<Vec2> CrackFront::cut_once(int crack, const Vec2& from, const Vec2& direction) {
   if (auto end = open_side(crack, from, direction, grazing)) return end;
-  at(crack).end = end_at(crack, from, direction);
-  if (!at(crack).end.empty()) return {};
+  at(crack).end = {end_at(crack, from, direction)};
+  if (!end_of(crack).empty()) return {};
   const BlockId block = *geometry_.block_ahead(from, direction);
   const auto& cuts = geometry_.cuts();
   const auto last =
@@ -215,7 +213,7 @@ std::optional<Vec2> CrackFront::cut_once(int crack, const Vec2& from, const Vec2
   for (int n = 1; n <= most_turns; ++n)
     if (auto end = cut_through(crack, block, from, Eigen::Rotation2Dd(turn_of_try(n)) * direction))
       return end;
-  at(crack).end = no_way;
+  at(crack).end = {"whichever way it takes, next to nothing of a block is cut off", true};
   return {};
 }
 
@@ -259,7 +257,7 @@ bool CrackFront::cut_ahead(int crack, const Vec2& direction, double length) {
     from = *end;
     ++cuts;
   }
-  if (cuts > 0) at(crack).end.clear();  // it ends behind this segment, which is found when that has grown
+  if (cuts > 0) at(crack).end = {};  // it ends behind this segment, which is found when that has grown
   return cuts > 0;
 }
 
@@ -325,7 +323,7 @@ bool CrackFront::aim(int crack, const Surroundings& around) {
   drop_ahead(crack);
   if (!cut_ahead(crack, wanted)) {
     for (const Cut& cut : ahead) replay(cut);
-    at(crack).end.clear();
+    at(crack).end = {};
     return false;
   }
   const std::vector<Cut> now = ahead_of(crack);
@@ -342,13 +340,11 @@ bool CrackFront::grow(int crack) {
   // Next to the last bit of a section, pressed for a hinge, the stress ahead has no direction for it any more.
   const auto first = std::ranges::find(geometry_.cuts(), crack, &Cut::crack);
   if (memory.direction.dot(memory.tip - first->start) < 0) {
-    memory.end = turned_back;
+    memory.end = {"it turns back towards its beginning", true};
     return false;
   }
   return cut_ahead(crack, memory.direction);
 }
-
-bool CrackFront::is_stuck(int crack) const { return end_of(crack) == no_way || end_of(crack) == turned_back; }
 
 bool CrackFront::may_have(const std::vector<Memory>& cracks) const {
   std::vector<std::size_t> count(model_.cracks.size(), 0);

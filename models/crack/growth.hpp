@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "models/crack_front.hpp"
+#include "models/crack/front.hpp"
 #include "models/equilibrium.hpp"
 
 namespace dda {

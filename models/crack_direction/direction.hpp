@@ -19,7 +19,7 @@ struct CrackTip {
   double characteristic_length = 0;  ///< l_ch = E/(2 × steepest slope), E Gf/ft² of linear softening [L]
   /// (σx, σy, τxy) at a point; nothing outside of the body [F/L²].
   std::function<std::optional<Vec3>(const Vec2&)> stress;
-  /// Energy that a straight way of a length would release if it bore no traction, loads and damage as they are [FL];
+  /// Energy that a straight way of a length would release if it bore no tension, loads and damage as they are [FL];
   /// nothing where it cannot be cut.
   std::function<std::optional<double>(const Vec2& way, double length)> released;
 };

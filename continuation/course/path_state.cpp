@@ -1,4 +1,4 @@
-#include "continuation/follow/path_state.hpp"
+#include "continuation/course/path_state.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "studies/dda/record/path_events.hpp"
+#include "studies/dda/record/path/events.hpp"
 
 #include <algorithm>
 #include <cmath>

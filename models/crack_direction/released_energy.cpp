@@ -3,7 +3,7 @@
 #include <map>
 #include <numbers>
 
-#include "models/crack/direction.hpp"
+#include "models/crack_direction/direction.hpp"
 
 namespace dda {
 namespace {
@@ -17,7 +17,7 @@ struct ReleasedEnergyParameters {
 
 constexpr double degree = std::numbers::pi / 180;
 
-/// The way that releases most energy: straight ways of one length L that bear no traction are tried at angles θ a step
+/// The way that releases most energy: straight ways of one length L that bear no tension are tried at angles θ a step
 /// apart, from straight on to whichever side releases more, until one between two others releases most; the way is the
 /// top of the parabola through these three, and straight on where none is found,
 ///
@@ -25,8 +25,9 @@ constexpr double degree = std::numbers::pi / 180;
 ///                                 cracks free where they bear nothing and held where they do
 ///
 /// the finite form of the largest energy release rate (Hussain, Pu & Underwood 1974; cohesive: Dumstorff & Meschke
-/// 2007). Where the way is pressed it stays closed and releases nothing. L is `length` h*, h* = max(h, l_ch/60): shorter than the cohesive zone it would see the tip alone, where
-/// tension is nearly the same in all directions. Each angle costs a factorisation.
+/// 2007). Where the way is pressed it stays closed and releases nothing. L is `length` h*, h* = max(h, l_ch/60):
+/// shorter than the cohesive zone it would see the tip alone, where tension is nearly the same in all directions. Each
+/// angle costs a factorisation.
 class ReleasedEnergy final : public CrackDirection {
  public:
   explicit ReleasedEnergy(const ReleasedEnergyParameters& p) : p_(p) {}

@@ -3,8 +3,8 @@
 #include <functional>
 #include <memory>
 
-#include "continuation/follow/path_parameters.hpp"
-#include "continuation/follow/point.hpp"
+#include "continuation/course/path_parameters.hpp"
+#include "continuation/course/point.hpp"
 #include "continuation/state/standstill.hpp"
 #include "continuation/walk/walker.hpp"
 

@@ -1,4 +1,4 @@
-#include "studies/dda/record/small_extrema.hpp"
+#include "studies/dda/record/path/small_extrema.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "framework/files/whole_file.hpp"
-#include "studies/dda/record/path_peak.hpp"
+#include "studies/dda/record/path/peak.hpp"
 #include "unit/framework/files/scratch.hpp"
 
 namespace dda {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "studies/dda/record/small_extrema.hpp"
+#include "studies/dda/record/path/small_extrema.hpp"
 
 namespace dda {
 namespace {

@@ -1,4 +1,4 @@
-#include "studies/dda/record/trace.hpp"
+#include "studies/dda/record/path/trace.hpp"
 
 namespace dda {
 namespace {

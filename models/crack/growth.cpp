@@ -1,4 +1,4 @@
-#include "models/growth.hpp"
+#include "models/crack/growth.hpp"
 
 #include <algorithm>
 

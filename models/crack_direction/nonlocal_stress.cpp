@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "models/crack/direction.hpp"
+#include "models/crack_direction/direction.hpp"
 
 namespace dda {
 namespace {

@@ -73,18 +73,23 @@ class CrackFront {
   /// The crack has grown by the segment ahead; whether there is a next one.
   bool grow(int crack);
   /// Why it goes no farther; "" while it does.
-  const std::string& end_of(int crack) const { return at(crack).end; }
+  const std::string& end_of(int crack) const { return at(crack).end.reason; }
   /// Whether that is for want of a way: nothing of the structure holds it up.
-  bool is_stuck(int crack) const;
+  bool is_stuck(int crack) const { return at(crack).end.is_stuck; }
   /// End of what has grown.
   const Vec2& tip(int crack) const { return at(crack).tip; }
 
+  /// Where a crack goes no farther.
+  struct End {
+    std::string reason = {};  ///< none while it goes on
+    bool is_stuck = false;
+  };
   /// What is remembered of a crack beside its cuts.
   struct Memory {
     std::size_t entry = 0;  ///< of the deck's `cracks`
     Vec2 tip, direction;    ///< of what has grown
     int aims = 0;           ///< of the segment ahead
-    std::string end;
+    End end = {};
   };
   const std::vector<Memory>& memory() const { return cracks_; }
   /// Whether cracks may be those of this structure: as many of each entry as begin at given places, and any number

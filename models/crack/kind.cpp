@@ -1,4 +1,4 @@
-#include "models/crack_kind.hpp"
+#include "models/crack/kind.hpp"
 
 namespace dda {
 namespace {
