@@ -48,6 +48,8 @@ class PointMaker {
   InterfaceSet make() {
     InterfaceSet out;
     const auto& sides = body_.assembly.sides;
+    constexpr std::size_t of_side = 2;
+    out.points.reserve(of_side * sides.size());
     for (std::size_t s = 0; s < sides.size(); ++s) add_side(s, book_.of_side(sides[s]), out);
     add_cuts(out);
     const auto middle =

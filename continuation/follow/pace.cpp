@@ -20,6 +20,11 @@ double load_size(const PathMemory& memory, const PathParameters& parameters) {
 
 }  // namespace
 
+Thoroughness thoroughness_of(double share) {
+  constexpr double few_cuts = 0.1;
+  return share <= few_cuts ? Thoroughness::full : Thoroughness::quick;
+}
+
 double first_amount(const PathState& path) {
   const Tangent& leaving = path.walker.leaving();
   if (!leaving.dissipates)

@@ -23,6 +23,9 @@ double sliding_amount(const PathState& path);
 /// No step may be predicted to change load or displacement by more than the deck allows, nor be longer.
 double bounded(const PathState& path, const Move& move, double amount);
 
+/// What is tried for a step of which only a share is left: more, which takes long, once cuts have not helped.
+Thoroughness thoroughness_of(double share);
+
 /// The next step, by `path.step.sizing`.
 void resize(PathState& path, const Candidate& candidate, double amount, const Move& move);
 

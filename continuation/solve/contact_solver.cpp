@@ -45,10 +45,11 @@ void ContactSolver::prepare(const State& guess) {
 std::optional<Reduced> ContactSolver::solve(const StepGoal& goal) {
   if (has_offsets(system_) || !system_.has_contacts()) return {};
   if (const auto sum = goal.control.as_sum(goal.step)) return solve_sum(*sum, goal, goal.guess);
-  return solve_tangents(system_, goal, [&](const ControlSum& sum, const State& guess) {
+  auto found = solve_tangents(system_, goal, [&](const ControlSum& sum, const State& guess) {
     points_.reset();
     return solve_sum(sum, goal, guess);
   });
+  return found && found->converged ? std::move(found) : std::nullopt;
 }
 
 /// Under a control that is a sum, taking points in until none is left out.

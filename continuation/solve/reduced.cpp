@@ -58,8 +58,9 @@ std::optional<Reduced> solve_sum(Stepper& stepper, const ControlSum& sum, const 
     };
     Solved found = solve_from(is_near ? out.state : goal.guess);
     if (!found.converged && round > 0) found = solve_from(is_near ? goal.guess : out.state);
-    if (!found.converged) return {};
     out.iterations += found.iterations;
+    out.converged = found.converged;
+    if (!found.converged) return out;
     out.state = equations.state({found.x, found.load_factor});
     out.x = std::move(found.x);
     const std::vector<std::size_t> added = newly_cracked(system, system.linear(), out.state);
@@ -70,7 +71,8 @@ std::optional<Reduced> solve_sum(Stepper& stepper, const ControlSum& sum, const 
     if (!system.linear().make_columns(added)) return {};
     is_near = few * added.size() <= equations.num_points();
   }
-  return {};
+  out.converged = false;
+  return out;
 }
 
 }  // namespace
@@ -86,14 +88,16 @@ std::optional<Reduced> solve_tangents(
     const ControlPoint at = ControlPoint::at(out.state, *laws);
     if (i > 0 && std::abs(goal.control.residual(at, goal.step)) <= good) return out;
     const auto tangent = goal.control.tangent_gauge(at, goal.step);
-    if (!tangent) return {};
+    if (!tangent) break;
     const ControlSum sum{.gauge = &tangent->gauge, .spends = false, .target = tangent->value, .scale = 1};
     auto found = solve(sum, out.state);
     if (!found) return {};
     found->iterations += out.iterations;
     out = *std::move(found);
+    if (!out.converged) return out;
   }
-  return {};
+  out.converged = false;
+  return out;
 }
 
 std::optional<Reduced> solve_reduced(Stepper& stepper, const StepGoal& goal, int max_iterations) {

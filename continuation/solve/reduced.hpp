@@ -11,6 +11,7 @@ namespace dda {
 struct Reduced {
   State state;
   std::vector<double> x;  ///< of the cracked points
+  bool converged = true;
   int iterations = 0;
   double residual = 0;  ///< ‖R‖, from the cracked points alone [F]
 };
@@ -18,12 +19,12 @@ struct Reduced {
 /// Newton's method on the cracked points alone (CrackedEquations). The state that is found is
 /// looked at in full: points that crack there are taken in and the iteration starts again from the guess, so
 /// that it goes the way of Newton's method for all unknowns. It is a better guess and no more: equilibrium is
-/// judged by the full residual. Nothing where no base is kept, with initial stress or iterated multipliers,
-/// and where the iteration does not converge.
+/// judged by the full residual. Nothing where the points' equations are none of all: where no base is kept, with
+/// initial stress or iterated multipliers, and where more points crack than a base bears beside it.
 std::optional<Reduced> solve_reduced(Stepper& stepper, const StepGoal& goal, int max_iterations);
 
 /// Under a control that looks at every point: its tangent is a gauge, taken anew at each state that `solve` has found
-/// with the one before prescribed, from where the last has ended.
+/// with the one before prescribed, from where the last has ended. Nothing where that finds nothing.
 std::optional<Reduced> solve_tangents(
     System& system, const StepGoal& goal,
     const std::function<std::optional<Reduced>(const ControlSum& sum, const State& guess)>& solve);

@@ -54,9 +54,20 @@ StepTries::StepTries(Stepper& stepper, const StepGoal& goal, Thoroughness thorou
 
 Attempt StepTries::find() {
   const NewtonParameters& newton = stepper_.parameters().newton;
-  const auto reduced = only_touches() ? std::nullopt : solve_reduced(stepper_, goal_, newton.max_iterations);
-  if (reduced)
+  auto reduced = only_touches() ? std::nullopt : solve_reduced(stepper_, goal_, newton.max_iterations);
+  if (reduced && reduced->converged)
     if (auto whole = finished(system_, goal_, *reduced, newton.tolerance)) out_ = *std::move(whole);
+  const int of_points = reduced ? reduced->iterations : 0;
+  if (reduced && !reduced->converged) {
+    reduced.reset();
+    if (thoroughness_ == Thoroughness::quick && opens_only()) {
+      out_ = {.state = goal_.guess,
+              .newton_iterations = of_points,
+              .reduced_iterations = of_points,
+              .reason = "the points that crack found no equilibrium"};
+      return std::move(out_);
+    }
+  }
   const bool contacts_first = touches_ && num_cracked_ <= few_points;
   if (contacts_first) by_contacts();
   by_all(reduced ? reduced->state : goal_.guess);
@@ -65,11 +76,17 @@ Attempt StepTries::find() {
   if (!contacts_first && (touches_ || are_few())) by_contacts();
   if (!out_.converged && touches_ && !of_contacts_.empty())
     out_.reason = fmt::format("{} (Newton's method: {})", of_contacts_, out_.reason);
-  if (reduced) {
-    out_.newton_iterations += reduced->iterations;
-    out_.reduced_iterations += reduced->iterations;
-  }
+  out_.newton_iterations += of_points;
+  out_.reduced_iterations += of_points;
   return std::move(out_);
+}
+
+/// Whether nothing touches where the step begins: no contact has a say.
+bool StepTries::opens_only() const {
+  const auto laws = system_.laws_at(goal_.start);
+  for (std::size_t p = 0; p < laws->opening.size(); ++p)
+    if (system_.history()[p].dissipated > 0 && laws->opening[p].x() < 0) return false;
+  return !touches_;
 }
 
 bool StepTries::are_few() const {

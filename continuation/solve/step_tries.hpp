@@ -7,7 +7,9 @@
 namespace dda {
 
 /// Tries the ways to the end of one step, whose control has been started: the cracked points alone, contact
-/// and friction solved exactly, all unknowns. What the first finds is only where the others begin.
+/// and friction solved exactly, all unknowns. What the first finds is only where the others begin. Where they are all
+/// there is to solve, cracks open and a shorter step can be tried, it is all that is tried: Newton's method would go
+/// the same way on all unknowns, at their price.
 class StepTries {
  public:
   StepTries(Stepper& stepper, const StepGoal& goal, Thoroughness thoroughness);
@@ -15,6 +17,7 @@ class StepTries {
 
  private:
   bool are_few() const;
+  bool opens_only() const;
   bool only_touches() const { return touches_ && num_cracked_ == 0 && are_few(); }
   void by_contacts();
   void by_all(const State& guess);

@@ -45,8 +45,12 @@ struct StepperParameters {
   bool stability = true;  ///< count the negative eigenvalues of every equilibrium that is tried
 };
 
-/// How much is tried before a step is given up: where a shorter one may do, no large dense problem.
-enum class Thoroughness { usual, full };
+/// How much is tried before a step is given up.
+enum class Thoroughness {
+  quick,  ///< a shorter one is tried next: the cracked points alone, where only cracks open
+  usual,  ///< no large dense problem
+  full
+};
 
 /// Finds equilibria of a system with LOCA and NOX, and has LOCA take those that are the next points of the
 /// path: one LOCA::Stepper for the steps that are settled on the cracked points alone, one for the others,

@@ -91,11 +91,12 @@ std::optional<Point> controlled_step(PathState& path, const Move& move) {
                 .amount = first,
                 .natural = std::max(first, bounded(path, move, first_amount(path, move))),
                 .why = "the tangent does not tell how far a step may go"};
-  constexpr double few_cuts = 0.1;  // of the step: more is tried, which takes long, once they have not helped
   const double shortest = path.parameters.step.shortest.value_or(0) / std::abs(move.rate);
   while (stride.amount > std::max(smallest_share * first, shortest)) {
-    const bool is_cut = stride.amount <= few_cuts * stride.natural;
-    const auto candidate = tried(path, stride, is_cut ? Thoroughness::full : Thoroughness::usual);
+    const Thoroughness thoroughness = thoroughness_of(stride.amount / stride.natural);
+    const bool is_cut = thoroughness == Thoroughness::full;
+    const bool is_last = stride.amount * path.parameters.step.cut <= shortest;
+    const auto candidate = tried(path, stride, is_last ? Thoroughness::full : thoroughness);
     if (!candidate) stride.why = path.refusal;
     Outcome outcome = candidate ? climb(path, *candidate, stride) : after_failure(path, stride, is_cut);
     if (outcome.point) return std::move(outcome.point);

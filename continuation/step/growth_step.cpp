@@ -142,7 +142,7 @@ std::optional<Point> step_on(PathState& path, double bearable) {
   const double first =
       bounded(path, move, is_known ? path.memory.step / unit_of(path, move) : first_amount(path, move));
   for (double share = 1; share > smallest_share; share *= path.parameters.step.cut)
-    if (const auto candidate = try_step(path, move, share * first, Thoroughness::full))
+    if (const auto candidate = try_step(path, move, share * first, thoroughness_of(share)))
       return keep(path, *candidate, StepKind::growth);
   path.refusal = why;
   return {};
