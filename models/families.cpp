@@ -1,3 +1,4 @@
+#include "models/contact/contact_law.hpp"
 #include "models/crack_direction/direction.hpp"
 #include "models/gauge/gauge.hpp"
 #include "models/interface/law.hpp"
@@ -19,6 +20,11 @@ LawFamily& interface_laws() {
 
 TreatmentFamily& treatments() {
   static TreatmentFamily family("treatment", "How the two sides of an interface are joined.");
+  return family;
+}
+
+ContactLawFamily& contact_laws() {
+  static ContactLawFamily family("contact", "What bodies that meet in motion store where they touch.");
   return family;
 }
 

@@ -18,6 +18,8 @@ class Material {
   virtual Mat3 stiffness() const = 0;
   /// A modulus [F/L²] by which springs tied to the material are scaled (Young's modulus).
   virtual double modulus() const = 0;
+  /// ρ [F T²/L⁴], of what moves; 0 where none is given.
+  virtual double density() const = 0;
 };
 
 using MaterialFamily = Family<Material, Plane>;

@@ -60,7 +60,10 @@ class Run:
     fields(step)   the fields of a stored step, see Fields; the last one if no step is given
     cracks(step)   the pieces of cracks through blocks at a stored step, a DataFrame: Fields.cracks
     crack_path(crack, step)   corners of the line along which a crack has grown until then, n × 2
+    motion     what has moved from the end of the path on, see Motion
     """
+
+    TABLE = "curve"
 
     def __init__(self, folder):
         self.folder = Path(folder)
@@ -79,9 +82,9 @@ class Run:
 
     @property
     def curve(self):
-        text = whole_lines(self._file("curve.csv"))
+        text = whole_lines(self._file(f"{self.TABLE}.csv"))
         table = pd.read_csv(io.StringIO(text), float_precision="round_trip") if text else pd.DataFrame()
-        units = self.folder / "curve.units.json"
+        units = self.folder / f"{self.TABLE}.units.json"
         table.attrs["units"] = json.loads(units.read_text(encoding="utf-8")) if units.exists() else {}
         return table
 
@@ -114,6 +117,13 @@ class Run:
     def crack_path(self, crack=0, step=None):
         return self.fields(step).crack_path(crack)
 
+    @property
+    def motion(self):
+        folder = self.folder / "motion"
+        if not folder.is_dir():
+            raise NothingStored(f"{self.folder}: nothing has moved (yet); `motion` in the deck lets the structure go")
+        return Motion(folder)
+
     def _step_files(self):
         """Step → file."""
         beside = self._file(MESH).parent.glob("*.h5")
@@ -124,6 +134,17 @@ class Run:
         if not file.exists():
             raise NothingStored(f"{self.folder}: this run has no {name} (yet)")
         return file
+
+
+class Motion(Run):
+    """What a run has stored of the motion behind its path.
+
+    curve          motion.csv, a DataFrame with a row per time step: time, energies; attrs["units"]
+    steps          numbers of the time steps whose fields are stored
+    fields(step)   displacement, velocity and rotation of the blocks; the last ones if no step is given
+    """
+
+    TABLE = "motion"
 
 
 def read_run(folder):

@@ -4,6 +4,7 @@
 #include "continuation/detour/increment/load_solver.hpp"
 #include "continuation/linear/direct/direct_solver.hpp"
 #include "meshing/subdivision/subdivision.hpp"
+#include "models/contact/contact_law.hpp"
 #include "models/crack_direction/direction.hpp"
 #include "models/gauge/gauge.hpp"
 #include "models/interface/law.hpp"
@@ -33,7 +34,7 @@ std::vector<FamilyUnderTest> known_families() {
   return {under_test(materials()),        under_test(interface_laws()), under_test(treatments()),
           under_test(gauges()),           under_test(loads()),          under_test(direct_solvers()),
           under_test(crack_directions()), under_test(controls()),       under_test(subdivisions()),
-          under_test(load_solvers())};
+          under_test(load_solvers()),     under_test(contact_laws())};
 }
 
 struct Entry {

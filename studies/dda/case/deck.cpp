@@ -97,6 +97,7 @@ Schema<Deck> make_schema() {
       {.at_least = 0,
        .text = "Cracks that run through blocks, whatever their pattern, where the stress sends them."});
   return schema.section("path", &Deck::path, path_schema())
+      .section("motion", &Deck::motion, motion_schema())
       .section("record", &Deck::record, record_schema())
       .value(
           "sweep", &Deck::sweep, anything_kind(),

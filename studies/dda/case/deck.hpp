@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "continuation/course/path_parameters.hpp"
+#include "continuation/motion/motion_parameters.hpp"
 #include "framework/deck/units.hpp"
 #include "meshing/scene/scene.hpp"
 #include "models/parameters.hpp"
@@ -54,6 +55,7 @@ struct Deck : ModelParameters {
   Units units;
   Scene scene;
   PathParameters path;
+  std::optional<MotionParameters> motion;
   RecordParameters record;
   std::optional<Node>
       sweep;  ///< of a file that describes many runs, see studies/dda/sweep/sweep.hpp; none in one run

@@ -6,6 +6,7 @@
 
 #include "continuation/detour/dead_load.hpp"
 #include "continuation/linear/matrix_quality.hpp"
+#include "continuation/motion/handover.hpp"
 #include "framework/base/memory.hpp"
 #include "framework/base/suggestion.hpp"
 
@@ -65,6 +66,7 @@ Simulation::Simulation(const Deck& deck, Timings& timings) : deck_(deck), timing
                                  "written by contribution",
                                  equilibrium_->num_blocks(), RecordParameters::most_stiffness_blocks));
   require_control();
+  if (deck.motion) require_handover(*body_, *equilibrium_, *deck.motion);
   landings();
   legs();
   if (deck.record.detail)

@@ -12,6 +12,7 @@
 #include "framework/files/whole_file.hpp"
 #include "framework/messages/interrupt.hpp"
 #include "studies/dda/case/parameter_list.hpp"
+#include "studies/dda/run/motion_run.hpp"
 #include "studies/dda/run/restart.hpp"
 #include "studies/dda/run/summary.hpp"
 
@@ -78,6 +79,16 @@ Ending follow(Simulation& simulation, RunRecorder& recorder, bool quiet) {
   return path.ending();
 }
 
+bool is_reached(const Ending& ending) { return ending.kind == Ending::Kind::goal_reached; }
+
+/// What follows the path where the deck has a motion; how the run ends.
+Ending move_on(const RunFolder& folder, Simulation& simulation, RunRecorder& recorder, bool quiet) {
+  const MotionRecord motion = run_motion(folder, simulation, quiet);
+  recorder.add_motion(motion.summary);
+  recorder.log().info("motion", motion.summary);
+  return motion.ending;
+}
+
 RunResult conclude(const RunFolder& folder, RunRecorder& recorder, const Ending& ending) {
   return {folder.path(), ending, recorder.finish(ending), recorder.measures(), recorder.trace()};
 }
@@ -136,6 +147,9 @@ RunResult run_deck(const DeckFile& deck, const RunOptions& options) {
   Ending ending{Ending::Kind::stopped_early, obstacle};
   if (obstacle.empty()) ending = follow(simulation, recorder, options.quiet);
   follow_primary(deck, folder, recorder.memory());
+  if (deck.deck.motion && ending.kind != Ending::Kind::interrupted)
+    if (const Ending moved = move_on(folder, simulation, recorder, options.quiet); !is_reached(moved))
+      ending = moved;
   return conclude(folder, recorder, ending);
 }
 
@@ -161,8 +175,11 @@ RunResult resume_run(const fs::path& existing, const std::vector<std::string>& o
   write_decks(folder, deck, effective);
   simulation.stepper().log_to(folder.file("nox.log"));
   RunRecorder recorder(folder, simulation, deck, effective, timings, memory);
-  const Ending ending = follow(simulation, recorder, options.quiet);
+  Ending ending = follow(simulation, recorder, options.quiet);
   follow_primary(deck, folder, recorder.memory());
+  if (deck.deck.motion && ending.kind != Ending::Kind::interrupted)
+    if (const Ending moved = move_on(folder, simulation, recorder, options.quiet); !is_reached(moved))
+      ending = moved;
   return conclude(folder, recorder, ending);
 }
 

@@ -276,7 +276,6 @@ void RunRecorder::look_back() {
 }
 
 nlohmann::ordered_json RunRecorder::finish(const Ending& ending) {
-  nlohmann::ordered_json out;
   look_back();
   {
     const auto scope = timings_.measure("output");
@@ -291,11 +290,12 @@ nlohmann::ordered_json RunRecorder::finish(const Ending& ending) {
   log_.info("ended", {{"status", status_of(ending)}, {"reason", ending.reason}});
   const CsvTable curve = read_csv(folder_.file("curve.csv"));
   memory_.events = with_peak(passed_events(memory_.events), peak_of(memory_, measures_), curve);
-  out = summarise(simulation_, memory_, measures_, ending);
+  nlohmann::ordered_json out = summarise(simulation_, memory_, measures_, ending);
   out["stability"] = stability_counts(curve);
   out["interfaces"] = interfaces_.summary(fields_, here());
   if (simulation_.cracks())
     out["cracks"] = cracks_summary(*simulation_.cracks(), memory_.grown, fields_, here());
+  if (!motion_.is_null()) out["motion"] = motion_;
   out["notices"] = notices_;
   if (!torn_.empty()) out["torn_out"] = to_json(simulation_, torn_);
   if (deck_.deck.record.condition) {

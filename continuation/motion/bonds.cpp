@@ -1,0 +1,38 @@
+#include "continuation/motion/bonds.hpp"
+
+#include <cmath>
+
+namespace dda {
+
+Mat2 frame_of(const Bond& bond, const Poses& at) {
+  const double one = polar_of(gradient_of(at[bond.first])).angle,
+               other = polar_of(gradient_of(at[bond.second])).angle;
+  const double mean = one + std::remainder(other - one, 2 * M_PI) / 2;
+  const Vec2 n = rotation(mean) * bond.normal;
+  return (Mat2() << n.x(), n.y(), -n.y(), n.x()).finished();
+}
+
+BondState state_of(const Bond& bond, const Mat2& local, const Poses& at) {
+  BondState out;
+  out.opening_rows = {-local * affine_rows(bond.at_first), local * affine_rows(bond.at_second)};
+  out.opening = local * (place_of(at[bond.second], bond.at_second) - place_of(at[bond.first], bond.at_first));
+  out.stress =
+      bond.stress_first * green_strain(at[bond.first]) + bond.stress_second * green_strain(at[bond.second]);
+  out.stress_rows = {bond.stress_first * green_strain_rows(at[bond.first]),
+                     bond.stress_second * green_strain_rows(at[bond.second])};
+  const Vec2 compliance = bond.trial_stiffness().cwiseInverse();
+  out.opening += compliance.cwiseProduct(out.stress) + bond.multiplier;
+  for (std::size_t i = 0; i < 2; ++i) out.opening_rows[i] += compliance.asDiagonal() * out.stress_rows[i];
+  return out;
+}
+
+double stored_energy(const Bond& bond, const BondState& state) {
+  const double subtracted = state.stress.dot(state.stress.cwiseQuotient(bond.trial_stiffness())) / 2;
+  return bond.weight * (bond.law->stored(state.opening, bond.history, bond.stiffness) - subtracted);
+}
+
+double spending(const Bond& bond, const BondState& state) {
+  return bond.weight * bond.law->spending(state.opening, bond.history, bond.stiffness).value;
+}
+
+}  // namespace dda

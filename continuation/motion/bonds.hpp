@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "continuation/motion/moving_scene.hpp"
+#include "models/interface/law.hpp"
+
+namespace dda {
+
+/// An interface point between bodies that still holds, under any rotation.
+///
+///     q = [n s]ᵀ (x_second − x_first) + P⁻¹ τ + m,      τ = A_first E_first + A_second E_second
+///     Π = W ψ(q; h) − ½ W τ·P⁻¹ τ
+///
+/// (n, s) turns with the mean rotation of the two sides, that of the step's start; τ is there in consistent joints, E
+/// being Green's strains, so that for small displacements q and Π are those of the path.
+struct Bond {
+  std::size_t first = 0, second = 0;                        ///< bodies
+  Vec2 at_first, at_second;                                 ///< places, from the undeformed centroids [L]
+  Vec2 normal;                                              ///< undeformed, outward of `first`
+  Eigen::Matrix<double, 2, 3> stress_first, stress_second;  ///< A [F/L²]
+  double weight = 0;                                        ///< W [L²]
+  double stiffness = 0;                                     ///< k [F/L³]
+  const InterfaceLaw* law = nullptr;
+  History history = {};
+  Vec2 multiplier = Vec2::Zero();  ///< m, which stays [L]
+
+  Vec2 trial_stiffness() const {
+    const double beta = law->shear_weight();
+    return {stiffness, stiffness * beta * beta};
+  }
+  /// Whether it can tear, and whether nothing is left of it.
+  bool can_tear() const { return law->can_crack(); }
+  bool is_spent() const { return can_tear() && law->is_broken(history, stiffness); }
+};
+
+/// A bond at some poses, in the frame of the step's start.
+struct BondState {
+  Vec2 opening = Vec2::Zero();                     ///< q [L]
+  Vec2 stress = Vec2::Zero();                      ///< τ [F/L²]
+  std::array<Mat26, 2> opening_rows, stress_rows;  ///< ∂q/∂y and ∂τ/∂y, first and second body
+};
+BondState state_of(const Bond& bond, const Mat2& frame, const Poses& at);
+/// Rows n and s of the frame that has turned with both sides.
+Mat2 frame_of(const Bond& bond, const Poses& at);
+
+/// What it stores, Π, and what accepting q would spend [F L].
+double stored_energy(const Bond& bond, const BondState& state);
+double spending(const Bond& bond, const BondState& state);
+
+}  // namespace dda

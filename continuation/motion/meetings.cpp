@@ -1,0 +1,158 @@
+#include "continuation/motion/meetings.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "framework/base/threads.hpp"
+#include "meshing/contact/free_way.hpp"
+#include "meshing/contact/narrow.hpp"
+#include "meshing/geometry/polygon.hpp"
+
+namespace dda {
+namespace {
+
+std::vector<Vec2> placed(const MovingBody& body, const Pose& y) {
+  std::vector<Vec2> out;
+  out.reserve(body.core.size());
+  for (const Vec2& x : body.core) out.push_back(place_of(y, x));
+  return out;
+}
+
+/// A difference of poses at the vertices.
+std::vector<Vec2> moved(const MovingBody& body, const Pose& dy) { return placed(body, dy); }
+
+Box box_of(const MovingBody& body, const Pose& y) {
+  Box out;
+  for (const Vec2& x : body.core) out.include(place_of(y, x));
+  return out;
+}
+
+bool segments_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+  return cross(b - a, c - a) * cross(b - a, d - a) < 0 && cross(d - c, a - c) * cross(d - c, b - c) < 0;
+}
+
+bool cores_cross(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
+  for (std::size_t p = 0; p < a.size(); ++p)
+    for (std::size_t q = 0; q < b.size(); ++q)
+      if (segments_cross(a[p], a[(p + 1) % a.size()], b[q], b[(q + 1) % b.size()])) return true;
+  return contains(Polygon{a}, b.front(), 0) || contains(Polygon{b}, a.front(), 0);
+}
+
+/// The place in the undeformed body of what is at a share of an edge.
+Vec2 material_point(const std::vector<Vec2>& core, const std::vector<Vec2>& now, const Facing& facing) {
+  const Vec2 &a = core[facing.edge], &b = core[(facing.edge + 1) % core.size()];
+  if (facing.is_corner) return a;
+  const Vec2 edge = now[(facing.edge + 1) % now.size()] - now[facing.edge];
+  return a + (facing.foot - now[facing.edge]).dot(edge) / edge.squaredNorm() * (b - a);
+}
+
+}  // namespace
+
+MeetingSearch::MeetingSearch(const MovingScene& scene, std::vector<Pair> joined)
+    : scene_(scene), joined_(std::move(joined)) {
+  for (auto& [a, b] : joined_)
+    if (a > b) std::swap(a, b);
+  std::ranges::sort(joined_);
+  joined_.erase(std::ranges::unique(joined_).begin(), joined_.end());
+}
+
+std::vector<MeetingSearch::Pair> MeetingSearch::candidates(const Poses& from, const Poses& to) const {
+  const auto n = static_cast<std::uint32_t>(scene_.num_bodies());
+  std::vector<Box> boxes(n);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    Box box = box_of(scene_.bodies[i], from[i]);
+    const Box then = box_of(scene_.bodies[i], to[i]);
+    box.include(then.low);
+    box.include(then.high);
+    boxes[i] = box.inflated(scene_.meeting.reach / 2);
+  }
+  std::vector<std::uint32_t> order(n);
+  std::iota(order.begin(), order.end(), 0u);
+  std::ranges::sort(order, {}, [&](std::uint32_t i) { return std::pair(boxes[i].low.x(), i); });
+  std::vector<Pair> out;
+  for (std::size_t a = 0; a < order.size(); ++a)
+    for (std::size_t b = a + 1; b < order.size() && boxes[order[b]].low.x() <= boxes[order[a]].high.x();
+         ++b) {
+      const Pair pair = std::minmax(order[a], order[b]);
+      if (!boxes[pair.first].touches(boxes[pair.second])) continue;
+      if (scene_.bodies[pair.first].is_held && scene_.bodies[pair.second].is_held) continue;
+      if (!std::ranges::binary_search(joined_, pair)) out.push_back(pair);
+    }
+  std::ranges::sort(out);
+  return out;
+}
+
+std::vector<Meeting> MeetingSearch::find(const std::vector<Pair>& pairs, const Poses& at) const {
+  const double reach = scene_.meeting.reach;
+  std::vector<std::vector<Vec2>> outlines(scene_.num_bodies());
+  for (const auto& [i, j] : pairs)
+    for (const std::uint32_t b : {i, j})
+      if (outlines[b].empty()) outlines[b] = placed(scene_.bodies[b], at[b]);
+  std::vector<std::vector<Meeting>> found(pairs.size());
+  constexpr std::size_t pairs_at_once = 64;
+  parallel_for(pairs.size(), pairs_at_once, [&](std::size_t p) {
+    const auto meet = [&](std::uint32_t i, std::uint32_t j) {
+      const MovingBody &one = scene_.bodies[i], &other = scene_.bodies[j];
+      const double modulus = 2 * one.modulus * other.modulus / (one.modulus + other.modulus);
+      const double k = scene_.meeting.stiffness * modulus * scene_.thickness / 2;
+      const Box box = bounding_box(outlines[j]).inflated(reach);
+      for (std::uint32_t v = 0; v < outlines[i].size(); ++v) {
+        const Vec2& x = outlines[i][v];
+        if (!box.contains(x)) continue;
+        for_each_facing(x, outlines[j], reach, [&](const Facing& facing) {
+          found[p].push_back({{i, v, j, static_cast<std::uint32_t>(facing.edge), facing.is_corner},
+                              one.core[v],
+                              material_point(other.core, outlines[j], facing),
+                              (x - facing.foot) / facing.distance,
+                              facing.distance,
+                              k});
+        });
+      }
+    };
+    meet(pairs[p].first, pairs[p].second);
+    meet(pairs[p].second, pairs[p].first);
+  });
+  std::vector<Meeting> out;
+  for (const auto& some : found) out.insert(out.end(), some.begin(), some.end());
+  return out;
+}
+
+double MeetingSearch::free_share(const std::vector<Pair>& pairs, const Poses& z, const Poses& dz) const {
+  constexpr double kept = 0.2;
+  std::vector<double> free(pairs.size(), 1.0);
+  constexpr std::size_t pairs_at_once = 16;
+  parallel_for(pairs.size(), pairs_at_once, [&](std::size_t p) {
+    const auto [i, j] = pairs[p];
+    const MovingBody &one = scene_.bodies[i], &other = scene_.bodies[j];
+    const std::vector<Vec2> x = placed(one, z[i]), v = moved(one, dz[i]), y = placed(other, z[j]),
+                            w = moved(other, dz[j]);
+    free[p] = free_way({x, v}, {y, w}, kept, 1.0);
+  });
+  double out = 1;
+  for (const double share : free) out = std::min(out, share);
+  return out;
+}
+
+bool MeetingSearch::any_cross(const Poses& at) const {
+  return std::ranges::any_of(candidates(at, at), [&](const Pair& pair) {
+    return cores_cross(placed(scene_.bodies[pair.first], at[pair.first]),
+                       placed(scene_.bodies[pair.second], at[pair.second]));
+  });
+}
+
+bool MeetingSearch::are_apart(const Pair& pair, const Poses& at) const {
+  constexpr double hardly = 1e-3;
+  const double near = (1 - hardly) * scene_.meeting.reach;
+  const std::vector<Vec2> a = placed(scene_.bodies[pair.first], at[pair.first]),
+                          b = placed(scene_.bodies[pair.second], at[pair.second]);
+  if (!bounding_box(a).inflated(near).touches(bounding_box(b))) return true;
+  const auto is_near = [near](const Vec2& x, const std::vector<Vec2>& outline) {
+    for (std::size_t e = 0; e < outline.size(); ++e)
+      if (distance(x, outline[e], outline[(e + 1) % outline.size()]) < near) return true;
+    return false;
+  };
+  return !cores_cross(a, b) && std::ranges::none_of(a, [&](const Vec2& x) { return is_near(x, b); }) &&
+         std::ranges::none_of(b, [&](const Vec2& x) { return is_near(x, a); });
+}
+
+}  // namespace dda

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <vector>
+
+#include "continuation/motion/moving_scene.hpp"
+
+namespace dda {
+
+/// Which vertex of a core meets what of another core: an edge, or the corner where an edge begins.
+struct MeetingKey {
+  std::uint32_t body = 0, vertex = 0, other = 0, edge = 0;
+  bool is_corner = false;
+
+  friend auto operator<=>(const MeetingKey&, const MeetingKey&) = default;
+};
+
+/// A vertex of one core near an edge or a corner of another, nearer than 2s.
+struct Meeting {
+  MeetingKey key;
+  Vec2 at, foot;         ///< the vertex and what faces it, from the undeformed centroids of their bodies [L]
+  Vec2 normal;           ///< unit, from the foot to the vertex
+  double distance = 0;   ///< d [L]
+  double stiffness = 0;  ///< k [F/L]
+};
+
+/// Finds what meets: a sweep over the boxes of the cores, then every vertex against what of the other outline faces it.
+///
+///     k = ½ α E h,   E the harmonic mean of the two moduli, h the thickness      [F/L]
+class MeetingSearch {
+ public:
+  using Pair = std::pair<std::uint32_t, std::uint32_t>;
+
+  /// Pairs that are joined never meet.
+  MeetingSearch(const MovingScene& scene, std::vector<Pair> joined);
+
+  /// Pairs of bodies that come nearer than `reach` 2s anywhere on the straight ways from one pose to another, in order.
+  std::vector<Pair> candidates(const Poses& from, const Poses& to) const;
+  /// Meetings among these pairs, in order.
+  std::vector<Meeting> find(const std::vector<Pair>& pairs, const Poses& at) const;
+  /// The largest share of the ways z + a dz that is free: up to 0.8 of the distance to where cores touch.
+  double free_share(const std::vector<Pair>& pairs, const Poses& z, const Poses& dz) const;
+  /// Whether cores of some pair cross each other.
+  bool any_cross(const Poses& at) const;
+  /// Whether two cores are nowhere nearer than 2s, nor cross.
+  bool are_apart(const Pair& pair, const Poses& at) const;
+
+ private:
+  const MovingScene& scene_;
+  std::vector<Pair> joined_;  ///< in order
+};
+
+}  // namespace dda

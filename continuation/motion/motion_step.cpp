@@ -1,0 +1,200 @@
+#include "continuation/motion/motion_step.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dda {
+namespace {
+
+using Vector = Eigen::VectorXd;
+
+auto of_body(const Vector& v, std::size_t body) { return v.segment<6>(6 * static_cast<Eigen::Index>(body)); }
+
+Poses advanced(const Poses& z, const Poses& dz, double share) {
+  Poses out(z.size());
+  for (std::size_t b = 0; b < z.size(); ++b) out[b] = z[b] + share * dz[b];
+  return out;
+}
+
+}  // namespace
+
+MotionStep StepSolver::solve(const Poses& start, const Poses& flight, const Interval& dt,
+                             const SliderMemory& memory) {
+  const Inertia inertia{flight, 1 / (dt.now * dt.mean())};
+  scale_ = force_scale(start, inertia);
+  potential_.begin(start);
+  potential_.set_candidates({});
+  potential_.set_sliders({});
+  MotionStep out{.poses = start, .sliders = {}, .failure = {}};
+  bool is_met = false;
+  for (int pass = 0;; ++pass) {
+    std::vector<Slider> sliders = sliders_at(out.poses, memory, pass == 0);
+    const bool is_settled = pass > 0 && change_of_bounds(sliders) <= tolerances_.friction_change;
+    if (is_settled && is_met && sliders.empty()) break;
+    const bool is_last = is_settled || pass + 1 == tolerances_.most_passes;
+    is_met = is_last || sliders.empty();
+    potential_.set_sliders(std::move(sliders));
+    rounding_ = potential_.rounding(out.poses);
+    const Minimised found = minimise(out.poses, inertia, is_met ? tolerances_.tolerance : tolerances_.loose);
+    out.iterations += found.iterations;
+    out.failure = found.failure;
+    if (!out.converged() || is_last) break;
+  }
+  out.sliders = potential_.sliders();
+  return out;
+}
+
+/// The largest change of a bound since the pass before, over the largest bound; 0 without friction.
+double StepSolver::change_of_bounds(const std::vector<Slider>& sliders) const {
+  SliderMemory before;
+  double change = 0, largest = 0;
+  for (const Slider& slider : potential_.sliders()) before.set(slider.meeting.key, {0, slider.bound});
+  for (const Slider& slider : sliders) {
+    largest = std::max(largest, slider.bound);
+    change = std::max(change, std::abs(slider.bound - before.of(slider.meeting.key).force));
+  }
+  return largest > 0 ? change / largest : 0;
+}
+
+double StepSolver::force_scale(const Poses& start, const Inertia& inertia) const {
+  constexpr double of_inertia = 1e-3;
+  double out = 0;
+  for (std::size_t b = 0; b < start.size(); ++b) {
+    if (scene_.bodies[b].is_held) continue;
+    const MovingBody& body = scene_.bodies[b];
+    const Vec6 flown = inertia.per_square_time * body.block.times_mass(inertia.flight[b] - start[b]);
+    out = std::max({out, scene_.load_on(b).head<2>().norm(), of_inertia * flown.head<2>().norm(),
+                    of_inertia * flown.tail<4>().norm() / body.size});
+  }
+  return out;
+}
+
+/// What is left of the forces on some body, moments over its size, over the scale of all; what rounding leaves is taken
+/// off.
+double StepSolver::excess(const Vector& gradient, std::size_t* worst) const {
+  double out = 0;
+  for (std::size_t b = 0; b < scene_.num_bodies(); ++b) {
+    const auto g = of_body(gradient, b);
+    const double size = std::max(g.head<2>().norm(), g.tail<4>().norm() / scene_.bodies[b].size);
+    const double now = std::max(0.0, size - rounding_[b]);
+    if (!(now <= out)) {
+      out = now;
+      if (worst) *worst = b;
+    }
+  }
+  return scale_ > 0 ? out / scale_ : out;
+}
+
+Vector StepSolver::gradient(const Poses& z, const Inertia& inertia) const {
+  Vector out = potential_.gradient(z);
+  for (std::size_t b = 0; b < z.size(); ++b)
+    if (!scene_.bodies[b].is_held)
+      out.segment<6>(6 * static_cast<Eigen::Index>(b)) +=
+          inertia.per_square_time * scene_.bodies[b].block.times_mass(z[b] - inertia.flight[b]);
+  return out;
+}
+
+StepSolver::Minimised StepSolver::minimise(Poses& z, const Inertia& inertia, double tolerance) {
+  Minimised out;
+  potential_.set_candidates(potential_.all_candidates(z, z));
+  for (;; ++out.iterations) {
+    const Vector g = gradient(z, inertia);
+    std::size_t worst = 0;
+    const double left = excess(g, &worst);
+    if (left <= tolerance) return out;
+    if (out.iterations == tolerances_.most_iterations || !std::isfinite(left)) {
+      out.failure = fmt::format("no minimum in {} iterations: {:.1e} of the forces is left at body {}",
+                                out.iterations, left, worst);
+      return out;
+    }
+    using enum Potential::Softening;
+    const bool is_factored = factor(potential_.curvature(z, inertia.per_square_time, tangent)) ||
+                             factor(potential_.curvature(z, inertia.per_square_time, secant));
+    Vector right(6 * potential_.num_moving());
+    for (std::size_t b = 0; b < z.size(); ++b)
+      if (const int row = potential_.row_of(b); row >= 0) right.segment<6>(6 * row) = -of_body(g, b);
+    const Vector dv = is_factored ? Vector(factor_.solve(right)) : Vector();
+    if (dv.size() == 0 || !dv.allFinite() || !(dv.dot(right) > 0)) {
+      out.failure = "the curvature is not positive definite";
+      return out;
+    }
+    Poses dz(z.size(), Pose::Zero());
+    for (std::size_t b = 0; b < z.size(); ++b)
+      if (const int row = potential_.row_of(b); row >= 0) dz[b] = dv.segment<6>(6 * row);
+    potential_.set_candidates(potential_.all_candidates(z, advanced(z, dz, 1)));
+    const double free = std::min(bearable_share(dz), potential_.free_share(z, dz));
+    const double share = line_search(z, dz, inertia, free);
+    z = advanced(z, dz, share);
+  }
+}
+
+/// The share of dz that turns and strains no body by more than a tenth, nor moves any by more than its size: beyond, the
+/// curvatures tell nothing.
+double StepSolver::bearable_share(const Poses& dz) const {
+  constexpr double most = 0.1;
+  double out = 1;
+  for (std::size_t b = 0; b < dz.size(); ++b) {
+    out = std::min(out, most / std::max(most, dz[b].tail<4>().norm()));
+    out = std::min(out, scene_.bodies[b].size / std::max(scene_.bodies[b].size, dz[b].head<2>().norm()));
+  }
+  return out;
+}
+
+/// Whether it is positive definite. The order of elimination is kept as long as the same bodies meet.
+bool StepSolver::factor(const Potential::Matrix& curvature) {
+  std::vector<int> pattern(curvature.outerIndexPtr(), curvature.outerIndexPtr() + curvature.outerSize() + 1);
+  pattern.insert(pattern.end(), curvature.innerIndexPtr(), curvature.innerIndexPtr() + curvature.nonZeros());
+  if (pattern != pattern_) {
+    factor_.analyzePattern(curvature);
+    pattern_ = std::move(pattern);
+  }
+  factor_.factorize(curvature);
+  return factor_.info() == Eigen::Success && (factor_.vectorD().array() > 0).all();
+}
+
+/// Where the slope along dz has fallen to a fifth, by bisection and the Illinois rule; as far as cores are free where it
+/// still leads down there.
+double StepSolver::line_search(const Poses& z, const Poses& dz, const Inertia& inertia, double free) const {
+  constexpr double flat = 0.2;
+  constexpr int most = 40;
+  const auto slope_at = [&](double a) {
+    const Vector g = gradient(advanced(z, dz, a), inertia);
+    double out = 0;
+    for (std::size_t b = 0; b < dz.size(); ++b) out += of_body(g, b).dot(dz[b]);
+    return out;
+  };
+  const double first = slope_at(0);
+  double low = 0, high = free, at_low = first, at_high = slope_at(free);
+  if (!(at_high > flat * std::abs(first))) return free;
+  double a = high;
+  for (int i = 0; i < most; ++i) {
+    a = i % 3 == 2 ? (low + high) / 2 : low - at_low * (high - low) / (at_high - at_low);
+    const double now = slope_at(a);
+    if (std::abs(now) <= flat * std::abs(first)) return a;
+    (now > 0 ? high : low) = a;
+    (now > 0 ? at_high : at_low) = now;
+  }
+  return low > 0 ? low : a;
+}
+
+std::vector<Slider> StepSolver::sliders_at(const Poses& z, const SliderMemory& memory,
+                                           bool uses_memory) const {
+  const MeetingRules& rules = scene_.meeting;
+  std::vector<Slider> out;
+  for (const Meeting& meeting : potential_.meetings_anywhere(z)) {
+    const double friction = rules.friction(meeting.key.body, meeting.key.other);
+    if (friction <= 0) continue;
+    const SliderMemory::Kept kept = memory.of(meeting.key);
+    const double now =
+        rules.law->respond(rules.reach - meeting.distance, meeting.stiffness, rules.reach).force;
+    out.push_back({.meeting = meeting,
+                   .start = kept.slip,
+                   .stiffness = rules.shear_stiffness * meeting.stiffness,
+                   .bound = friction * (uses_memory && kept.force > 0 ? kept.force : now)});
+  }
+  return out;
+}
+
+}  // namespace dda

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <Eigen/SparseCholesky>
+#include <string>
+
+#include "continuation/motion/flight.hpp"
+#include "continuation/motion/potential.hpp"
+
+namespace dda {
+
+/// How a step is solved.
+struct MotionTolerances {
+  double tolerance =
+      1e-6;             ///< of what is left of the forces on a body, over the forces that act in the scene
+  double loose = 1e-3;  ///< the same in all passes but the last
+  double friction_change = 0.01;  ///< of normal forces, between passes, over the largest of them
+  int most_passes = 3;
+  int most_iterations = 100;  ///< of Newton's method, in one pass
+};
+
+/// The end of a step, or why there is none.
+struct MotionStep {
+  Poses poses;
+  std::vector<Slider> sliders;  ///< with which it was found
+  int iterations = 0;
+  std::string failure;  ///< "" when it converged
+
+  bool converged() const { return failure.empty(); }
+};
+
+/// One step: the minimum of
+///
+///     ½ |y − ŷ|²_M/(dt dt_m) + Π(y)
+///
+/// by Newton's method with an exact line search on what is free for cores to move, passes of it until the normal forces,
+/// by which friction is bounded, have settled. Source of the principle: Li et al. (2020), Lan et al. (2022).
+class StepSolver {
+ public:
+  StepSolver(const MovingScene& scene, Potential& potential, const MotionTolerances& tolerances)
+      : scene_(scene), potential_(potential), tolerances_(tolerances) {}
+
+  MotionStep solve(const Poses& start, const Poses& flight, const Interval& dt, const SliderMemory& memory);
+
+ private:
+  struct Minimised {
+    int iterations = 0;
+    std::string failure;
+  };
+  /// ½ |y − ŷ|²_M/(dt dt_m).
+  struct Inertia {
+    const Poses& flight;     ///< ŷ
+    double per_square_time;  ///< 1/(dt dt_m)
+  };
+  Minimised minimise(Poses& z, const Inertia& inertia, double tolerance);
+  Eigen::VectorXd gradient(const Poses& z, const Inertia& inertia) const;
+  double line_search(const Poses& z, const Poses& dz, const Inertia& inertia, double free) const;
+  std::vector<Slider> sliders_at(const Poses& z, const SliderMemory& memory, bool uses_memory) const;
+  double change_of_bounds(const std::vector<Slider>& sliders) const;
+  double excess(const Eigen::VectorXd& gradient, std::size_t* worst) const;
+  double force_scale(const Poses& start, const Inertia& inertia) const;
+
+  double bearable_share(const Poses& dz) const;
+  bool factor(const Potential::Matrix& curvature);
+
+  const MovingScene& scene_;
+  Potential& potential_;
+  MotionTolerances tolerances_;
+  double scale_ = 0;              ///< of forces [F]
+  std::vector<double> rounding_;  ///< of those on each body [F]
+  Eigen::SimplicialLDLT<Potential::Matrix> factor_;
+  std::vector<int> pattern_;  ///< of what was analysed
+};
+
+}  // namespace dda

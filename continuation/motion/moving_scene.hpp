@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "models/contact/contact_law.hpp"
+#include "models/kinematics/affine.hpp"
+
+namespace dda {
+
+/// Where all bodies are.
+using Poses = std::vector<Pose>;
+
+/// A body that moves: inertia and stiffness, and the core that meets those of others.
+struct MovingBody {
+  AffineBlock block;
+  Vec2 centroid = Vec2::Zero();  ///< undeformed [L]
+  std::vector<Vec2> core;        ///< vertices, counter-clockwise, from the undeformed centroid [L]
+  double size = 0;               ///< √area [L]
+  double modulus = 0;            ///< E [F/L²], for the stiffness of contacts
+  bool is_held = false;          ///< it stays where it is
+
+  Pose undeformed() const { return pose_of(centroid, Mat2::Identity()); }
+};
+
+/// A spring on material points: ½ k (Σ rowᵀ y_body − length)².
+struct MotionSpring {
+  std::vector<std::pair<std::size_t, Vec6>> rows;  ///< body, and what of its pose counts
+  double length = 0;                               ///< [L]
+  double stiffness = 0;                            ///< [F/L]
+};
+
+/// How bodies meet.
+struct MeetingRules {
+  std::shared_ptr<const ContactLaw> law;
+  double reach = 0;              ///< 2s: cores that are nearer overlap as bodies [L]
+  double stiffness = 10;         ///< α
+  double shear_stiffness = 0.1;  ///< of the slider of friction, as a share of k
+  std::function<double(std::size_t, std::size_t)> friction;  ///< tan φ of two bodies
+};
+
+/// What moves and what acts on it.
+struct MovingScene {
+  std::vector<MovingBody> bodies;
+  std::vector<MotionSpring> springs = {};
+  std::vector<Vec6> forces = {};  ///< dead, by body, dual to its pose; empty when there are none
+  Vec2 gravity = Vec2::Zero();    ///< [L/T²]
+  double thickness = 1;           ///< [L]
+  MeetingRules meeting;
+  /// Bodies that have a corner in common: those which a chain of joints connects around it do not meet.
+  std::vector<std::vector<std::uint32_t>> around = {};
+
+  std::size_t num_bodies() const { return bodies.size(); }
+  /// What acts on a body, its weight included: constant.
+  Vec6 load_on(std::size_t body) const {
+    Vec6 out = forces.empty() ? Vec6(Vec6::Zero()) : forces[body];
+    out.head<2>() += bodies[body].block.mass * gravity;
+    return out;
+  }
+};
+
+}  // namespace dda

@@ -1,0 +1,185 @@
+#include "continuation/motion/potential.hpp"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace dda {
+namespace {
+
+using Triplet = Eigen::Triplet<double>;
+
+auto of_body(Eigen::VectorXd& v, std::size_t body) {
+  return v.segment<6>(6 * static_cast<Eigen::Index>(body));
+}
+
+/// Work of a unit force along `direction` between the vertex and the foot of a meeting: what it is on either body.
+std::array<Vec6, 2> rows_along(const Meeting& meeting, const Vec2& direction) {
+  return {affine_rows(meeting.at).transpose() * direction,
+          -affine_rows(meeting.foot).transpose() * direction};
+}
+
+/// Puts matrices of pairs of bodies together, leaving out held ones.
+class Curvatures {
+ public:
+  Curvatures(const std::vector<int>& rows, std::vector<Triplet>& out) : rows_(rows), out_(out) {}
+
+  void add(std::size_t i, std::size_t j, const Mat6& m) {
+    if (rows_[i] < 0 || rows_[j] < 0) return;
+    for (int c = 0; c < 6; ++c)
+      for (int r = 0; r < 6; ++r)
+        if (m(r, c) != 0) out_.emplace_back(6 * rows_[i] + r, 6 * rows_[j] + c, m(r, c));
+  }
+  /// factor g gᵀ of what counts on two bodies.
+  void add(const std::array<std::size_t, 2>& bodies, const std::array<Vec6, 2>& g, double factor) {
+    if (factor == 0) return;
+    for (std::size_t a = 0; a < 2; ++a)
+      for (std::size_t b = 0; b < 2; ++b) add(bodies[a], bodies[b], factor * g[a] * g[b].transpose());
+  }
+
+ private:
+  const std::vector<int>& rows_;
+  std::vector<Triplet>& out_;
+};
+
+std::array<std::size_t, 2> bodies_of(const Meeting& meeting) { return {meeting.key.body, meeting.key.other}; }
+
+/// The secant of a joint at q: its damage once q has been accepted.
+Mat2 secant(const Bond& bond, const Vec2& q) {
+  const History then = bond.law->accept(q, bond.history, bond.stiffness);
+  const Mat2 out = bond.law->respond_frozen(q, then, bond.stiffness).tangent;
+  return (out + out.transpose()) / 2;
+}
+
+Mat2 tangent(const Bond& bond, const Vec2& q) {
+  const Mat2 out = bond.law->respond(q, bond.history, bond.stiffness).tangent;
+  return (out + out.transpose()) / 2;
+}
+
+}  // namespace
+
+Potential::Potential(const MovingScene& scene, const MeetingSearch& search, const std::vector<Bond>& bonds)
+    : scene_(scene), search_(search), bonds_(bonds) {
+  for (const MovingBody& body : scene.bodies)
+    rows_.push_back(body.is_held ? -1 : static_cast<int>(num_moving_++));
+}
+
+void Potential::begin(const Poses& start) {
+  start_ = start;
+  frames_.clear();
+  for (const Bond& bond : bonds_) frames_.push_back(frame_of(bond, start));
+}
+
+Potential::Vector Potential::gradient(const Poses& at) const {
+  const std::size_t n = scene_.num_bodies();
+  Vector out = Vector::Zero(6 * static_cast<Eigen::Index>(n));
+  for (std::size_t b = 0; b < n; ++b)
+    if (rows_[b] >= 0)
+      of_body(out, b) = strain_energy(scene_.bodies[b].block, at[b]).gradient - scene_.load_on(b);
+  for (const MotionSpring& spring : scene_.springs) {
+    double stretch = -spring.length;
+    for (const auto& [b, row] : spring.rows) stretch += row.dot(at[b]);
+    for (const auto& [b, row] : spring.rows) of_body(out, b) += spring.stiffness * stretch * row;
+  }
+  for (std::size_t i = 0; i < bonds_.size(); ++i) {
+    const Bond& bond = bonds_[i];
+    const BondState now = state_of(i, at);
+    const Vec2 t = bond.law->respond(now.opening, bond.history, bond.stiffness).traction,
+               less = now.stress.cwiseQuotient(bond.trial_stiffness());
+    for (const auto& [side, b] :
+         {std::pair(std::size_t{0}, bond.first), std::pair(std::size_t{1}, bond.second)})
+      of_body(out, b) +=
+          bond.weight * (now.opening_rows[side].transpose() * t - now.stress_rows[side].transpose() * less);
+  }
+  const auto push = [&](const Meeting& meeting, const Vec2& direction, double force) {
+    const auto rows = rows_along(meeting, direction);
+    of_body(out, meeting.key.body) += force * rows[0];
+    of_body(out, meeting.key.other) += force * rows[1];
+  };
+  const MeetingRules& rules = scene_.meeting;
+  for (const Meeting& meeting : meetings(at))
+    push(meeting, meeting.normal,
+         -rules.law->respond(rules.reach - meeting.distance, meeting.stiffness, rules.reach).force);
+  for (const Slider& slider : sliders_)
+    push(slider.meeting, slider.tangent(), slider.force(slider.reached(start_, at)));
+  for (std::size_t b = 0; b < n; ++b)
+    if (rows_[b] < 0) of_body(out, b).setZero();
+  return out;
+}
+
+Potential::Matrix Potential::curvature(const Poses& at, double per_square_time, Softening softening) const {
+  std::vector<Triplet> triplets;
+  Curvatures out(rows_, triplets);
+  for (std::size_t b = 0; b < scene_.num_bodies(); ++b)
+    out.add(b, b,
+            per_square_time * scene_.bodies[b].block.mass_matrix() +
+                strain_energy(scene_.bodies[b].block, at[b]).curvature);
+  for (const MotionSpring& spring : scene_.springs)
+    for (const auto& [i, row_i] : spring.rows)
+      for (const auto& [j, row_j] : spring.rows) out.add(i, j, spring.stiffness * row_i * row_j.transpose());
+  for (std::size_t i = 0; i < bonds_.size(); ++i) {
+    const Bond& bond = bonds_[i];
+    const BondState now = state_of(i, at);
+    const Mat2 d = softening == Softening::secant ? secant(bond, now.opening) : tangent(bond, now.opening);
+    const Vec2 less = bond.trial_stiffness().cwiseInverse();
+    const std::array<std::size_t, 2> bodies{bond.first, bond.second};
+    for (std::size_t a = 0; a < 2; ++a)
+      for (std::size_t b = 0; b < 2; ++b)
+        out.add(bodies[a], bodies[b],
+                bond.weight * (now.opening_rows[a].transpose() * d * now.opening_rows[b] -
+                               now.stress_rows[a].transpose() * less.asDiagonal() * now.stress_rows[b]));
+  }
+  const MeetingRules& rules = scene_.meeting;
+  for (const Meeting& meeting : meetings(at))
+    out.add(bodies_of(meeting), rows_along(meeting, meeting.normal),
+            rules.law->respond(rules.reach - meeting.distance, meeting.stiffness, rules.reach).stiffness);
+  for (const Slider& slider : sliders_)
+    out.add(bodies_of(slider.meeting), rows_along(slider.meeting, slider.tangent()),
+            slider.slope(slider.reached(start_, at)));
+  Matrix matrix(6 * num_moving_, 6 * num_moving_);
+  matrix.setFromTriplets(triplets.begin(), triplets.end());
+  return matrix;
+}
+
+std::vector<double> Potential::rounding(const Poses& at) const {
+  constexpr double epsilon = 4 * std::numeric_limits<double>::epsilon();
+  std::vector<double> out;
+  for (const MovingBody& body : scene_.bodies)
+    out.push_back(epsilon * body.block.volume * body.block.stiffness.maxCoeff() / body.size);
+  for (const MotionSpring& spring : scene_.springs) {
+    double sum = std::abs(spring.length);
+    for (const auto& [b, row] : spring.rows) sum += row.cwiseAbs().dot(at[b].cwiseAbs());
+    for (const auto& [b, row] : spring.rows)
+      out[b] += epsilon * spring.stiffness * row.head<2>().norm() * sum;
+  }
+  for (const Bond& bond : bonds_) {
+    const double places = centre_of(at[bond.first]).norm() + centre_of(at[bond.second]).norm();
+    for (const std::size_t b : {bond.first, bond.second})
+      out[b] += epsilon * bond.weight * bond.trial_stiffness().maxCoeff() * places;
+  }
+  for (const Slider& slider : sliders_) {
+    const MeetingKey& key = slider.meeting.key;
+    const double places = centre_of(at[key.body]).norm() + centre_of(at[key.other]).norm();
+    for (const std::uint32_t b : {key.body, key.other}) out[b] += epsilon * slider.meeting.stiffness * places;
+  }
+  return out;
+}
+
+StoredEnergies Potential::stored(const Poses& at) const {
+  StoredEnergies out;
+  for (std::size_t b = 0; b < scene_.num_bodies(); ++b)
+    if (rows_[b] >= 0) out.strain += strain_energy(scene_.bodies[b].block, at[b]).value;
+  for (const MotionSpring& spring : scene_.springs) {
+    double stretch = -spring.length;
+    for (const auto& [b, row] : spring.rows) stretch += row.dot(at[b]);
+    out.springs += spring.stiffness * stretch * stretch / 2;
+  }
+  for (std::size_t i = 0; i < bonds_.size(); ++i) out.bonds += stored_energy(bonds_[i], state_of(i, at));
+  const MeetingRules& rules = scene_.meeting;
+  for (const Meeting& meeting : meetings(at))
+    out.contact += rules.law->respond(rules.reach - meeting.distance, meeting.stiffness, rules.reach).energy;
+  for (const Slider& slider : sliders_) out.friction += slider.stored(slider.reached(start_, at));
+  return out;
+}
+
+}  // namespace dda

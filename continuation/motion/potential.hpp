@@ -1,0 +1,74 @@
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <vector>
+
+#include "continuation/motion/bonds.hpp"
+#include "continuation/motion/sliders.hpp"
+
+namespace dda {
+
+/// Energies of a scene, by what stores them [F L].
+struct StoredEnergies {
+  double strain = 0, springs = 0, bonds = 0, contact = 0, friction = 0;
+
+  double sum() const { return strain + springs + bonds + contact + friction; }
+};
+
+/// What the step minimises beside inertia: Π(z) = strain + springs + bonds + contact + friction − f·z.
+///
+/// Forces are a vector of 6 per body, and curvatures a symmetric matrix over the bodies that are not held: of every part
+/// its semidefinite share, so that Newton's directions lead down; joints that soften as they do, or by their secant.
+class Potential {
+ public:
+  using Vector = Eigen::VectorXd;
+  using Matrix = Eigen::SparseMatrix<double>;
+
+  Potential(const MovingScene& scene, const MeetingSearch& search, const std::vector<Bond>& bonds);
+
+  /// Where the step begins: frames of bonds, and motions of sliders, are from there.
+  void begin(const Poses& start);
+  void set_sliders(std::vector<Slider> sliders) { sliders_ = std::move(sliders); }
+  const std::vector<Slider>& sliders() const { return sliders_; }
+  BondState state_of(std::size_t bond, const Poses& at) const {
+    return dda::state_of(bonds_[bond], frames_[bond], at);
+  }
+  void set_candidates(std::vector<MeetingSearch::Pair> pairs) { pairs_ = std::move(pairs); }
+  const std::vector<MeetingSearch::Pair>& candidates() const { return pairs_; }
+
+  /// ∂Π/∂z; rows of held bodies are zero.
+  Vector gradient(const Poses& at) const;
+  /// How joints that soften enter the curvature: by their tangent, or by their secant, which is never negative.
+  enum class Softening { tangent, secant };
+  /// ∂²Π/∂z² of what moves, and M/(dt dt_m) of each.
+  Matrix curvature(const Poses& at, double per_square_time, Softening softening) const;
+  StoredEnergies stored(const Poses& at) const;
+  /// What rounding of places may leave of the forces on each body: stiffness times 4 ε |x|, summed [F].
+  std::vector<double> rounding(const Poses& at) const;
+  std::vector<Meeting> meetings(const Poses& at) const { return search_.find(pairs_, at); }
+  /// Pairs that may meet on the way, and all meetings at a place, whatever the candidates.
+  std::vector<MeetingSearch::Pair> all_candidates(const Poses& from, const Poses& to) const {
+    return search_.candidates(from, to);
+  }
+  std::vector<Meeting> meetings_anywhere(const Poses& at) const {
+    return search_.find(search_.candidates(at, at), at);
+  }
+  double free_share(const Poses& z, const Poses& dz) const { return search_.free_share(pairs_, z, dz); }
+
+  /// The row of a body in what moves; −1 of a held one.
+  int row_of(std::size_t body) const { return rows_[body]; }
+  Eigen::Index num_moving() const { return num_moving_; }
+
+ private:
+  const MovingScene& scene_;
+  const MeetingSearch& search_;
+  const std::vector<Bond>& bonds_;
+  std::vector<int> rows_;
+  Eigen::Index num_moving_ = 0;
+  Poses start_;
+  std::vector<Mat2> frames_;  ///< of the bonds
+  std::vector<Slider> sliders_;
+  std::vector<MeetingSearch::Pair> pairs_;
+};
+
+}  // namespace dda

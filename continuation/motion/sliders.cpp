@@ -1,0 +1,21 @@
+#include "continuation/motion/sliders.hpp"
+
+namespace dda {
+
+double Slider::reached(const Poses& before, const Poses& at) const {
+  const auto moved = [&](std::uint32_t body, const Vec2& offset) {
+    return Vec2(place_of(at[body], offset) - place_of(before[body], offset));
+  };
+  return start + tangent().dot(moved(meeting.key.body, meeting.at) - moved(meeting.key.other, meeting.foot));
+}
+
+SliderMemory::Kept SliderMemory::of(const MeetingKey& key) const {
+  if (const auto same = kept_.find(key); same != kept_.end()) return same->second;
+  const auto first = kept_.lower_bound({key.body, key.vertex, key.other, 0, false});
+  if (first == kept_.end()) return {};
+  const MeetingKey& near = first->first;
+  const bool is_same_pair = near.body == key.body && near.vertex == key.vertex && near.other == key.other;
+  return is_same_pair ? first->second : Kept{};
+}
+
+}  // namespace dda

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <vector>
+
+#include "continuation/motion/meetings.hpp"
+
+namespace dda {
+
+/// The spring slider of friction at one meeting, its geometry that of the pass.
+///
+///     u = e + t · (motion of the vertex − motion of the foot, in the step)       [L]
+///     V = ½ k_t u²  where k_t |u| ≤ μ N,   μ N (|u| − ½ μ N/k_t)  beyond
+struct Slider {
+  Meeting meeting;
+  double start = 0;      ///< e
+  double stiffness = 0;  ///< k_t [F/L]
+  double bound = 0;      ///< μ N [F]
+
+  Vec2 tangent() const { return {-meeting.normal.y(), meeting.normal.x()}; }
+  double reached(const Poses& before, const Poses& at) const;
+  /// The force along t, and its derivative with respect to u.
+  double force(double u) const { return std::clamp(stiffness * u, -bound, bound); }
+  double slope(double u) const { return stiffness * std::abs(u) < bound ? stiffness : 0; }
+  double stored(double u) const { return force(u) * force(u) / (2 * stiffness); }
+  /// The elastic part that is left, e of the next step, and what the rest spends [F L].
+  double kept(double u) const { return force(u) / stiffness; }
+  double spent(double u) const { return bound * std::abs(u - kept(u)); }
+};
+
+/// The elastic slips e and normal forces N of the last accepted step.
+class SliderMemory {
+ public:
+  struct Kept {
+    double slip = 0;   ///< e [L]
+    double force = 0;  ///< N [F]
+  };
+
+  const std::map<MeetingKey, Kept>& all() const { return kept_; }
+  void set(const MeetingKey& key, const Kept& kept) { kept_[key] = kept; }
+  /// What was kept of this meeting, or of the same vertex at the next edge or corner of the same body.
+  Kept of(const MeetingKey& key) const;
+
+ private:
+  std::map<MeetingKey, Kept> kept_;
+};
+
+}  // namespace dda

@@ -1,0 +1,51 @@
+#include "meshing/contact/free_way.hpp"
+
+#include <algorithm>
+
+#include "meshing/geometry/polygon.hpp"
+
+namespace dda {
+namespace {
+
+/// A vertex and an edge, each with its motion.
+struct VertexAndEdge {
+  Vec2 x, v, start, start_v, end, end_v;
+
+  double distance_at(double a) const { return distance(x + a * v, start + a * start_v, end + a * end_v); }
+  /// By how much the distance can shrink per unit of a.
+  double rate() const { return std::max((v - start_v).norm(), (v - end_v).norm()); }
+};
+
+double way_of(const VertexAndEdge& pair, double kept, double most) {
+  constexpr int enough = 50;
+  constexpr double near = 1e-3;  // of the distance that may go
+  const double now = pair.distance_at(0), rate = pair.rate();
+  double may_go = (1 - kept) * now, a = 0;
+  if (rate * most <= may_go) return most;
+  for (int i = 0; i < enough; ++i) {
+    a += may_go / rate;
+    if (a >= most) return most;
+    may_go = pair.distance_at(a) - kept * now;
+    if (may_go <= near * now) break;
+  }
+  return a;
+}
+
+double ways_of(const MovingOutline& vertices, const MovingOutline& edges, double kept, double most) {
+  const std::size_t n = edges.x.size();
+  for (std::size_t i = 0; i < vertices.x.size(); ++i)
+    for (std::size_t e = 0; e < n; ++e) {
+      const std::size_t f = (e + 1) % n;
+      most =
+          way_of({vertices.x[i], vertices.v[i], edges.x[e], edges.v[e], edges.x[f], edges.v[f]}, kept, most);
+    }
+  return most;
+}
+
+}  // namespace
+
+double free_way(const MovingOutline& one, const MovingOutline& other, double kept, double most) {
+  return ways_of(other, one, kept, ways_of(one, other, kept, most));
+}
+
+}  // namespace dda

@@ -1,0 +1,197 @@
+// Single bodies and stacks against closed forms.
+#include <gmock/gmock.h>
+
+#include <Eigen/LU>
+#include <cmath>
+#include <random>
+
+#include "continuation/motion/motion.hpp"
+#include "meshing/contact/outline.hpp"
+
+namespace dda {
+namespace {
+
+constexpr double young = 1e10, density = 2500, gravity = 9.81, offset = 1e-3;
+
+MovingBody body(const Polygon& outline, bool is_held = false) {
+  const Moments of = moments(outline);
+  MovingBody out;
+  out.centroid = of.centroid;
+  out.block.mass = density * of.area;
+  out.block.inertia = density * of.second;
+  out.block.volume = of.area;
+  constexpr double nu = 0.2;
+  out.block.stiffness << 1, nu, 0, nu, 1, 0, 0, 0, (1 - nu) / 2;
+  out.block.stiffness *= young / (1 - nu * nu);
+  for (const Vec2& x : core_of(outline, offset).vertices) out.core.push_back(x - of.centroid);
+  out.size = std::sqrt(of.area);
+  out.modulus = young;
+  out.is_held = is_held;
+  return out;
+}
+
+Polygon box(double left, double low, double right, double high) {
+  return {{{left, low}, {right, low}, {right, high}, {left, high}}};
+}
+
+MovingScene scene(double friction, std::vector<MovingBody> bodies, const Vec2& pull) {
+  MovingScene out;
+  out.meeting.law = contact_laws().choose(parse_yaml("wall", "test")).make();
+  out.meeting.reach = 2 * offset;
+  out.meeting.friction = [friction](std::size_t, std::size_t) { return friction; };
+  out.bodies = std::move(bodies);
+  out.gravity = pull;
+  return out;
+}
+
+Poses undeformed(const MovingScene& scene) {
+  Poses out;
+  for (const MovingBody& body : scene.bodies) out.push_back(body.undeformed());
+  return out;
+}
+
+Poses at_rest(const MovingScene& scene) { return Poses(scene.num_bodies(), Pose::Zero()); }
+
+Vec2 inclined(double degrees) {
+  return {gravity * std::sin(degrees * M_PI / 180), -gravity * std::cos(degrees * M_PI / 180)};
+}
+
+void run(Motion& motion) {
+  while (motion.advance()) {
+  }
+  EXPECT_NE(motion.ending(), Motion::Ending::failed) << motion.reason();
+}
+
+/// What the energies of a motion miss, over what the loads have done or what moved at first.
+double unbalanced(const Motion& motion, double scale) { return std::abs(motion.ledger().error) / scale; }
+
+TEST(Motion, FallsFreelyAtAnyStep) {
+  for (const double step : {0.001, 0.01, 0.1}) {
+    const MovingScene of = scene(0, {body(box(0, 0, 1, 1))}, {0, -gravity});
+    Poses velocities = at_rest(of);
+    velocities[0][0] = 2;
+    Motion motion(of, {}, undeformed(of), velocities, {.time = 1, .step = step});
+    run(motion);
+    EXPECT_NEAR(motion.poses()[0][0], 2.5, 1e-9);
+    EXPECT_NEAR(motion.poses()[0][1], 0.5 - gravity / 2, 1e-9);
+  }
+}
+
+TEST(Motion, SpinsWithoutGrowing) {
+  const MovingScene of = scene(0, {body(box(0, 0, 1, 1))}, {0, 0});
+  Poses velocities = at_rest(of);
+  velocities[0] << 0, 0, 0, -2 * M_PI, 2 * M_PI, 0;
+  Motion motion(of, {}, undeformed(of), velocities, {.time = 3, .stops_at_rest = false});
+  run(motion);
+  EXPECT_NEAR(polar_of(gradient_of(motion.poses()[0])).angle, 0, 1e-7);
+  EXPECT_NEAR(gradient_of(motion.poses()[0]).determinant(), 1, 1e-10);
+}
+
+TEST(Motion, SlidesDownAnInclineAsCoulombSays) {
+  const double friction = std::tan(20 * M_PI / 180);
+  const MovingScene of =
+      scene(friction, {body(box(-5, -1, 9, 0), true), body(box(0, 0, 1, 1))}, inclined(30));
+  const double exact = gravity / 2 * (std::sin(M_PI / 6) - friction * std::cos(M_PI / 6));
+  for (const double step : {0.01, 0.1}) {
+    Motion motion(of, {}, undeformed(of), at_rest(of), {.time = 1, .step = step});
+    run(motion);
+    EXPECT_NEAR((motion.poses()[1][0] - 0.5) / exact, 1, 2e-4) << step;
+    EXPECT_LT(unbalanced(motion, motion.ledger().external), 1e-6);
+    EXPECT_FALSE(motion.search().any_cross(motion.poses()));
+  }
+}
+
+TEST(Motion, SticksForGoodWhereFrictionHolds) {
+  const MovingScene of =
+      scene(std::tan(35 * M_PI / 180), {body(box(-5, -1, 9, 0), true), body(box(0, 0, 1, 1))}, inclined(30));
+  double after = 0;
+  for (const double time : {1.0, 10.0}) {
+    Motion motion(of, {}, undeformed(of), at_rest(of), {.time = time, .stops_at_rest = false});
+    run(motion);
+    const double now = motion.poses()[1][0] - 0.5;
+    EXPECT_LT(now, 1e-5);
+    if (time > 1) EXPECT_NEAR(now, after, 1e-8);
+    after = now;
+  }
+}
+
+TEST(Motion, SlidesToAStopAndRests) {
+  const MovingScene of = scene(0.5, {body(box(-5, -1, 9, 0), true), body(box(0, 0, 1, 1))}, {0, -gravity});
+  Poses velocities = at_rest(of);
+  velocities[1][0] = 3;
+  Motion motion(of, {}, undeformed(of), velocities, {.time = 20});
+  run(motion);
+  EXPECT_EQ(motion.ending(), Motion::Ending::at_rest);
+  EXPECT_NEAR((motion.poses()[1][0] - 0.5) / (9 / gravity), 1, 1e-4);
+  EXPECT_NEAR(motion.ledger().friction / (density / 2 * 9), 1, 1e-2);
+}
+
+TEST(Motion, StacksBearTheirWeights) {
+  constexpr int count = 20;
+  std::vector<MovingBody> bodies{body(box(-5, -1, 5, 0), true)};
+  for (int i = 0; i < count; ++i) bodies.push_back(body(box(0, i, 1, i + 1)));
+  const MovingScene of = scene(0.5, std::move(bodies), {0, -gravity});
+  Motion motion(of, {}, undeformed(of), at_rest(of), {.time = 2, .stops_at_rest = false, .step = 0.06});
+  run(motion);
+  std::vector<double> below(count, 0.0);
+  for (const Meeting& meeting : motion.meetings())
+    below[std::min(meeting.key.body, meeting.key.other)] +=
+        std::abs(meeting.normal.y()) *
+        of.meeting.law->respond(of.meeting.reach - meeting.distance, meeting.stiffness, of.meeting.reach)
+            .force;
+  for (int i = 0; i < count; ++i) {
+    EXPECT_NEAR(below[static_cast<std::size_t>(i)] / (density * gravity * (count - i)), 1, 1e-4);
+    EXPECT_NEAR(motion.poses()[static_cast<std::size_t>(i + 1)][0], 0.5, 1e-8);
+  }
+}
+
+TEST(Motion, TopplesWhereTheResultantLeavesTheBase) {
+  const auto topples = [](double degrees) {
+    const MovingScene of =
+        scene(2, {body(box(-5, -1, 9, 0), true), body(box(0, 0, 0.5, 1))}, inclined(degrees));
+    Motion motion(of, {}, undeformed(of), at_rest(of), {.time = 2.5, .stops_at_rest = false});
+    while (motion.advance() && std::abs(polar_of(gradient_of(motion.poses()[1])).angle) < 0.2) {
+    }
+    return motion.ending() == Motion::Ending::none;
+  };
+  const double exact = std::atan(0.5) * 180 / M_PI;
+  EXPECT_FALSE(topples(exact - 0.1));
+  EXPECT_TRUE(topples(exact + 0.1));
+}
+
+TEST(Motion, NothingCrossesWhateverIsThrown) {
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> part(-1, 1);
+    std::vector<MovingBody> bodies{body(box(-6, -1, 6, 0), true), body(box(-6, 0.01, -5, 8), true),
+                                   body(box(5, 0.01, 6, 8), true)};
+    for (int i = 0; i < 6; ++i) {
+      Polygon outline;
+      const Vec2 centre(3 * part(random), 1.2 + 1.6 * i);
+      const int corners = 3 + i % 4;
+      for (int k = 0; k < corners; ++k) {
+        const double angle = 2 * M_PI * (k + 0.3 * part(random)) / corners;
+        outline.vertices.push_back(centre + 0.6 * Vec2(std::cos(angle), std::sin(angle)));
+      }
+      bodies.push_back(body(outline));
+    }
+    const MovingScene of = scene(0.4, std::move(bodies), {0, -gravity});
+    Poses velocities = at_rest(of);
+    for (std::size_t b = 3; b < of.num_bodies(); ++b) {
+      const double spin = 3 * part(random);
+      velocities[b] << 4 * part(random), 2 * part(random), 0, -spin, spin, 0;
+    }
+    Motion motion(of, {}, undeformed(of), velocities, {.time = 1.5, .step = seed % 2 ? 0.1 : 0.01});
+    double released = 0;
+    while (motion.advance()) {
+      ASSERT_FALSE(motion.search().any_cross(motion.poses()))
+          << "seed " << seed << ", time " << motion.time();
+      released = std::max(released, motion.ledger().kinetic);
+    }
+    EXPECT_NE(motion.ending(), Motion::Ending::failed) << motion.reason();
+    EXPECT_LT(unbalanced(motion, released), 1e-4);
+  }
+}
+
+}  // namespace
+}  // namespace dda
