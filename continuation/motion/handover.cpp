@@ -200,6 +200,9 @@ void require_handover(const Body& body, const Equilibrium& equilibrium, const Mo
     if (std::ranges::find(names, name) == names.end())
       findings.add(where, "motion.held: there is no region '" + name + "'" + suggest(name, names));
   std::set<std::string> without;
+  if (std::ranges::all_of(body.assembly.blocks,
+                          [&](const Block& block) { return is_held(body, parameters, block.region); }))
+    findings.add(where, "motion.held: nothing is left that could move");
   for (std::size_t r = 0; r < names.size(); ++r)
     if (!is_held(body, parameters, static_cast<int>(r)) && body.materials[r]->density() <= 0)
       without.insert(body.assembly.regions[r].material);

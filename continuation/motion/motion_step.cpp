@@ -12,6 +12,8 @@ using Vector = Eigen::VectorXd;
 
 auto of_body(const Vector& v, std::size_t body) { return v.segment<6>(6 * static_cast<Eigen::Index>(body)); }
 
+constexpr double round_off = 1e-15;
+
 Poses advanced(const Poses& z, const Poses& dz, double share) {
   Poses out(z.size());
   for (std::size_t b = 0; b < z.size(); ++b) out[b] = z[b] + share * dz[b];
@@ -25,7 +27,6 @@ MotionStep StepSolver::solve(const Poses& start, const Poses& flight, const Inte
   const Inertia inertia{flight, 1 / (dt.now * dt.mean())};
   scale_ = force_scale(start, inertia);
   potential_.begin(start);
-  potential_.set_candidates({});
   potential_.set_sliders({});
   MotionStep out{.poses = start, .sliders = {}, .failure = {}};
   bool is_met = false;
@@ -37,6 +38,9 @@ MotionStep StepSolver::solve(const Poses& start, const Poses& flight, const Inte
     is_met = is_last || sliders.empty();
     potential_.set_sliders(std::move(sliders));
     rounding_ = potential_.rounding(out.poses);
+    for (std::size_t b = 0; b < rounding_.size(); ++b)
+      rounding_[b] +=
+          round_off * inertia.per_square_time * scene_.bodies[b].block.mass * centre_of(start[b]).norm();
     const Minimised found = minimise(out.poses, inertia, is_met ? tolerances_.tolerance : tolerances_.loose);
     out.iterations += found.iterations;
     out.failure = found.failure;

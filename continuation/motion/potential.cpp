@@ -66,6 +66,7 @@ Potential::Potential(const MovingScene& scene, const MeetingSearch& search, cons
 
 void Potential::begin(const Poses& start) {
   start_ = start;
+  pairs_ = search_.candidates(start, start);
   frames_.clear();
   for (const Bond& bond : bonds_) frames_.push_back(frame_of(bond, start));
 }

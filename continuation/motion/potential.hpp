@@ -26,7 +26,7 @@ class Potential {
 
   Potential(const MovingScene& scene, const MeetingSearch& search, const std::vector<Bond>& bonds);
 
-  /// Where the step begins: frames of bonds, and motions of sliders, are from there.
+  /// Where the step begins: frames of bonds, and motions of sliders, are from there; what may meet is what does there.
   void begin(const Poses& start);
   void set_sliders(std::vector<Slider> sliders) { sliders_ = std::move(sliders); }
   const std::vector<Slider>& sliders() const { return sliders_; }

@@ -140,6 +140,7 @@ class Refused(unittest.TestCase):
         del without["materials"]["left"]["density"]
         self.assertIn("material 'left' needs a `density`", self.refusal(without))
         self.assertIn("did you mean 'ground'", self.refusal(deck_with(held=["grund"])))
+        self.assertIn("nothing is left that could move", self.refusal(deck_with(held=["ground", "left", "right"])))
         self.assertIn("unknown parameter 'tim'", self.refusal(deck_with(tim=3)))
         stressed = deck_with()
         stressed["stages"].insert(0, {"name": "prestress", "loads": [{"type": "initial_stress", "xx": -1}]})

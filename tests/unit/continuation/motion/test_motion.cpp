@@ -159,6 +159,19 @@ TEST(Motion, TopplesWhereTheResultantLeavesTheBase) {
   EXPECT_TRUE(topples(exact + 0.1));
 }
 
+TEST(Motion, GivesBackWhatIsPressedAtTheBeginning) {
+  const MovingScene of = scene(0, {body(box(-5, -1, 9, 0), true), body(box(0, 0, 1, 1))}, {0, 0});
+  Poses poses = undeformed(of);
+  poses[1][1] -= offset / 2;
+  Motion motion(of, {}, poses, at_rest(of), {.time = 0.01, .stops_at_rest = false, .step = 0.01});
+  const double pressed = motion.ledger().stored.contact;
+  EXPECT_GT(pressed, 0);
+  run(motion);
+  const MotionLedger& ledger = motion.ledger();
+  EXPECT_GT(ledger.kinetic, 0);
+  EXPECT_NEAR((ledger.kinetic + ledger.stored.sum() + ledger.numerical) / pressed, 1, 1e-6);
+}
+
 TEST(Motion, NothingCrossesWhateverIsThrown) {
   for (unsigned seed = 1; seed <= 4; ++seed) {
     std::mt19937 random(seed);
