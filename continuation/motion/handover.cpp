@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <set>
@@ -15,7 +16,6 @@
 namespace dda {
 namespace {
 
-/// Of the blocks that move, or of all.
 double smallest_size(const Assembly& assembly) {
   double out = std::numeric_limits<double>::infinity();
   for (const Block& block : assembly.blocks) out = std::min(out, std::sqrt(block.moments.area));
@@ -34,7 +34,11 @@ bool is_held(const Body& body, const MotionParameters& parameters, int region) {
 class Maker {
  public:
   Maker(const Body& body, const System& system, const MotionParameters& parameters)
-      : body_(body), system_(system), equilibrium_(system.equilibrium()), parameters_(parameters) {}
+      : body_(body),
+        system_(system),
+        equilibrium_(system.equilibrium()),
+        parameters_(parameters),
+        offset_(offset_of(body, parameters)) {}
 
   Handover make(const State& at, bool has_fallen) {
     for (std::size_t b = 0; b < body_.assembly.num_blocks(); ++b) add_body(BlockId(b), at);
@@ -58,39 +62,45 @@ class Maker {
     out.size = std::sqrt(block.moments.area);
     out.modulus = material.modulus();
     out.is_held = is_held(body_, parameters_, block.region);
-    for (const Vec2& x : core_of(block.outline, offset_of(body_, parameters_)).vertices)
-      out.core.push_back(x - out.centroid);
+    for (const Vec2& x : core_of(block.outline, offset_).vertices) out.core.push_back(x - out.centroid);
     const Vec6 d = Eigen::Map<const Vec6>(at.d.data() + block_unknowns * id.value());
-    out_.poses.push_back(out.is_held ? out.undeformed() : finite_pose(out.centroid, d));
+    out_.poses.push_back(finite_pose(out.centroid, d));
     out_.scene.bodies.push_back(std::move(out));
   }
 
-  /// Friction of two bodies: that of the interface between them, else the deck's.
   void add_rules() {
     MovingScene& scene = out_.scene;
     scene.gravity = parameters_.gravity;
     scene.thickness = body_.thickness;
     scene.meeting.law = parameters_.contact.law.make();
-    scene.meeting.reach = 2 * offset_of(body_, parameters_);
+    scene.meeting.reach = 2 * offset_;
     scene.meeting.stiffness = parameters_.contact.stiffness;
-    std::map<std::pair<std::string, std::string>, double> known;
-    const auto material = [this](std::size_t b) {
-      return body_.assembly.regions[static_cast<std::size_t>(body_.block(BlockId(b)).region)].material;
-    };
-    for (std::size_t p = 0; p < equilibrium_.num_active(); ++p) {
-      const InterfacePoint& point = equilibrium_.point(p);
-      const History& h = system_.history()[p];
-      const auto contact = point.law->contact(h, point.stiffness);
-      if (!contact) continue;
-      known[std::minmax(material(point.first.value()), material(point.second.value()))] =
-          contact->coefficient;
+    scene.meeting.friction = friction();
+  }
+
+  const std::string& material_of(BlockId block) const {
+    return body_.assembly.regions[static_cast<std::size_t>(body_.block(block).region)].material;
+  }
+
+  /// tan φ of two bodies: what is left of the interface between them; of others that of the interfaces between their
+  /// materials, where these agree; else the deck's.
+  std::function<double(std::size_t, std::size_t)> friction() const {
+    std::map<std::pair<std::size_t, std::size_t>, double> of_blocks;
+    std::map<std::pair<std::string, std::string>, std::set<double>> of_materials;
+    for (const InterfacePoint& point : equilibrium_.interfaces().points) {
+      const auto residual = point.law->residual_friction();
+      if (!residual) continue;
+      of_blocks[std::minmax(point.first.value(), point.second.value())] = *residual;
+      of_materials[std::minmax(material_of(point.first), material_of(point.second))].insert(*residual);
     }
     std::vector<std::string> names;
-    for (std::size_t b = 0; b < body_.assembly.num_blocks(); ++b) names.push_back(material(b));
-    scene.meeting.friction = [known = std::move(known), names = std::move(names),
-                              otherwise = parameters_.contact.friction](std::size_t a, std::size_t b) {
-      const auto found = known.find(std::minmax(names[a], names[b]));
-      return found == known.end() ? otherwise : found->second;
+    for (std::size_t b = 0; b < body_.assembly.num_blocks(); ++b) names.push_back(material_of(BlockId(b)));
+    return [of_blocks, of_materials, names, otherwise = parameters_.contact.friction](std::size_t a,
+                                                                                      std::size_t b) {
+      if (const auto found = of_blocks.find(std::minmax(a, b)); found != of_blocks.end())
+        return found->second;
+      const auto found = of_materials.find(std::minmax(names[a], names[b]));
+      return found != of_materials.end() && found->second.size() == 1 ? *found->second.begin() : otherwise;
     };
   }
 
@@ -180,6 +190,7 @@ class Maker {
   const System& system_;
   const Equilibrium& equilibrium_;
   const MotionParameters& parameters_;
+  const double offset_;
   Handover out_;
 };
 
@@ -208,10 +219,11 @@ void require_handover(const Body& body, const Equilibrium& equilibrium, const Mo
       without.insert(body.assembly.regions[r].material);
   for (const std::string& material : without)
     findings.add(where, "motion: material '" + material + "' needs a `density`");
+  const double offset = offset_of(body, parameters);
   for (std::size_t b = 0; b < body.assembly.num_blocks(); ++b) {
     const Block& block = body.assembly.blocks[b];
     try {
-      core_of(block.outline, offset_of(body, parameters));
+      core_of(block.outline, offset);
     } catch (const std::domain_error& error) {
       const Vec2& at = block.moments.centroid;
       findings.add(

@@ -11,15 +11,13 @@
 namespace dda {
 namespace {
 
+/// The vertices at a pose, or what a difference of poses is at them.
 std::vector<Vec2> placed(const MovingBody& body, const Pose& y) {
   std::vector<Vec2> out;
   out.reserve(body.core.size());
   for (const Vec2& x : body.core) out.push_back(place_of(y, x));
   return out;
 }
-
-/// A difference of poses at the vertices.
-std::vector<Vec2> moved(const MovingBody& body, const Pose& dy) { return placed(body, dy); }
 
 Box box_of(const MovingBody& body, const Pose& y) {
   Box out;
@@ -124,8 +122,8 @@ double MeetingSearch::free_share(const std::vector<Pair>& pairs, const Poses& z,
   parallel_for(pairs.size(), pairs_at_once, [&](std::size_t p) {
     const auto [i, j] = pairs[p];
     const MovingBody &one = scene_.bodies[i], &other = scene_.bodies[j];
-    const std::vector<Vec2> x = placed(one, z[i]), v = moved(one, dz[i]), y = placed(other, z[j]),
-                            w = moved(other, dz[j]);
+    const std::vector<Vec2> x = placed(one, z[i]), v = placed(one, dz[i]), y = placed(other, z[j]),
+                            w = placed(other, dz[j]);
     free[p] = free_way({x, v}, {y, w}, kept, 1.0);
   });
   double out = 1;

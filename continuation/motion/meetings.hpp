@@ -25,6 +25,11 @@ struct Meeting {
   double stiffness = 0;  ///< k [F/L]
 };
 
+/// ψ and its derivatives at δ = 2s − d.
+inline ContactResponse response_of(const MeetingRules& rules, const Meeting& meeting) {
+  return rules.law->respond(rules.reach - meeting.distance, meeting.stiffness, rules.reach);
+}
+
 /// Finds what meets: a sweep over the boxes of the cores, then every vertex against what of the other outline faces it.
 ///
 ///     k = ½ α E h,   E the harmonic mean of the two moduli, h the thickness      [F/L]

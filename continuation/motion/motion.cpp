@@ -27,8 +27,7 @@ double kinetic(const MovingScene& scene, const Poses& x, const Poses& y, double 
 
 double dot(const Eigen::VectorXd& forces, const Poses& way) {
   double out = 0;
-  for (std::size_t b = 0; b < way.size(); ++b)
-    out += forces.segment<6>(6 * static_cast<Eigen::Index>(b)).dot(way[b]);
+  for (std::size_t b = 0; b < way.size(); ++b) out += of_body(forces, b).dot(way[b]);
   return out;
 }
 
@@ -113,18 +112,17 @@ void Motion::release() {
   Pairs joined = bonded;
   for (const auto& blocks : scene_.around) join_chains(blocks, bonded, joined);
   sort(joined);
-  is_released_ = true;
-  for (const MeetingSearch::Pair& pair : std::exchange(joined_, {})) {
-    if (std::ranges::binary_search(joined, pair) || search_->are_apart(pair, now_)) continue;
-    is_released_ = false;
-    joined_.push_back(pair);
-  }
-  joined_.insert(joined_.end(), joined.begin(), joined.end());
-  sort(joined_);
-  std::erase_if(bonds_, [this](const Bond& bond) {
-    return !std::ranges::binary_search(joined_, pair_of(bond)) || has_left(bond);
+  Pairs waiting;
+  for (const MeetingSearch::Pair& pair : joined_)
+    if (!std::ranges::binary_search(joined, pair) && !search_->are_apart(pair, now_)) waiting.push_back(pair);
+  joined.insert(joined.end(), waiting.begin(), waiting.end());
+  sort(joined);
+  const std::size_t gone = std::erase_if(bonds_, [&](const Bond& bond) {
+    return !std::ranges::binary_search(joined, pair_of(bond)) || has_left(bond);
   });
-  is_released_ = is_released_ && std::ranges::none_of(bonds_, &Bond::is_spent);
+  is_released_ = waiting.empty() && std::ranges::none_of(bonds_, &Bond::is_spent);
+  if (potential_ && gone == 0 && joined == joined_) return;
+  joined_ = std::move(joined);
   search_ = std::make_unique<MeetingSearch>(scene_, joined_);
   potential_ = std::make_unique<Potential>(scene_, *search_, bonds_);
   solver_ = std::make_unique<StepSolver>(scene_, *potential_, course_.tolerances);
@@ -256,10 +254,11 @@ void Motion::slide(const MotionStep& step) {
     slid_ = slid_ || std::abs(u) > (1 + 1e-9) * std::abs(slider.kept(u));
     memory.set(slider.meeting.key, {slider.kept(u), 0});
   }
-  const MeetingRules& rules = scene_.meeting;
-  for (const Meeting& meeting : potential_->meetings(step.poses)) {
+  const std::vector<Meeting> meetings = potential_->meetings(step.poses);
+  num_meetings_ = meetings.size();
+  for (const Meeting& meeting : meetings) {
     SliderMemory::Kept kept = memory.of(meeting.key);
-    kept.force = rules.law->respond(rules.reach - meeting.distance, meeting.stiffness, rules.reach).force;
+    kept.force = response_of(scene_.meeting, meeting).force;
     memory.set(meeting.key, kept);
   }
   memory_ = std::move(memory);

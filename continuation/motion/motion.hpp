@@ -42,6 +42,7 @@ class Motion {
   const std::string& reason() const { return reason_; }
   const MeetingSearch& search() const { return *search_; }
   std::vector<Meeting> meetings() const { return potential_->meetings_anywhere(now_); }
+  std::size_t num_meetings() const { return num_meetings_; }
 
  private:
   void release();
@@ -68,6 +69,7 @@ class Motion {
   Interval dt_;
   double time_ = 0, natural_ = 0;
   SliderMemory memory_;
+  std::size_t num_meetings_ = 0;
   MotionLedger ledger_;
   int iterations_ = 0, rejected_ = 0, easy_ = 0, still_ = 0;
   bool slid_ = false, tears_ = false;

@@ -10,10 +10,6 @@ namespace {
 
 using Vector = Eigen::VectorXd;
 
-auto of_body(const Vector& v, std::size_t body) { return v.segment<6>(6 * static_cast<Eigen::Index>(body)); }
-
-constexpr double round_off = 1e-15;
-
 Poses advanced(const Poses& z, const Poses& dz, double share) {
   Poses out(z.size());
   for (std::size_t b = 0; b < z.size(); ++b) out[b] = z[b] + share * dz[b];
@@ -37,10 +33,7 @@ MotionStep StepSolver::solve(const Poses& start, const Poses& flight, const Inte
     const bool is_last = is_settled || pass + 1 == tolerances_.most_passes;
     is_met = is_last || sliders.empty();
     potential_.set_sliders(std::move(sliders));
-    rounding_ = potential_.rounding(out.poses);
-    for (std::size_t b = 0; b < rounding_.size(); ++b)
-      rounding_[b] +=
-          round_off * inertia.per_square_time * scene_.bodies[b].block.mass * centre_of(start[b]).norm();
+    rounding_ = potential_.rounding(out.poses, inertia.per_square_time);
     const Minimised found = minimise(out.poses, inertia, is_met ? tolerances_.tolerance : tolerances_.loose);
     out.iterations += found.iterations;
     out.failure = found.failure;
@@ -95,7 +88,7 @@ Vector StepSolver::gradient(const Poses& z, const Inertia& inertia) const {
   Vector out = potential_.gradient(z);
   for (std::size_t b = 0; b < z.size(); ++b)
     if (!scene_.bodies[b].is_held)
-      out.segment<6>(6 * static_cast<Eigen::Index>(b)) +=
+      of_body(out, b) +=
           inertia.per_square_time * scene_.bodies[b].block.times_mass(z[b] - inertia.flight[b]);
   return out;
 }
@@ -129,7 +122,7 @@ StepSolver::Minimised StepSolver::minimise(Poses& z, const Inertia& inertia, dou
       if (const int row = potential_.row_of(b); row >= 0) dz[b] = dv.segment<6>(6 * row);
     potential_.set_candidates(potential_.all_candidates(z, advanced(z, dz, 1)));
     const double free = std::min(bearable_share(dz), potential_.free_share(z, dz));
-    const double share = line_search(z, dz, inertia, free);
+    const double share = line_search(z, dz, inertia, {-dv.dot(right), free});
     z = advanced(z, dz, share);
   }
 }
@@ -160,7 +153,8 @@ bool StepSolver::factor(const Potential::Matrix& curvature) {
 
 /// Where the slope along dz has fallen to a fifth, by bisection and the Illinois rule; as far as cores are free where it
 /// still leads down there.
-double StepSolver::line_search(const Poses& z, const Poses& dz, const Inertia& inertia, double free) const {
+double StepSolver::line_search(const Poses& z, const Poses& dz, const Inertia& inertia,
+                               const Descent& descent) const {
   constexpr double flat = 0.2;
   constexpr int most = 40;
   const auto slope_at = [&](double a) {
@@ -169,9 +163,9 @@ double StepSolver::line_search(const Poses& z, const Poses& dz, const Inertia& i
     for (std::size_t b = 0; b < dz.size(); ++b) out += of_body(g, b).dot(dz[b]);
     return out;
   };
-  const double first = slope_at(0);
-  double low = 0, high = free, at_low = first, at_high = slope_at(free);
-  if (!(at_high > flat * std::abs(first))) return free;
+  const double first = descent.slope;
+  double low = 0, high = descent.free, at_low = first, at_high = slope_at(high);
+  if (!(at_high > flat * std::abs(first))) return high;
   double a = high;
   for (int i = 0; i < most; ++i) {
     a = i % 3 == 2 ? (low + high) / 2 : low - at_low * (high - low) / (at_high - at_low);
@@ -191,8 +185,7 @@ std::vector<Slider> StepSolver::sliders_at(const Poses& z, const SliderMemory& m
     const double friction = rules.friction(meeting.key.body, meeting.key.other);
     if (friction <= 0) continue;
     const SliderMemory::Kept kept = memory.of(meeting.key);
-    const double now =
-        rules.law->respond(rules.reach - meeting.distance, meeting.stiffness, rules.reach).force;
+    const double now = response_of(rules, meeting).force;
     out.push_back({.meeting = meeting,
                    .start = kept.slip,
                    .stiffness = rules.shear_stiffness * meeting.stiffness,

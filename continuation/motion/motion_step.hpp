@@ -53,7 +53,11 @@ class StepSolver {
   };
   Minimised minimise(Poses& z, const Inertia& inertia, double tolerance);
   Eigen::VectorXd gradient(const Poses& z, const Inertia& inertia) const;
-  double line_search(const Poses& z, const Poses& dz, const Inertia& inertia, double free) const;
+  /// Slope along a direction where it begins, and the share of it that is free.
+  struct Descent {
+    double slope, free;
+  };
+  double line_search(const Poses& z, const Poses& dz, const Inertia& inertia, const Descent& descent) const;
   std::vector<Slider> sliders_at(const Poses& z, const SliderMemory& memory, bool uses_memory) const;
   double change_of_bounds(const std::vector<Slider>& sliders) const;
   double excess(const Eigen::VectorXd& gradient, std::size_t* worst) const;

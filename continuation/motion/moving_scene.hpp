@@ -14,6 +14,12 @@ namespace dda {
 /// Where all bodies are.
 using Poses = std::vector<Pose>;
 
+/// The six components of a body in a vector of forces.
+template <class Vector>
+auto of_body(Vector& v, std::size_t body) {
+  return v.template segment<6>(6 * static_cast<Eigen::Index>(body));
+}
+
 /// A body that moves: inertia and stiffness, and the core that meets those of others.
 struct MovingBody {
   AffineBlock block;
@@ -31,6 +37,12 @@ struct MotionSpring {
   std::vector<std::pair<std::size_t, Vec6>> rows;  ///< body, and what of its pose counts
   double length = 0;                               ///< [L]
   double stiffness = 0;                            ///< [F/L]
+
+  double stretch(const Poses& at) const {
+    double out = -length;
+    for (const auto& [body, row] : rows) out += row.dot(at[body]);
+    return out;
+  }
 };
 
 /// How bodies meet.

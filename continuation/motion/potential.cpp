@@ -9,10 +9,6 @@ namespace {
 
 using Triplet = Eigen::Triplet<double>;
 
-auto of_body(Eigen::VectorXd& v, std::size_t body) {
-  return v.segment<6>(6 * static_cast<Eigen::Index>(body));
-}
-
 /// Work of a unit force along `direction` between the vertex and the foot of a meeting: what it is on either body.
 std::array<Vec6, 2> rows_along(const Meeting& meeting, const Vec2& direction) {
   return {affine_rows(meeting.at).transpose() * direction,
@@ -78,9 +74,8 @@ Potential::Vector Potential::gradient(const Poses& at) const {
     if (rows_[b] >= 0)
       of_body(out, b) = strain_energy(scene_.bodies[b].block, at[b]).gradient - scene_.load_on(b);
   for (const MotionSpring& spring : scene_.springs) {
-    double stretch = -spring.length;
-    for (const auto& [b, row] : spring.rows) stretch += row.dot(at[b]);
-    for (const auto& [b, row] : spring.rows) of_body(out, b) += spring.stiffness * stretch * row;
+    const double force = spring.stiffness * spring.stretch(at);
+    for (const auto& [b, row] : spring.rows) of_body(out, b) += force * row;
   }
   for (std::size_t i = 0; i < bonds_.size(); ++i) {
     const Bond& bond = bonds_[i];
@@ -97,10 +92,8 @@ Potential::Vector Potential::gradient(const Poses& at) const {
     of_body(out, meeting.key.body) += force * rows[0];
     of_body(out, meeting.key.other) += force * rows[1];
   };
-  const MeetingRules& rules = scene_.meeting;
   for (const Meeting& meeting : meetings(at))
-    push(meeting, meeting.normal,
-         -rules.law->respond(rules.reach - meeting.distance, meeting.stiffness, rules.reach).force);
+    push(meeting, meeting.normal, -response_of(scene_.meeting, meeting).force);
   for (const Slider& slider : sliders_)
     push(slider.meeting, slider.tangent(), slider.force(slider.reached(start_, at)));
   for (std::size_t b = 0; b < n; ++b)
@@ -130,10 +123,9 @@ Potential::Matrix Potential::curvature(const Poses& at, double per_square_time, 
                 bond.weight * (now.opening_rows[a].transpose() * d * now.opening_rows[b] -
                                now.stress_rows[a].transpose() * less.asDiagonal() * now.stress_rows[b]));
   }
-  const MeetingRules& rules = scene_.meeting;
   for (const Meeting& meeting : meetings(at))
     out.add(bodies_of(meeting), rows_along(meeting, meeting.normal),
-            rules.law->respond(rules.reach - meeting.distance, meeting.stiffness, rules.reach).stiffness);
+            response_of(scene_.meeting, meeting).stiffness);
   for (const Slider& slider : sliders_)
     out.add(bodies_of(slider.meeting), rows_along(slider.meeting, slider.tangent()),
             slider.slope(slider.reached(start_, at)));
@@ -142,27 +134,28 @@ Potential::Matrix Potential::curvature(const Poses& at, double per_square_time, 
   return matrix;
 }
 
-std::vector<double> Potential::rounding(const Poses& at) const {
+std::vector<double> Potential::rounding(const Poses& at, double per_square_time) const {
   constexpr double epsilon = 4 * std::numeric_limits<double>::epsilon();
   std::vector<double> out;
-  for (const MovingBody& body : scene_.bodies)
-    out.push_back(epsilon * body.block.volume * body.block.stiffness.maxCoeff() / body.size);
+  for (std::size_t b = 0; b < scene_.num_bodies(); ++b) {
+    const MovingBody& body = scene_.bodies[b];
+    out.push_back(body.block.volume * body.block.stiffness.maxCoeff() / body.size +
+                  per_square_time * body.block.mass * centre_of(at[b]).norm());
+  }
+  const auto add = [&](const std::array<std::size_t, 2>& bodies, double stiffness) {
+    const double places = centre_of(at[bodies[0]]).norm() + centre_of(at[bodies[1]]).norm();
+    for (const std::size_t b : bodies) out[b] += stiffness * places;
+  };
   for (const MotionSpring& spring : scene_.springs) {
     double sum = std::abs(spring.length);
     for (const auto& [b, row] : spring.rows) sum += row.cwiseAbs().dot(at[b].cwiseAbs());
-    for (const auto& [b, row] : spring.rows)
-      out[b] += epsilon * spring.stiffness * row.head<2>().norm() * sum;
+    for (const auto& [b, row] : spring.rows) out[b] += spring.stiffness * row.head<2>().norm() * sum;
   }
-  for (const Bond& bond : bonds_) {
-    const double places = centre_of(at[bond.first]).norm() + centre_of(at[bond.second]).norm();
-    for (const std::size_t b : {bond.first, bond.second})
-      out[b] += epsilon * bond.weight * bond.trial_stiffness().maxCoeff() * places;
-  }
-  for (const Slider& slider : sliders_) {
-    const MeetingKey& key = slider.meeting.key;
-    const double places = centre_of(at[key.body]).norm() + centre_of(at[key.other]).norm();
-    for (const std::uint32_t b : {key.body, key.other}) out[b] += epsilon * slider.meeting.stiffness * places;
-  }
+  for (const Bond& bond : bonds_)
+    add({bond.first, bond.second}, bond.weight * bond.trial_stiffness().maxCoeff());
+  for (const Meeting& meeting : meetings(at))
+    add(bodies_of(meeting), response_of(scene_.meeting, meeting).stiffness);
+  for (double& force : out) force *= epsilon;
   return out;
 }
 
@@ -170,15 +163,10 @@ StoredEnergies Potential::stored(const Poses& at) const {
   StoredEnergies out;
   for (std::size_t b = 0; b < scene_.num_bodies(); ++b)
     if (rows_[b] >= 0) out.strain += strain_energy(scene_.bodies[b].block, at[b]).value;
-  for (const MotionSpring& spring : scene_.springs) {
-    double stretch = -spring.length;
-    for (const auto& [b, row] : spring.rows) stretch += row.dot(at[b]);
-    out.springs += spring.stiffness * stretch * stretch / 2;
-  }
+  for (const MotionSpring& spring : scene_.springs)
+    out.springs += spring.stiffness * std::pow(spring.stretch(at), 2) / 2;
   for (std::size_t i = 0; i < bonds_.size(); ++i) out.bonds += stored_energy(bonds_[i], state_of(i, at));
-  const MeetingRules& rules = scene_.meeting;
-  for (const Meeting& meeting : meetings(at))
-    out.contact += rules.law->respond(rules.reach - meeting.distance, meeting.stiffness, rules.reach).energy;
+  for (const Meeting& meeting : meetings(at)) out.contact += response_of(scene_.meeting, meeting).energy;
   for (const Slider& slider : sliders_) out.friction += slider.stored(slider.reached(start_, at));
   return out;
 }

@@ -43,8 +43,9 @@ class Potential {
   /// ∂²Π/∂z² of what moves, and M/(dt dt_m) of each.
   Matrix curvature(const Poses& at, double per_square_time, Softening softening) const;
   StoredEnergies stored(const Poses& at) const;
-  /// What rounding of places may leave of the forces on each body: stiffness times 4 ε |x|, summed [F].
-  std::vector<double> rounding(const Poses& at) const;
+  /// What rounding of places may leave of the forces on each body, those of inertia M/(dt dt_m) included: stiffness times
+  /// 4 ε |x|, summed [F].
+  std::vector<double> rounding(const Poses& at, double per_square_time) const;
   std::vector<Meeting> meetings(const Poses& at) const { return search_.find(pairs_, at); }
   /// Pairs that may meet on the way, and all meetings at a place, whatever the candidates.
   std::vector<MeetingSearch::Pair> all_candidates(const Poses& from, const Poses& to) const {

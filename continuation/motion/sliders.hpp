@@ -38,7 +38,6 @@ class SliderMemory {
     double force = 0;  ///< N [F]
   };
 
-  const std::map<MeetingKey, Kept>& all() const { return kept_; }
   void set(const MeetingKey& key, const Kept& kept) { kept_[key] = kept; }
   /// What was kept of this meeting, or of the same vertex at the next edge or corner of the same body.
   Kept of(const MeetingKey& key) const;

@@ -64,6 +64,9 @@ class DamageLaw final : public InterfaceLaw {
   History grown(const History& h, double k, double factor) const override;
   unsigned piece(const Vec2& q, const History& h, double k) const override;
   std::optional<Contact> contact(const History& h, double k) const override;
+  std::optional<double> residual_friction() const override {
+    return n_.friction > 0 ? std::optional(n_.friction) : std::nullopt;
+  }
 
  private:
   /// q as the damage sees it.

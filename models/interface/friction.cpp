@@ -74,6 +74,7 @@ class ContactFriction final : public InterfaceLaw {
   double stored(const Vec2& q, const History& h, double k) const override {
     return q.x() >= 0 ? 0 : 0.5 * k * (q.x() * q.x() + std::pow(friction(q, h).elastic, 2));
   }
+  std::optional<double> residual_friction() const override { return m_; }
   double damage(const History&, double) const override { return 1; }
   unsigned piece(const Vec2& q, const History& h, double) const override {
     if (q.x() > 0) return 1;

@@ -126,6 +126,9 @@ class InterfaceLaw {
   /// of joints that are still intact.
   virtual std::optional<Contact> contact(const History&, double) const { return {}; }
 
+  /// tan φ of what nothing but contact is left of; nothing where the law says nothing about it.
+  virtual std::optional<double> residual_friction() const { return {}; }
+
   /// Whether a point at its strength loses it at once instead of softening (see
   /// continuation/detour/release.hpp).
   virtual bool releases_at_once() const { return false; }

@@ -153,6 +153,7 @@ class MohrCoulomb final : public InterfaceLaw {
   double stored(const Vec2& q, const History& h, double k) const override {
     return respond(q, h, k).traction.squaredNorm() / (2 * k);
   }
+  std::optional<double> residual_friction() const override { return residual_; }
   double damage(const History& h, double) const override { return 0.5 * memory_of(h).phase; }
   unsigned piece(const Vec2& q, const History& h, double) const override {
     if (memory_of(h).phase == bonded) return 0;

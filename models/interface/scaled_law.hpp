@@ -83,6 +83,8 @@ class ScaledLaw final : public InterfaceLaw {
     return out;
   }
 
+  std::optional<double> residual_friction() const override { return law_->residual_friction(); }
+
   bool releases_at_once() const override { return law_->releases_at_once(); }
   History release(const Vec2& q, const History& h, double k, double share) const override {
     return law_->release(q / b_, h, own(k), share);

@@ -270,6 +270,19 @@ TEST_P(LawContract, RuptureReleasesTheTraction) {
   }
 }
 
+TEST_P(LawContract, BrokenJointsSlideByTheFrictionThatTheLawNames) {
+  for (int c = 0; c < cases; ++c) {
+    const LawCase at = next_case();
+    const double far = 2 * std::max(at.first, at.last),
+                 beta2 = at.law->shear_weight() * at.law->shear_weight();
+    History h = at.law->accept({far, 0}, {}, at.k);
+    if (at.law->releases_at_once()) h = at.law->release({far, 0}, {}, at.k, 0);
+    const auto contact = at.law->contact(h, at.k);
+    if (!contact) continue;
+    EXPECT_NEAR(at.law->residual_friction().value_or(0), beta2 * contact->coefficient, 1e-12);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Registry, LawContract, testing::ValuesIn(names_of(interface_laws())),
                          [](const auto& chosen) { return chosen.param; });
 

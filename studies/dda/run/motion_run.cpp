@@ -33,6 +33,10 @@ std::vector<Column> columns(const Units& units) {
           {error, energy}};
 }
 
+std::int64_t live_joints(const Motion& motion) {
+  return std::ranges::count_if(motion.bonds(), [](const Bond& bond) { return !bond.is_spent(); });
+}
+
 /// Writes what happens while a structure moves.
 class MotionRecorder {
  public:
@@ -48,14 +52,12 @@ class MotionRecorder {
   void record() {
     ++steps_;
     const MotionLedger& ledger = motion_.ledger();
-    const auto live =
-        std::ranges::count_if(motion_.bonds(), [](const Bond& bond) { return !bond.is_spent(); });
     const std::vector<TableCell> row{std::int64_t{steps_},
                                      motion_.time(),
                                      motion_.step().before,
                                      std::int64_t{motion_.iterations()},
-                                     static_cast<std::int64_t>(motion_.meetings().size()),
-                                     static_cast<std::int64_t>(live),
+                                     static_cast<std::int64_t>(motion_.num_meetings()),
+                                     live_joints(motion_),
                                      ledger.external,
                                      ledger.kinetic,
                                      ledger.stored.sum(),
@@ -160,7 +162,6 @@ class MotionRecorder {
 
 nlohmann::ordered_json summary_of(const Motion& motion, const Ending& ending, int steps, bool is_pushed) {
   const MotionLedger& ledger = motion.ledger();
-  const auto live = std::ranges::count_if(motion.bonds(), [](const Bond& bond) { return !bond.is_spent(); });
   return {{"folder", "motion"},
           {"is_at_rest", motion.ending() == Motion::Ending::at_rest},
           {"reason", ending.reason},
@@ -169,7 +170,7 @@ nlohmann::ordered_json summary_of(const Motion& motion, const Ending& ending, in
           {"rejected_steps", motion.rejected()},
           {"iterations", motion.iterations()},
           {"is_pushed", is_pushed},
-          {"live_joints", live},
+          {"live_joints", live_joints(motion)},
           {work, ledger.external},
           {kinetic, ledger.kinetic},
           {stored, ledger.stored.sum()},
