@@ -107,7 +107,7 @@ Equilibrium::Equilibrium(const Body& body, const ModelParameters& model)
   driven_ = programme.driven;
   std::vector<Spring> springs = supports_;
   springs.insert(springs.end(), driven_.begin(), driven_.end());
-  check_rigid_motions(body, springs, model.where, findings);
+  if (!model.stages.empty()) check_rigid_motions(body, springs, model.where, findings);
   stages_ = make_stages({body, model, set_, supports_}, programme, findings);
   findings.throw_if_any();
   for (const Block& block : body.assembly.blocks) block_size_.push_back(std::sqrt(block.moments.area));

@@ -4,6 +4,7 @@
 #include "models/interface/law.hpp"
 #include "models/load/load.hpp"
 #include "models/material/material.hpp"
+#include "models/time_function/time_function.hpp"
 #include "models/treatment/treatment.hpp"
 
 namespace dda {
@@ -25,6 +26,11 @@ TreatmentFamily& treatments() {
 
 ContactLawFamily& contact_laws() {
   static ContactLawFamily family("contact", "What bodies that meet in motion store where they touch.");
+  return family;
+}
+
+TimeFunctionFamily& time_functions() {
+  static TimeFunctionFamily family("time_function", "How something that is moved goes over time.");
   return family;
 }
 

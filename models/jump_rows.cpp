@@ -43,7 +43,7 @@ class Along {
 
   JumpRows rows_of(JumpId jump, const Pieces& pieces, std::size_t i) const {
     if (pieces.size() == num_pieces_) {
-      const Motion motion = motion_of(body_, jump, line_.start + line_.points[i].first * edge_);
+      const NodeMotion motion = motion_of(body_, jump, line_.start + line_.points[i].first * edge_);
       return {motion.node, pieces.front().second * frame(line_.normal) * motion.rows};
     }
     JumpRows out{body_.node_of(jump), Mat26::Zero()};

@@ -76,6 +76,7 @@ class StageMaker {
   }
 
   std::vector<Loading> make() {
+    if (programme_.stages.empty()) return {no_stage()};
     std::vector<Loading> out;
     std::size_t first_driven = 0;
     for (std::size_t s = 0; s < programme_.stages.size(); ++s) {
@@ -87,6 +88,13 @@ class StageMaker {
   }
 
  private:
+  Loading no_stage() {
+    Loading out = so_far_;
+    add_reactions(out, {});
+    add_gauges(out, true);
+    return out;
+  }
+
   Loading stage(std::size_t index, std::size_t first_driven) {
     const StageLoads& loads = programme_.stages[index];
     Loading out = so_far_;

@@ -22,7 +22,7 @@ struct Structure {
 };
 
 /// The stages as Loading: forces before a stage are dead in it; offsets of initial stress; reactions and
-/// gauges.
+/// gauges. A model without stages has one of no load.
 std::vector<Loading> make_stages(const Structure& structure, const LoadProgramme& programme,
                                  Findings& findings);
 

@@ -105,6 +105,7 @@ std::vector<StageParameters> ModelParameters::loaded_stages() const {
 }
 
 std::vector<StageParameters> ModelParameters::legs() const {
+  if (stages.empty()) return {};
   const auto first = static_cast<std::ptrdiff_t>(loaded_stages().size()) - 1;
   return {stages.begin() + first, stages.end()};
 }

@@ -88,7 +88,7 @@ struct ModelParameters {
   std::vector<std::pair<std::string, GaugeChoice>> gauge_names;
   /// The stages with loads.
   std::vector<StageParameters> loaded_stages() const;
-  /// The last of them and the stages after it.
+  /// The last of them and the stages after it; none without any.
   std::vector<StageParameters> legs() const;
   double support_stiffness = 1e5;
   double weak_springs = 1e-13;
@@ -118,12 +118,16 @@ void add_model(Schema<P>& schema) {
       .map("interfaces", &P::interfaces, interface_kind(),
            {.fallback = {{}},
             .text = "Interfaces by the name of their curve, or of a pair of materials (`between`)."})
-      .map("supports", &P::supports, support_kind(),
-           {.at_least = 1, .text = "Stiff springs that hold the structure."})
+      .map(
+          "supports", &P::supports, support_kind(),
+          {.fallback = {{}},
+           .text = "Stiff springs that hold the structure; without any only `motion` can say what becomes of "
+                   "it."})
       .list("stages", &P::stages, stage_kind(),
-            {.at_least = 1,
+            {.fallback = {{}},
              .text = "Loads in their order; the last loads are those multiplied by the load factor. Stages "
-                     "without loads go on with them: unloading, loading again."})
+                     "without loads go on with them: unloading, loading again. Without any stage there is no "
+                     "path, and `motion` begins with the undeformed structure."})
       .map("gauges", &P::gauge_names, gauges().kind(),
            {.fallback = {{}}, .text = "Scalars recorded at every step, by name."})
       .number(

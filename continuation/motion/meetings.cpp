@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <span>
 
 #include "framework/base/threads.hpp"
 #include "meshing/contact/free_way.hpp"
@@ -37,7 +38,7 @@ bool cores_cross(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
 }
 
 /// The place in the undeformed body of what is at a share of an edge.
-Vec2 material_point(const std::vector<Vec2>& core, const std::vector<Vec2>& now, const Facing& facing) {
+Vec2 material_point(const std::vector<Vec2>& core, std::span<const Vec2> now, const Facing& facing) {
   const Vec2 &a = core[facing.edge], &b = core[(facing.edge + 1) % core.size()];
   if (facing.is_corner) return a;
   const Vec2 edge = now[(facing.edge + 1) % now.size()] - now[facing.edge];
@@ -80,36 +81,69 @@ std::vector<MeetingSearch::Pair> MeetingSearch::candidates(const Poses& from, co
   return out;
 }
 
-std::vector<Meeting> MeetingSearch::find(const std::vector<Pair>& pairs, const Poses& at) const {
-  const double reach = scene_.meeting.reach;
-  std::vector<std::vector<Vec2>> outlines(scene_.num_bodies());
-  for (const auto& [i, j] : pairs)
-    for (const std::uint32_t b : {i, j})
-      if (outlines[b].empty()) outlines[b] = placed(scene_.bodies[b], at[b]);
-  std::vector<std::vector<Meeting>> found(pairs.size());
-  constexpr std::size_t pairs_at_once = 64;
-  parallel_for(pairs.size(), pairs_at_once, [&](std::size_t p) {
-    const auto meet = [&](std::uint32_t i, std::uint32_t j) {
-      const MovingBody &one = scene_.bodies[i], &other = scene_.bodies[j];
-      const double modulus = 2 * one.modulus * other.modulus / (one.modulus + other.modulus);
-      const double k = scene_.meeting.stiffness * modulus * scene_.thickness / 2;
-      const Box box = bounding_box(outlines[j]).inflated(reach);
-      for (std::uint32_t v = 0; v < outlines[i].size(); ++v) {
-        const Vec2& x = outlines[i][v];
-        if (!box.contains(x)) continue;
-        for_each_facing(x, outlines[j], reach, [&](const Facing& facing) {
-          found[p].push_back({{i, v, j, static_cast<std::uint32_t>(facing.edge), facing.is_corner},
-                              one.core[v],
-                              material_point(other.core, outlines[j], facing),
-                              (x - facing.foot) / facing.distance,
-                              facing.distance,
-                              k});
-        });
+/// Outlines of cores at some poses, one after another, and their boxes.
+class MeetingSearch::Placed {
+ public:
+  Placed(const MovingScene& scene, const Poses& at) {
+    first_.reserve(scene.num_bodies() + 1);
+    for (std::size_t b = 0; b < scene.num_bodies(); ++b) {
+      first_.push_back(points_.size());
+      Box& box = boxes_.emplace_back();
+      for (const Vec2& x : scene.bodies[b].core) {
+        points_.push_back(place_of(at[b], x));
+        box.low = box.low.cwiseMin(points_.back());
+        box.high = box.high.cwiseMax(points_.back());
       }
-    };
-    meet(pairs[p].first, pairs[p].second);
-    meet(pairs[p].second, pairs[p].first);
+    }
+    first_.push_back(points_.size());
+  }
+  std::span<const Vec2> outline(std::size_t b) const {
+    return std::span(points_).subspan(first_[b], first_[b + 1] - first_[b]);
+  }
+  const Box& box(std::size_t b) const { return boxes_[b]; }
+
+ private:
+  std::vector<Vec2> points_;
+  std::vector<std::size_t> first_;
+  std::vector<Box> boxes_;
+};
+
+/// The vertices of the first of a pair that meet the second.
+void MeetingSearch::meet(const Pair& pair, const Placed& placed, std::vector<Meeting>& out) const {
+  const auto [i, j] = pair;
+  const double reach = scene_.meeting.reach;
+  const Vec2 low = placed.box(j).low.array() - reach, high = placed.box(j).high.array() + reach;
+  if ((placed.box(i).low.array() > high.array()).any() || (placed.box(i).high.array() < low.array()).any())
+    return;
+  const MovingBody &one = scene_.bodies[i], &other = scene_.bodies[j];
+  const double modulus = 2 * one.modulus * other.modulus / (one.modulus + other.modulus);
+  const double k = scene_.meeting.stiffness * modulus * scene_.thickness / 2;
+  const std::span<const Vec2> vertices = placed.outline(i), outline = placed.outline(j);
+  for (std::uint32_t v = 0; v < vertices.size(); ++v) {
+    const Vec2& x = vertices[v];
+    if ((x.array() < low.array()).any() || (x.array() > high.array()).any()) continue;
+    for_each_facing(x, outline, reach, [&](const Facing& facing) {
+      out.push_back({{i, v, j, static_cast<std::uint32_t>(facing.edge), facing.is_corner},
+                     one.core[v],
+                     material_point(other.core, outline, facing),
+                     (x - facing.foot) / facing.distance,
+                     facing.distance,
+                     k});
+    });
+  }
+}
+
+std::vector<Meeting> MeetingSearch::find(const std::vector<Pair>& pairs, const Poses& at) const {
+  constexpr std::size_t pairs_at_once = 512;
+  const Placed placed(scene_, at);
+  std::vector<std::vector<Meeting>> found((pairs.size() + pairs_at_once - 1) / pairs_at_once);
+  parallel_pieces(pairs.size(), pairs_at_once, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p) {
+      meet(pairs[p], placed, found[begin / pairs_at_once]);
+      meet({pairs[p].second, pairs[p].first}, placed, found[begin / pairs_at_once]);
+    }
   });
+  if (found.size() == 1) return std::move(found.front());
   std::vector<Meeting> out;
   for (const auto& some : found) out.insert(out.end(), some.begin(), some.end());
   return out;
@@ -117,14 +151,12 @@ std::vector<Meeting> MeetingSearch::find(const std::vector<Pair>& pairs, const P
 
 double MeetingSearch::free_share(const std::vector<Pair>& pairs, const Poses& z, const Poses& dz) const {
   constexpr double kept = 0.2;
+  constexpr std::size_t pairs_at_once = 128;
+  const Placed places(scene_, z), ways(scene_, dz);
   std::vector<double> free(pairs.size(), 1.0);
-  constexpr std::size_t pairs_at_once = 16;
   parallel_for(pairs.size(), pairs_at_once, [&](std::size_t p) {
     const auto [i, j] = pairs[p];
-    const MovingBody &one = scene_.bodies[i], &other = scene_.bodies[j];
-    const std::vector<Vec2> x = placed(one, z[i]), v = placed(one, dz[i]), y = placed(other, z[j]),
-                            w = placed(other, dz[j]);
-    free[p] = free_way({x, v}, {y, w}, kept, 1.0);
+    free[p] = free_way({places.outline(i), ways.outline(i)}, {places.outline(j), ways.outline(j)}, kept, 1.0);
   });
   double out = 1;
   for (const double share : free) out = std::min(out, share);

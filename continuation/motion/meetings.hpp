@@ -52,6 +52,9 @@ class MeetingSearch {
   bool are_apart(const Pair& pair, const Poses& at) const;
 
  private:
+  class Placed;
+  void meet(const Pair& pair, const Placed& placed, std::vector<Meeting>& out) const;
+
   const MovingScene& scene_;
   std::vector<Pair> joined_;  ///< in order
 };

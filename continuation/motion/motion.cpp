@@ -8,154 +8,113 @@
 #include <limits>
 #include <numeric>
 
+#include "continuation/motion/restitution.hpp"
+
 namespace dda {
 namespace {
 
 constexpr double of_tearing = 0.1;  // of the step, while joints tear
 constexpr double inf = std::numeric_limits<double>::infinity();
 
-/// ½ |y − x|²_M of all that moves.
-double kinetic(const MovingScene& scene, const Poses& x, const Poses& y, double dt) {
-  double out = 0;
-  for (std::size_t b = 0; b < x.size(); ++b) {
-    if (scene.bodies[b].is_held) continue;
-    const Vec6 w = (y[b] - x[b]) / dt;
-    out += w.dot(scene.bodies[b].block.times_mass(w)) / 2;
-  }
-  return out;
-}
-
-double dot(const Eigen::VectorXd& forces, const Poses& way) {
-  double out = 0;
-  for (std::size_t b = 0; b < way.size(); ++b) out += of_body(forces, b).dot(way[b]);
-  return out;
-}
-
-using Pairs = std::vector<MeetingSearch::Pair>;
-
-/// Adds to `joined` all pairs of some bodies that a chain of bonded ones, in order, connects.
-void join_chains(const std::vector<std::uint32_t>& bodies, const Pairs& bonded, Pairs& joined) {
-  std::vector<std::size_t> chain(bodies.size());
-  std::iota(chain.begin(), chain.end(), std::size_t{0});
-  for (std::size_t a = 0; a < bodies.size(); ++a)
-    for (std::size_t b = a + 1; b < bodies.size(); ++b) {
-      const auto pair = std::minmax(bodies[a], bodies[b]);
-      if (!std::ranges::binary_search(bonded, MeetingSearch::Pair(pair))) continue;
-      const std::size_t from = chain[b], to = chain[a];
-      std::ranges::replace(chain, from, to);
-    }
-  for (std::size_t a = 0; a < bodies.size(); ++a)
-    for (std::size_t b = a + 1; b < bodies.size(); ++b)
-      if (chain[a] == chain[b]) joined.push_back(std::minmax(bodies[a], bodies[b]));
-}
-
-MeetingSearch::Pair pair_of(const Bond& bond) {
-  return std::minmax(static_cast<std::uint32_t>(bond.first), static_cast<std::uint32_t>(bond.second));
-}
-
-void sort(Pairs& pairs) {
-  std::ranges::sort(pairs);
-  pairs.erase(std::ranges::unique(pairs).begin(), pairs.end());
-}
-
 }  // namespace
+
+/// A step that was tried: how it was found, what it has come to, and where its energy has gone.
+struct Motion::Try {
+  Inertia inertia;
+  MotionStep found;
+  std::vector<BodyCourse> courses = {};
+  MotionLedger entry = {};
+};
 
 Motion::Motion(const MovingScene& scene, std::vector<Bond> bonds, Poses poses, Poses velocities,
                const MotionCourse& course)
-    : scene_(scene), bonds_(std::move(bonds)), course_(course), now_(std::move(poses)) {
-  double size = inf, mass = 0, pull = scene.gravity.norm();
+    : scene_(scene), bonds_(std::move(bonds)), course_(course), now_(std::move(poses)), start_(now_) {
+  if (!course_.integrator) course_.integrator = integrators().choose(Node::scalar("free_flight")).make();
+  double size = inf, mass = 0, thrown = 0;
   Vec2 load = Vec2::Zero();
   for (std::size_t b = 0; b < scene.num_bodies(); ++b) {
     if (scene.bodies[b].is_held) continue;
     size = std::min(size, scene.bodies[b].size);
     mass += scene.bodies[b].block.mass;
     load += scene.load_on(b).head<2>();
-    pull = std::max(pull, centre_of(velocities[b]).squaredNorm() / scene.bodies[b].size);
+    thrown = std::max(thrown, centre_of(velocities[b]).squaredNorm() / scene.bodies[b].size);
   }
-  pull = std::max(pull, load.norm() / mass);
-  natural_ = course_.step * std::sqrt(size / pull);
+  pull_ = std::max(scene.gravity.norm(), load.norm() / mass);
+  if (pull_ == 0) pull_ = thrown;
+  natural_ = course_.step * std::sqrt((scene.smallest > 0 ? scene.smallest : size) / pull_);
   if (!std::isfinite(natural_)) natural_ = course_.time > 0 ? course_.time / 1000 : 1;
-  dt_ = {natural_, natural_, true};
-  tears_ = std::ranges::any_of(bonds_, [](const Bond& bond) { return bond.can_tear() && !bond.is_spent(); });
-  before_.resize(now_.size());
-  for (std::size_t b = 0; b < now_.size(); ++b) {
-    const Pose& w = velocities[b];
-    const Mat2 f = gradient_of(now_[b]), rate = gradient_of(w) * f.inverse();
-    const double spin = (rate(1, 0) - rate(0, 1)) / 2;
-    before_[b] = pose_of(centre_of(now_[b]) - natural_ * centre_of(w), rotation(-natural_ * spin) * f);
-  }
-  search_ = std::make_unique<MeetingSearch>(scene_, joined_);
+  m_.dt = {natural_, natural_, true};
+  m_.tears =
+      std::ranges::any_of(bonds_, [](const Bond& bond) { return bond.can_tear() && !bond.is_spent(); });
+  for (std::size_t b = 0; b < now_.size(); ++b)
+    m_.courses.push_back(course_.integrator->begin(now_[b], velocities[b], natural_));
+  m_.bonds.resize(bonds_.size());
+  std::iota(m_.bonds.begin(), m_.bonds.end(), std::size_t{0});
+  search_ = std::make_unique<MeetingSearch>(scene_, m_.joined);
   release();
-  ledger_.stored = potential_->stored(now_);
-  ledger_.kinetic = kinetic(scene_, before_, now_, dt_.before);
+  keep_histories();
+  const Eigen::VectorXd forces = potential_->gradient(now_);
+  for (std::size_t b = 0; b < now_.size(); ++b) {
+    if (scene_.bodies[b].is_held) continue;
+    m_.courses[b].acceleration = scene_.bodies[b].block.over_mass(-of_body(forces, b));
+    m_.ledger.kinetic += kinetic_energy(scene_.bodies[b].block, m_.courses[b].velocity);
+  }
+  m_.ledger.stored = potential_->stored(now_);
 }
 
-/// Whether the sides of a spent bond face each other no more.
-bool Motion::has_left(const Bond& bond) const {
-  constexpr double turn = 0.2, way = 0.1;
-  if (!bond.is_spent()) return false;
-  const auto angle = [this](std::size_t b) { return polar_of(gradient_of(now_[b])).angle; };
-  const Vec2 jump = place_of(now_[bond.second], bond.at_second) - place_of(now_[bond.first], bond.at_first);
-  const double size = std::min(scene_.bodies[bond.first].size, scene_.bodies[bond.second].size);
-  return std::abs(std::remainder(angle(bond.second) - angle(bond.first), 2 * M_PI)) > turn ||
-         jump.norm() > way * size;
+void Motion::restore(MotionMemory memory, const std::vector<Bond>& bonds) {
+  m_ = std::move(memory);
+  bonds_.clear();
+  for (std::size_t i = 0; i < m_.bonds.size(); ++i) {
+    bonds_.push_back(bonds.at(m_.bonds[i]));
+    bonds_.back().history = m_.histories[i];
+  }
+  for (std::size_t b = 0; b < now_.size(); ++b) now_[b] = m_.courses[b].now;
+  make_solver();
+  end_if_due();
 }
 
-/// Bodies that a bond joins, or a chain of them around a corner, do not meet. Where the last is spent its law goes on
-/// to bear pressure as long as its sides face each other, and until they are apart they do not meet: outlines that have
-/// overlapped as bonded bodies may tell no outside.
-void Motion::release() {
-  Pairs bonded;
-  for (const Bond& bond : bonds_)
-    if (!bond.is_spent()) bonded.push_back(pair_of(bond));
-  sort(bonded);
-  Pairs joined = bonded;
-  for (const auto& blocks : scene_.around) join_chains(blocks, bonded, joined);
-  sort(joined);
-  Pairs waiting;
-  for (const MeetingSearch::Pair& pair : joined_)
-    if (!std::ranges::binary_search(joined, pair) && !search_->are_apart(pair, now_)) waiting.push_back(pair);
-  joined.insert(joined.end(), waiting.begin(), waiting.end());
-  sort(joined);
-  const std::size_t gone = std::erase_if(bonds_, [&](const Bond& bond) {
-    return !std::ranges::binary_search(joined, pair_of(bond)) || has_left(bond);
-  });
-  is_released_ = waiting.empty() && std::ranges::none_of(bonds_, &Bond::is_spent);
-  if (potential_ && gone == 0 && joined == joined_) return;
-  joined_ = std::move(joined);
-  search_ = std::make_unique<MeetingSearch>(scene_, joined_);
+/// For what is bonded and joined now.
+void Motion::make_solver() {
+  search_ = std::make_unique<MeetingSearch>(scene_, m_.joined);
   potential_ = std::make_unique<Potential>(scene_, *search_, bonds_);
   solver_ = std::make_unique<StepSolver>(scene_, *potential_, course_.tolerances);
   potential_->begin(now_);
 }
 
 Poses Motion::velocities() const {
-  Poses out(now_.size());
-  for (std::size_t b = 0; b < now_.size(); ++b) out[b] = (now_[b] - before_[b]) / dt_.before;
+  Poses out;
+  for (const BodyCourse& course : m_.courses) out.push_back(course.velocity);
   return out;
 }
 
 /// The longest step that turns no body by more than 0.1 and moves none by more than a fifth of its size.
 double Motion::longest() const {
   constexpr double turn = 0.1, way = 0.2;
-  double out = natural_ * (tears_ ? of_tearing : 1);
+  constexpr double without_inertia = 1e3;  // no motion is missed by a step that is long
+  double out = natural_ * (m_.tears ? of_tearing : course_.integrator->has_inertia() ? 1 : without_inertia);
   for (std::size_t b = 0; b < now_.size(); ++b) {
     if (scene_.bodies[b].is_held) continue;
+    const Pose& before = m_.courses[b].before;
     const double turned = std::abs(std::remainder(
-                     polar_of(gradient_of(now_[b])).angle - polar_of(gradient_of(before_[b])).angle,
-                     2 * M_PI)),
-                 moved = (centre_of(now_[b]) - centre_of(before_[b])).norm();
-    if (turned > 0) out = std::min(out, dt_.before * turn / turned);
-    if (moved > 0) out = std::min(out, dt_.before * way * scene_.bodies[b].size / moved);
+                     polar_of(gradient_of(now_[b])).angle - polar_of(gradient_of(before)).angle, 2 * M_PI)),
+                 moved = (centre_of(now_[b]) - centre_of(before)).norm();
+    if (turned > 0) out = std::min(out, m_.dt.before * turn / turned);
+    if (moved > 0) out = std::min(out, m_.dt.before * way * scene_.bodies[b].size / moved);
   }
   return out;
 }
 
-/// Where bodies fly to in the step; what is held stays.
-Poses Motion::flown() const {
-  Poses out(now_.size());
+/// Where inertia takes bodies in the step; what is held stays, or goes where it is driven.
+Inertia Motion::aim() const {
+  Inertia out{now_, course_.integrator->per_square_time(m_.dt)};
   for (std::size_t b = 0; b < now_.size(); ++b)
-    out[b] = scene_.bodies[b].is_held ? now_[b] : free_flight(before_[b], now_[b], dt_);
+    if (!scene_.bodies[b].is_held) out.flight[b] = course_.integrator->flight(m_.courses[b], m_.dt);
+  for (const Drive& drive : scene_.drives)
+    for (const std::size_t b : drive.bodies) out.flight[b] = start_[b];
+  for (const Drive& drive : scene_.drives)
+    for (const std::size_t b : drive.bodies)
+      out.flight[b].head<2>() += drive.displacement->at(m_.time + m_.dt.now) * drive.direction;
   return out;
 }
 
@@ -163,13 +122,24 @@ Poses Motion::flown() const {
 void Motion::set_step() {
   constexpr double growth = 1.5;
   constexpr int few = 5;
-  if (easy_ >= few) {
-    dt_.now *= growth;
-    easy_ = 0;
+  if (m_.easy >= few) {
+    m_.dt.now *= growth;
+    m_.easy = 0;
   }
-  dt_.now = std::min(dt_.now, longest());
-  const double left = course_.time - time_;
-  if (course_.time > 0 && dt_.now > (1 - 1e-9) * left) dt_.now = left;
+  m_.dt.now = std::min(m_.dt.now, longest());
+  const double left = course_.time - m_.time;
+  if (course_.time > 0 && m_.dt.now > (1 - 1e-9) * left) m_.dt.now = left;
+}
+
+Motion::Try Motion::try_step() {
+  Try out{aim(), {}};
+  out.found = solver_->solve(now_, out.inertia, m_.sliders);
+  m_.iterations += out.found.iterations;
+  if (!out.found.converged()) return out;
+  book(out);
+  if (creates_energy(out.entry))
+    out.found.failure = fmt::format("the step would create an energy of {:.3g}", -out.entry.numerical);
+  return out;
 }
 
 bool Motion::advance() {
@@ -177,59 +147,62 @@ bool Motion::advance() {
   constexpr double smallest = 1.0 / 4096;
   set_step();
   for (;;) {
-    const Poses flight = flown();
-    MotionStep step = solver_->solve(now_, flight, dt_, memory_);
-    iterations_ += step.iterations;
-    if (step.converged()) {
-      const MotionLedger entry = book(step, flight);
-      const bool is_long = dt_.now > (1 + 1e-9) * of_tearing * natural_;
-      if (entry.fracture > 0 && is_long) {
-        dt_.now = std::max(of_tearing * natural_, dt_.now / 4);
-        easy_ = 0;
-        continue;
-      }
-      if (!creates_energy(entry)) {
-        accept(std::move(step), entry);
-        judge();
-        return true;
-      }
-      step.failure = fmt::format("the step would create an energy of {:.3g}", -entry.numerical);
+    Try step = try_step();
+    const bool is_long = m_.dt.now > (1 + 1e-9) * of_tearing * natural_;
+    if (step.entry.fracture > 0 && is_long) {
+      m_.dt.now = std::max(of_tearing * natural_, m_.dt.now / 4);
+      m_.easy = 0;
+      continue;
     }
-    ++rejected_;
-    easy_ = 0;
-    reason_ = step.failure;
-    dt_.now /= 2;
-    if (dt_.now < smallest * natural_) {
+    if (step.found.converged()) {
+      accept(std::move(step));
+      judge();
+      return true;
+    }
+    ++m_.rejected;
+    m_.easy = 0;
+    reason_ = step.found.failure;
+    m_.dt.now /= 2;
+    if (m_.dt.now < smallest * natural_) {
       ending_ = Ending::failed;
-      reason_ = fmt::format("no step of {:.3g} was found: {}", 2 * dt_.now, reason_);
+      reason_ = fmt::format("no step of {:.3g} was found: {}", 2 * m_.dt.now, reason_);
       return false;
     }
   }
 }
 
-/// Where the energy of a step has gone.
-MotionLedger Motion::book(const MotionStep& step, const Poses& flight) const {
-  const double share = dt_.mean() / dt_.now;
-  Poses way(now_.size(), Pose::Zero());
-  for (std::size_t b = 0; b < now_.size(); ++b) way[b] = (step.poses[b] + flight[b]) / 2 - now_[b];
-  double outside = 0, friction = 0, fracture = 0;
-  for (std::size_t b = 0; b < now_.size(); ++b)
-    if (!scene_.bodies[b].is_held) outside += share * scene_.load_on(b).dot(way[b]);
-  for (const Slider& slider : step.sliders) friction += slider.spent(slider.reached(now_, step.poses));
+/// Where the energy of a step has gone, and the courses it would lead to.
+void Motion::book(Try& step) const {
+  const Poses& reached = step.found.poses;
+  MotionLedger& out = step.entry;
+  const Eigen::VectorXd forces = potential_->gradient(reached);
+  double inner = 0, flown = 0, of_start = 0;
+  for (std::size_t b = 0; b < now_.size(); ++b) {
+    const MovingBody& body = scene_.bodies[b];
+    const BodyStep of{m_.courses[b], step.inertia.flight[b], reached[b], m_.dt};
+    const BodyWork work = course_.integrator->work(body.block, of);
+    step.courses.push_back(course_.integrator->arrive(of));
+    if (body.is_held) {
+      const double driven = of_body(forces, b).dot(work.loaded);
+      step.courses[b].velocity = (reached[b] - now_[b]) / m_.dt.now;
+      out.external += driven;
+      inner += driven;
+      continue;
+    }
+    const double loaded = scene_.load_on(b).dot(work.loaded);
+    out.external += loaded;
+    inner += loaded + of_body(forces, b).dot(work.way);
+    flown += work.flown;
+    of_start += work.of_start;
+    out.kinetic += kinetic_energy(body.block, step.courses[b].velocity);
+  }
+  for (const Slider& slider : step.found.sliders) out.friction += slider.spent(slider.reached(now_, reached));
   for (std::size_t i = 0; i < bonds_.size(); ++i)
-    fracture += spending(bonds_[i], potential_->state_of(i, step.poses));
-  const double inner = share * dot(potential_->gradient(step.poses), way) + outside;
-  const double flown = kinetic(scene_, now_, flight, dt_.now);
-  MotionLedger out;
-  out.stored = potential_->stored(step.poses);
-  out.kinetic = kinetic(scene_, now_, step.poses, dt_.now);
-  out.external = outside;
-  out.fracture = fracture;
-  out.friction = friction;
-  out.numerical =
-      inner - (out.stored.sum() - ledger_.stored.sum()) - out.friction - fracture + (ledger_.kinetic - flown);
-  out.error = out.kinetic - flown - (outside - inner);
-  return out;
+    out.fracture += spending(bonds_[i], potential_->state_of(i, reached));
+  out.stored = potential_->stored(reached);
+  out.numerical = inner - of_start - (out.stored.sum() - m_.ledger.stored.sum()) - out.friction -
+                  out.fracture + (m_.ledger.kinetic - flown);
+  out.error = out.external - inner + of_start - (out.kinetic - flown);
 }
 
 /// Whether a step gives back more energy than there was: Newton's method has found another minimum than that beside it.
@@ -238,20 +211,20 @@ bool Motion::creates_energy(const MotionLedger& step) const {
   double given = 0;  // by the loads to what is free, in one step
   for (std::size_t b = 0; b < now_.size(); ++b)
     if (!scene_.bodies[b].is_held)
-      given +=
-          dt_.now * dt_.now * scene_.load_on(b).head<2>().squaredNorm() / (2 * scene_.bodies[b].block.mass);
+      given += m_.dt.now * m_.dt.now * scene_.load_on(b).head<2>().squaredNorm() /
+               (2 * scene_.bodies[b].block.mass);
   const double all =
-      ledger_.kinetic + step.kinetic + ledger_.stored.sum() + step.stored.sum() + std::abs(step.external);
-  return -step.numerical > given + bearable * all + hardly * most_kinetic_;
+      m_.ledger.kinetic + step.kinetic + m_.ledger.stored.sum() + step.stored.sum() + std::abs(step.external);
+  return -step.numerical > given + bearable * all + hardly * m_.most_kinetic;
 }
 
 /// What the sliders keep, and whether any has slid.
 void Motion::slide(const MotionStep& step) {
-  slid_ = false;
+  m_.slid = false;
   SliderMemory memory;
   for (const Slider& slider : step.sliders) {
     const double u = slider.reached(now_, step.poses);
-    slid_ = slid_ || std::abs(u) > (1 + 1e-9) * std::abs(slider.kept(u));
+    m_.slid = m_.slid || std::abs(u) > (1 + 1e-9) * std::abs(slider.kept(u));
     memory.set(slider.meeting.key, {slider.kept(u), 0});
   }
   const std::vector<Meeting> meetings = potential_->meetings(step.poses);
@@ -261,7 +234,7 @@ void Motion::slide(const MotionStep& step) {
     kept.force = response_of(scene_.meeting, meeting).force;
     memory.set(meeting.key, kept);
   }
-  memory_ = std::move(memory);
+  m_.sliders = std::move(memory);
 }
 
 /// What the bonds remember; whether one has been spent.
@@ -277,46 +250,94 @@ bool Motion::crack(const MotionStep& step) {
   return has_parted;
 }
 
-/// Commits a step.
-void Motion::accept(MotionStep step, const MotionLedger& book) {
-  slide(step);
-  const bool has_parted = crack(step);
-  ledger_.external += book.external;
-  ledger_.friction += book.friction;
-  ledger_.fracture += book.fracture;
-  ledger_.numerical += book.numerical;
-  ledger_.error += book.error;
-  ledger_.kinetic = book.kinetic;
-  ledger_.stored = book.stored;
-  before_ = std::move(now_);
-  now_ = std::move(step.poses);
-  time_ += dt_.now;
-  dt_.before = dt_.now;
-  dt_.begins = false;
-  ++easy_;
-  tears_ = book.fracture > 0;
-  if (has_parted || !is_released_) {
-    release();
-    ledger_.numerical -= potential_->stored(now_).sum() - ledger_.stored.sum();
-    ledger_.stored = potential_->stored(now_);
+/// What impacts give back, as far as the step has taken it.
+void Motion::bounce(Try& step) {
+  constexpr double steps = 3;  // of falling, whose speed is that of contacts which stay
+  Poses approach, velocity;
+  for (std::size_t b = 0; b < now_.size(); ++b) {
+    approach.push_back((step.inertia.flight[b] - now_[b]) / m_.dt.now);
+    velocity.push_back(step.courses[b].velocity);
   }
+  const std::vector<Meeting> meetings = potential_->meetings(step.found.poses);
+  const std::vector<RigidMotion> back =
+      rebound(scene_, {meetings, step.found.poses, approach, velocity, steps * pull_ * m_.dt.now});
+  if (back.empty()) return;
+  double linear = 0, square = 0;  // of the kinetic energy in a share of what is given back
+  for (std::size_t b = 0; b < now_.size(); ++b) {
+    const AffineBlock& block = scene_.bodies[b].block;
+    if (scene_.bodies[b].is_held) continue;
+    const BodyCourse pushed = course_.integrator->pushed(step.courses[b], back[b], m_.dt.now);
+    const Pose change = pushed.velocity - step.courses[b].velocity;
+    linear += change.dot(block.times_mass(step.courses[b].velocity));
+    square += kinetic_energy(block, change);
+  }
+  const double most = std::max(0.0, step.entry.numerical);
+  double share = 1;
+  if (linear + square > most)
+    share = (std::sqrt(linear * linear + 4 * square * most) - linear) / (2 * square);
+  double kinetic = 0;
+  for (std::size_t b = 0; b < now_.size(); ++b) {
+    if (scene_.bodies[b].is_held) continue;
+    step.courses[b] = course_.integrator->pushed(step.courses[b],
+                                                 {share * back[b].velocity, share * back[b].spin}, m_.dt.now);
+    kinetic += kinetic_energy(scene_.bodies[b].block, step.courses[b].velocity);
+  }
+  step.entry.numerical -= kinetic - step.entry.kinetic;
+  step.entry.kinetic = kinetic;
+}
+
+/// Commits a step.
+void Motion::accept(Try step) {
+  bounce(step);
+  slide(step.found);
+  const bool has_parted = crack(step.found);
+  const MotionLedger& entry = step.entry;
+  m_.ledger.external += entry.external;
+  m_.ledger.friction += entry.friction;
+  m_.ledger.fracture += entry.fracture;
+  m_.ledger.numerical += entry.numerical;
+  m_.ledger.error += entry.error;
+  m_.ledger.kinetic = entry.kinetic;
+  m_.ledger.stored = entry.stored;
+  m_.courses = std::move(step.courses);
+  now_ = std::move(step.found.poses);
+  m_.time += m_.dt.now;
+  m_.dt.before = m_.dt.now;
+  m_.dt.begins = false;
+  ++m_.easy;
+  m_.tears = entry.fracture > 0;
+  if (has_parted || !m_.is_released) {
+    release();
+    m_.ledger.numerical -= potential_->stored(now_).sum() - m_.ledger.stored.sum();
+    m_.ledger.stored = potential_->stored(now_);
+  }
+  keep_histories();
   potential_->begin(now_);
+}
+
+void Motion::keep_histories() {
+  m_.histories.clear();
+  for (const Bond& bond : bonds_) m_.histories.push_back(bond.history);
 }
 
 void Motion::judge() {
   constexpr double hardly = 1e-6, slow = 1e-3;
-  constexpr int enough = 20;
-  most_kinetic_ = std::max(most_kinetic_, ledger_.kinetic);
-  bool moves = ledger_.kinetic > hardly * most_kinetic_ || slid_;
+  m_.most_kinetic = std::max(m_.most_kinetic, m_.ledger.kinetic);
+  bool moves = m_.ledger.kinetic > hardly * m_.most_kinetic || m_.slid;
   for (std::size_t b = 0; b < now_.size() && !moves; ++b)
     if (!scene_.bodies[b].is_held)
-      moves = (centre_of(now_[b]) - centre_of(before_[b])).norm() >
-              slow * dt_.before * std::sqrt(scene_.gravity.norm() * scene_.bodies[b].size);
-  still_ = moves ? 0 : still_ + 1;
-  if (course_.stops_at_rest && still_ >= enough) {
+      moves = (centre_of(now_[b]) - centre_of(m_.courses[b].before)).norm() >
+              slow * std::min(m_.dt.before, natural_) * std::sqrt(pull_ * scene_.bodies[b].size);
+  m_.still = moves ? 0 : m_.still + 1;
+  end_if_due();
+}
+
+void Motion::end_if_due() {
+  constexpr int enough = 20;
+  if (course_.stops_at_rest && m_.still >= enough) {
     ending_ = Ending::at_rest;
-    reason_ = fmt::format("at rest after {:.4g}", time_);
-  } else if (course_.time > 0 && time_ >= course_.time * (1 - 1e-12)) {
+    reason_ = fmt::format("at rest after {:.4g}", m_.time);
+  } else if (course_.time > 0 && m_.time >= course_.time * (1 - 1e-12)) {
     ending_ = Ending::at_time;
     reason_ = fmt::format("the time {:g} is reached", course_.time);
   }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "continuation/integrator/integrator.hpp"
 #include "continuation/motion/ledger.hpp"
 #include "continuation/motion/motion_step.hpp"
 
@@ -14,7 +15,23 @@ struct MotionCourse {
   double time = 0;  ///< at most so long [T]
   bool stops_at_rest = true;
   double step = 0.01;  ///< in √(L/g), L the size of the smallest body that moves
+  std::shared_ptr<const Integrator> integrator = {};  ///< none: `free_flight`
   MotionTolerances tolerances = {};
+};
+
+/// What the next step of a motion depends on beside its scene.
+struct MotionMemory {
+  std::vector<BodyCourse> courses;
+  std::vector<std::size_t> bonds;           ///< that are left, by their place in the list at the beginning
+  std::vector<History> histories;           ///< of these
+  std::vector<MeetingSearch::Pair> joined;  ///< that do not meet: by bonds, or not yet apart
+  SliderMemory sliders;
+  Interval dt;
+  MotionLedger ledger;
+  double time = 0, most_kinetic = 0;
+  int iterations = 0, rejected = 0, easy = 0, still = 0;
+  bool is_released = true;  ///< all that is spent
+  bool slid = false, tears = false;
 };
 
 /// A scene that moves: steps from one instant to the next, until a time or until rest.
@@ -26,18 +43,22 @@ class Motion {
   Motion(const MovingScene& scene, std::vector<Bond> bonds, Poses poses, Poses velocities,
          const MotionCourse& course);
 
+  /// Where an earlier motion of the same scene, bonds and beginning stood: it goes on with the same bits.
+  void restore(MotionMemory memory, const std::vector<Bond>& bonds);
+  const MotionMemory& memory() const { return m_; }
+
   /// One step on; false at the end.
   bool advance();
 
-  double time() const { return time_; }
-  const Interval& step() const { return dt_; }
+  double time() const { return m_.time; }
+  const Interval& step() const { return m_.dt; }
   const Poses& poses() const { return now_; }
-  /// ẏ over the last step.
+  /// ẏ, as the integrator means it.
   Poses velocities() const;
   const std::vector<Bond>& bonds() const { return bonds_; }
-  const MotionLedger& ledger() const { return ledger_; }
-  int iterations() const { return iterations_; }
-  int rejected() const { return rejected_; }
+  const MotionLedger& ledger() const { return m_.ledger; }
+  int iterations() const { return m_.iterations; }
+  int rejected() const { return m_.rejected; }
   Ending ending() const { return ending_; }
   const std::string& reason() const { return reason_; }
   const MeetingSearch& search() const { return *search_; }
@@ -45,35 +66,35 @@ class Motion {
   std::size_t num_meetings() const { return num_meetings_; }
 
  private:
+  struct Try;
   void release();
+  void make_solver();
+  void keep_histories();
   bool has_left(const Bond& bond) const;
-  Poses flown() const;
+  Inertia aim() const;
   void set_step();
   double longest() const;
-  MotionLedger book(const MotionStep& step, const Poses& flight) const;
+  Try try_step();
+  void book(Try& step) const;
   bool creates_energy(const MotionLedger& step) const;
   void slide(const MotionStep& step);
   bool crack(const MotionStep& step);
-  void accept(MotionStep step, const MotionLedger& book);
+  void bounce(Try& step);
+  void accept(Try step);
   void judge();
+  void end_if_due();
 
   const MovingScene& scene_;
   std::vector<Bond> bonds_;
-  const MotionCourse course_;
+  MotionCourse course_;
   std::unique_ptr<MeetingSearch> search_;
   std::unique_ptr<Potential> potential_;
   std::unique_ptr<StepSolver> solver_;
-  std::vector<MeetingSearch::Pair> joined_;  ///< that do not meet: by bonds, or not yet apart
-  bool is_released_ = true;                  ///< all that is spent
-  Poses before_, now_;
-  Interval dt_;
-  double time_ = 0, natural_ = 0;
-  SliderMemory memory_;
+  MotionMemory m_;
+  Poses now_, start_;  ///< where bodies are, and where they were at first
+  double natural_ = 0;
+  double pull_ = 0;  ///< acceleration of all that moves, by the loads or by how fast it is [L/T²]
   std::size_t num_meetings_ = 0;
-  MotionLedger ledger_;
-  int iterations_ = 0, rejected_ = 0, easy_ = 0, still_ = 0;
-  bool slid_ = false, tears_ = false;
-  double most_kinetic_ = 0;
   Ending ending_ = Ending::none;
   std::string reason_;
 };

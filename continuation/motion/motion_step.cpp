@@ -18,9 +18,7 @@ Poses advanced(const Poses& z, const Poses& dz, double share) {
 
 }  // namespace
 
-MotionStep StepSolver::solve(const Poses& start, const Poses& flight, const Interval& dt,
-                             const SliderMemory& memory) {
-  const Inertia inertia{flight, 1 / (dt.now * dt.mean())};
+MotionStep StepSolver::solve(const Poses& start, const Inertia& inertia, const SliderMemory& memory) {
   scale_ = force_scale(start, inertia);
   potential_.begin(start);
   potential_.set_sliders({});
@@ -86,11 +84,44 @@ double StepSolver::excess(const Vector& gradient, std::size_t* worst) const {
 
 Vector StepSolver::gradient(const Poses& z, const Inertia& inertia) const {
   Vector out = potential_.gradient(z);
-  for (std::size_t b = 0; b < z.size(); ++b)
-    if (!scene_.bodies[b].is_held)
+  for (std::size_t b = 0; b < z.size(); ++b) {
+    if (scene_.bodies[b].is_held)
+      of_body(out, b).setZero();
+    else
       of_body(out, b) +=
           inertia.per_square_time * scene_.bodies[b].block.times_mass(z[b] - inertia.flight[b]);
+  }
   return out;
+}
+
+/// What is left to go for bodies that are driven; empty where all are there.
+Poses StepSolver::ways_of_held(const Poses& z, const Inertia& inertia) const {
+  Poses out;
+  for (std::size_t b = 0; b < z.size(); ++b) {
+    if (!scene_.bodies[b].is_held || z[b] == inertia.flight[b]) continue;
+    if (out.empty()) out.assign(z.size(), Pose::Zero());
+    out[b] = inertia.flight[b] - z[b];
+  }
+  return out;
+}
+
+/// Newton's direction, in which driven bodies go all the way; empty where the curvature is not positive definite.
+Poses StepSolver::direction(const Poses& z, const Inertia& inertia, const Vector& gradient) {
+  Poses dz = ways_of_held(z, inertia);
+  for (const auto softening : {Potential::Softening::tangent, Potential::Softening::secant}) {
+    const Potential::Curvature k = potential_.curvature(z, inertia.per_square_time, softening, dz);
+    if (!factor(k)) continue;
+    Vector right = -k.pull;
+    for (std::size_t b = 0; b < z.size(); ++b)
+      if (const int row = potential_.row_of(b); row >= 0) right.segment<6>(6 * row) -= of_body(gradient, b);
+    const Vector dv = factor_.solve(right);
+    if (!dv.allFinite() || !(dv.dot(right) > 0)) continue;
+    dz.resize(z.size(), Pose::Zero());
+    for (std::size_t b = 0; b < z.size(); ++b)
+      if (const int row = potential_.row_of(b); row >= 0) dz[b] = dv.segment<6>(6 * row);
+    return dz;
+  }
+  return {};
 }
 
 StepSolver::Minimised StepSolver::minimise(Poses& z, const Inertia& inertia, double tolerance) {
@@ -100,30 +131,27 @@ StepSolver::Minimised StepSolver::minimise(Poses& z, const Inertia& inertia, dou
     const Vector g = gradient(z, inertia);
     std::size_t worst = 0;
     const double left = excess(g, &worst);
-    if (left <= tolerance) return out;
+    const bool is_driven = !ways_of_held(z, inertia).empty();
+    if (left <= tolerance && !is_driven) return out;
     if (out.iterations == tolerances_.most_iterations || !std::isfinite(left)) {
       out.failure = fmt::format("no minimum in {} iterations: {:.1e} of the forces is left at body {}",
                                 out.iterations, left, worst);
       return out;
     }
-    using enum Potential::Softening;
-    const bool is_factored = factor(potential_.curvature(z, inertia.per_square_time, tangent)) ||
-                             factor(potential_.curvature(z, inertia.per_square_time, secant));
-    Vector right(6 * potential_.num_moving());
-    for (std::size_t b = 0; b < z.size(); ++b)
-      if (const int row = potential_.row_of(b); row >= 0) right.segment<6>(6 * row) = -of_body(g, b);
-    const Vector dv = is_factored ? Vector(factor_.solve(right)) : Vector();
-    if (dv.size() == 0 || !dv.allFinite() || !(dv.dot(right) > 0)) {
+    const Poses dz = direction(z, inertia, g);
+    if (dz.empty()) {
       out.failure = "the curvature is not positive definite";
       return out;
     }
-    Poses dz(z.size(), Pose::Zero());
-    for (std::size_t b = 0; b < z.size(); ++b)
-      if (const int row = potential_.row_of(b); row >= 0) dz[b] = dv.segment<6>(6 * row);
     potential_.set_candidates(potential_.all_candidates(z, advanced(z, dz, 1)));
     const double free = std::min(bearable_share(dz), potential_.free_share(z, dz));
-    const double share = line_search(z, dz, inertia, {-dv.dot(right), free});
+    double slope = 0;
+    for (std::size_t b = 0; b < z.size(); ++b) slope += of_body(g, b).dot(dz[b]);
+    const double share = is_driven ? free : line_search(z, dz, inertia, {slope, free});
     z = advanced(z, dz, share);
+    if (share == 1)
+      for (std::size_t b = 0; b < z.size(); ++b)
+        if (scene_.bodies[b].is_held) z[b] = inertia.flight[b];
   }
 }
 
@@ -139,15 +167,13 @@ double StepSolver::bearable_share(const Poses& dz) const {
   return out;
 }
 
-/// Whether it is positive definite. The order of elimination is kept as long as the same bodies meet.
-bool StepSolver::factor(const Potential::Matrix& curvature) {
-  std::vector<int> pattern(curvature.outerIndexPtr(), curvature.outerIndexPtr() + curvature.outerSize() + 1);
-  pattern.insert(pattern.end(), curvature.innerIndexPtr(), curvature.innerIndexPtr() + curvature.nonZeros());
-  if (pattern != pattern_) {
-    factor_.analyzePattern(curvature);
-    pattern_ = std::move(pattern);
+/// Whether it is positive definite. The order of elimination is kept as long as the same bodies may meet.
+bool StepSolver::factor(const Potential::Curvature& curvature) {
+  if (curvature.has_new_pattern || !is_analysed_) {
+    factor_.analyzePattern(curvature.matrix);
+    is_analysed_ = true;
   }
-  factor_.factorize(curvature);
+  factor_.factorize(curvature.matrix);
   return factor_.info() == Eigen::Success && (factor_.vectorD().array() > 0).all();
 }
 

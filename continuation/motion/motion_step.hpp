@@ -3,7 +3,6 @@
 #include <Eigen/SparseCholesky>
 #include <string>
 
-#include "continuation/motion/flight.hpp"
 #include "continuation/motion/potential.hpp"
 
 namespace dda {
@@ -28,9 +27,15 @@ struct MotionStep {
   bool converged() const { return failure.empty(); }
 };
 
+/// ½ c |y − ŷ|²_M; ŷ of held bodies is where they go.
+struct Inertia {
+  Poses flight;                ///< ŷ
+  double per_square_time = 0;  ///< c [1/T²]
+};
+
 /// One step: the minimum of
 ///
-///     ½ |y − ŷ|²_M/(dt dt_m) + Π(y)
+///     ½ c |y − ŷ|²_M + Π(y)
 ///
 /// by Newton's method with an exact line search on what is free for cores to move, passes of it until the normal forces,
 /// by which friction is bounded, have settled. Source of the principle: Li et al. (2020), Lan et al. (2022).
@@ -39,17 +44,12 @@ class StepSolver {
   StepSolver(const MovingScene& scene, Potential& potential, const MotionTolerances& tolerances)
       : scene_(scene), potential_(potential), tolerances_(tolerances) {}
 
-  MotionStep solve(const Poses& start, const Poses& flight, const Interval& dt, const SliderMemory& memory);
+  MotionStep solve(const Poses& start, const Inertia& inertia, const SliderMemory& memory);
 
  private:
   struct Minimised {
     int iterations = 0;
     std::string failure;
-  };
-  /// ½ |y − ŷ|²_M/(dt dt_m).
-  struct Inertia {
-    const Poses& flight;     ///< ŷ
-    double per_square_time;  ///< 1/(dt dt_m)
   };
   Minimised minimise(Poses& z, const Inertia& inertia, double tolerance);
   Eigen::VectorXd gradient(const Poses& z, const Inertia& inertia) const;
@@ -63,8 +63,10 @@ class StepSolver {
   double excess(const Eigen::VectorXd& gradient, std::size_t* worst) const;
   double force_scale(const Poses& start, const Inertia& inertia) const;
 
+  Poses ways_of_held(const Poses& z, const Inertia& inertia) const;
+  Poses direction(const Poses& z, const Inertia& inertia, const Eigen::VectorXd& gradient);
   double bearable_share(const Poses& dz) const;
-  bool factor(const Potential::Matrix& curvature);
+  bool factor(const Potential::Curvature& curvature);
 
   const MovingScene& scene_;
   Potential& potential_;
@@ -72,7 +74,7 @@ class StepSolver {
   double scale_ = 0;              ///< of forces [F]
   std::vector<double> rounding_;  ///< of those on each body [F]
   Eigen::SimplicialLDLT<Potential::Matrix> factor_;
-  std::vector<int> pattern_;  ///< of what was analysed
+  bool is_analysed_ = false;
 };
 
 }  // namespace dda

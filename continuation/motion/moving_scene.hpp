@@ -8,6 +8,7 @@
 
 #include "models/contact/contact_law.hpp"
 #include "models/kinematics/affine.hpp"
+#include "models/time_function/time_function.hpp"
 
 namespace dda {
 
@@ -27,7 +28,7 @@ struct MovingBody {
   std::vector<Vec2> core;        ///< vertices, counter-clockwise, from the undeformed centroid [L]
   double size = 0;               ///< √area [L]
   double modulus = 0;            ///< E [F/L²], for the stiffness of contacts
-  bool is_held = false;          ///< it stays where it is
+  bool is_held = false;          ///< it stays where it is, or goes where it is driven
 
   Pose undeformed() const { return pose_of(centroid, Mat2::Identity()); }
 };
@@ -45,13 +46,21 @@ struct MotionSpring {
   }
 };
 
+/// Held bodies that are moved.
+struct Drive {
+  std::vector<std::size_t> bodies;
+  Vec2 direction;                                    ///< unit
+  std::shared_ptr<const TimeFunction> displacement;  ///< [L]
+};
+
 /// How bodies meet.
 struct MeetingRules {
   std::shared_ptr<const ContactLaw> law;
   double reach = 0;              ///< 2s: cores that are nearer overlap as bodies [L]
   double stiffness = 10;         ///< α
   double shear_stiffness = 0.1;  ///< of the slider of friction, as a share of k
-  std::function<double(std::size_t, std::size_t)> friction;  ///< tan φ of two bodies
+  /// tan φ of two bodies, and with what share of the speed at which they have met they part; none: 0.
+  std::function<double(std::size_t, std::size_t)> friction, restitution = nullptr;
 };
 
 /// What moves and what acts on it.
@@ -59,8 +68,10 @@ struct MovingScene {
   std::vector<MovingBody> bodies;
   std::vector<MotionSpring> springs = {};
   std::vector<Vec6> forces = {};  ///< dead, by body, dual to its pose; empty when there are none
-  Vec2 gravity = Vec2::Zero();    ///< [L/T²]
-  double thickness = 1;           ///< [L]
+  std::vector<Drive> drives = {};
+  Vec2 gravity = Vec2::Zero();  ///< [L/T²]
+  double thickness = 1;         ///< [L]
+  double smallest = 0;  ///< size of bodies by which time steps go; 0: that of the smallest that moves [L]
   MeetingRules meeting;
   /// Bodies that have a corner in common: those which a chain of joints connects around it do not meet.
   std::vector<std::vector<std::uint32_t>> around = {};

@@ -1,5 +1,6 @@
 #include "continuation/motion/potential.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -7,36 +8,11 @@
 namespace dda {
 namespace {
 
-using Triplet = Eigen::Triplet<double>;
-
 /// Work of a unit force along `direction` between the vertex and the foot of a meeting: what it is on either body.
 std::array<Vec6, 2> rows_along(const Meeting& meeting, const Vec2& direction) {
   return {affine_rows(meeting.at).transpose() * direction,
           -affine_rows(meeting.foot).transpose() * direction};
 }
-
-/// Puts matrices of pairs of bodies together, leaving out held ones.
-class Curvatures {
- public:
-  Curvatures(const std::vector<int>& rows, std::vector<Triplet>& out) : rows_(rows), out_(out) {}
-
-  void add(std::size_t i, std::size_t j, const Mat6& m) {
-    if (rows_[i] < 0 || rows_[j] < 0) return;
-    for (int c = 0; c < 6; ++c)
-      for (int r = 0; r < 6; ++r)
-        if (m(r, c) != 0) out_.emplace_back(6 * rows_[i] + r, 6 * rows_[j] + c, m(r, c));
-  }
-  /// factor g gᵀ of what counts on two bodies.
-  void add(const std::array<std::size_t, 2>& bodies, const std::array<Vec6, 2>& g, double factor) {
-    if (factor == 0) return;
-    for (std::size_t a = 0; a < 2; ++a)
-      for (std::size_t b = 0; b < 2; ++b) add(bodies[a], bodies[b], factor * g[a] * g[b].transpose());
-  }
-
- private:
-  const std::vector<int>& rows_;
-  std::vector<Triplet>& out_;
-};
 
 std::array<std::size_t, 2> bodies_of(const Meeting& meeting) { return {meeting.key.body, meeting.key.other}; }
 
@@ -52,16 +28,79 @@ Mat2 tangent(const Bond& bond, const Vec2& q) {
   return (out + out.transpose()) / 2;
 }
 
+using BlockPairs = std::vector<BlockSum::Pair>;
+
+/// Two bodies as a place below the diagonal, unless one is held.
+void add_pair(int i, int j, BlockPairs& out) {
+  if (i >= 0 && j >= 0 && i != j)
+    out.emplace_back(static_cast<std::uint32_t>(std::max(i, j)), static_cast<std::uint32_t>(std::min(i, j)));
+}
+
 }  // namespace
+
+/// Puts matrices of pairs of bodies together; what belongs to held ones pulls at others where these go ways.
+class Curvatures {
+ public:
+  Curvatures(const std::vector<int>& rows, const Poses& ways, BlockSum& sum)
+      : rows_(rows),
+        ways_(ways),
+        sum_(sum),
+        pull_(Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(sum.num_rows()))) {
+    sum_.set_zero();
+  }
+
+  bool wants(std::size_t i, std::size_t j) const {
+    return rows_[i] >= 0 && (rows_[j] >= 0 ? rows_[i] >= rows_[j] : !ways_.empty());
+  }
+  void add(std::size_t i, std::size_t j, const Mat6& m) {
+    if (rows_[j] < 0)
+      pull_.segment<6>(6 * rows_[i]) += m * ways_[j];
+    else
+      sum_.add(static_cast<std::size_t>(rows_[i]), static_cast<std::size_t>(rows_[j]), m);
+  }
+  /// factor g gᵀ of what counts on two bodies.
+  void add(const std::array<std::size_t, 2>& bodies, const std::array<Vec6, 2>& g, double factor) {
+    if (factor == 0) return;
+    for (std::size_t a = 0; a < 2; ++a)
+      for (std::size_t b = 0; b < 2; ++b)
+        if (wants(bodies[a], bodies[b])) add(bodies[a], bodies[b], factor * g[a] * g[b].transpose());
+  }
+  Eigen::VectorXd take_pull() { return std::move(pull_); }
+
+ private:
+  const std::vector<int>& rows_;
+  const Poses& ways_;
+  BlockSum& sum_;
+  Eigen::VectorXd pull_;
+};
 
 Potential::Potential(const MovingScene& scene, const MeetingSearch& search, const std::vector<Bond>& bonds)
     : scene_(scene), search_(search), bonds_(bonds) {
   for (const MovingBody& body : scene.bodies)
     rows_.push_back(body.is_held ? -1 : static_cast<int>(num_moving_++));
+  for (const Bond& bond : bonds) add_pair(rows_[bond.first], rows_[bond.second], lasting_);
+  for (const MotionSpring& spring : scene.springs)
+    for (const auto& [i, row_i] : spring.rows)
+      for (const auto& [j, row_j] : spring.rows) add_pair(rows_[i], rows_[j], lasting_);
+}
+
+/// Makes places for all that may meet. Within a step places only come, so that few orders of elimination are sought; what
+/// there was before it does not matter. Whether they are others now.
+bool Potential::prepare_pattern() {
+  BlockPairs wanted = lasting_;
+  for (const auto& [i, j] : pairs_) add_pair(rows_[i], rows_[j], wanted);
+  for (const Slider& slider : sliders_)
+    add_pair(rows_[slider.meeting.key.body], rows_[slider.meeting.key.other], wanted);
+  const auto n = static_cast<std::size_t>(num_moving_);
+  const bool grows = std::exchange(has_pattern_, true) && sum_.num_rows() == n;
+  if (grows && sum_.covers(wanted)) return false;
+  if (grows) sum_.append_pairs(wanted);
+  return sum_.set_pattern(n, std::move(wanted));
 }
 
 void Potential::begin(const Poses& start) {
   start_ = start;
+  has_pattern_ = false;
   pairs_ = search_.candidates(start, start);
   frames_.clear();
   for (const Bond& bond : bonds_) frames_.push_back(frame_of(bond, start));
@@ -71,8 +110,7 @@ Potential::Vector Potential::gradient(const Poses& at) const {
   const std::size_t n = scene_.num_bodies();
   Vector out = Vector::Zero(6 * static_cast<Eigen::Index>(n));
   for (std::size_t b = 0; b < n; ++b)
-    if (rows_[b] >= 0)
-      of_body(out, b) = strain_energy(scene_.bodies[b].block, at[b]).gradient - scene_.load_on(b);
+    if (rows_[b] >= 0) of_body(out, b) = strain_forces(scene_.bodies[b].block, at[b]) - scene_.load_on(b);
   for (const MotionSpring& spring : scene_.springs) {
     const double force = spring.stiffness * spring.stretch(at);
     for (const auto& [b, row] : spring.rows) of_body(out, b) += force * row;
@@ -96,21 +134,10 @@ Potential::Vector Potential::gradient(const Poses& at) const {
     push(meeting, meeting.normal, -response_of(scene_.meeting, meeting).force);
   for (const Slider& slider : sliders_)
     push(slider.meeting, slider.tangent(), slider.force(slider.reached(start_, at)));
-  for (std::size_t b = 0; b < n; ++b)
-    if (rows_[b] < 0) of_body(out, b).setZero();
   return out;
 }
 
-Potential::Matrix Potential::curvature(const Poses& at, double per_square_time, Softening softening) const {
-  std::vector<Triplet> triplets;
-  Curvatures out(rows_, triplets);
-  for (std::size_t b = 0; b < scene_.num_bodies(); ++b)
-    out.add(b, b,
-            per_square_time * scene_.bodies[b].block.mass_matrix() +
-                strain_energy(scene_.bodies[b].block, at[b]).curvature);
-  for (const MotionSpring& spring : scene_.springs)
-    for (const auto& [i, row_i] : spring.rows)
-      for (const auto& [j, row_j] : spring.rows) out.add(i, j, spring.stiffness * row_i * row_j.transpose());
+void Potential::add_bonds(const Poses& at, Softening softening, Curvatures& out) const {
   for (std::size_t i = 0; i < bonds_.size(); ++i) {
     const Bond& bond = bonds_[i];
     const BondState now = state_of(i, at);
@@ -119,19 +146,34 @@ Potential::Matrix Potential::curvature(const Poses& at, double per_square_time, 
     const std::array<std::size_t, 2> bodies{bond.first, bond.second};
     for (std::size_t a = 0; a < 2; ++a)
       for (std::size_t b = 0; b < 2; ++b)
-        out.add(bodies[a], bodies[b],
-                bond.weight * (now.opening_rows[a].transpose() * d * now.opening_rows[b] -
-                               now.stress_rows[a].transpose() * less.asDiagonal() * now.stress_rows[b]));
+        if (out.wants(bodies[a], bodies[b]))
+          out.add(bodies[a], bodies[b],
+                  bond.weight * (now.opening_rows[a].transpose() * d * now.opening_rows[b] -
+                                 now.stress_rows[a].transpose() * less.asDiagonal() * now.stress_rows[b]));
   }
+}
+
+Potential::Curvature Potential::curvature(const Poses& at, double per_square_time, Softening softening,
+                                          const Poses& ways) {
+  const bool has_new_pattern = prepare_pattern();
+  Curvatures out(rows_, ways, sum_);
+  for (std::size_t b = 0; b < scene_.num_bodies(); ++b)
+    if (rows_[b] >= 0)
+      out.add(b, b,
+              per_square_time * scene_.bodies[b].block.mass_matrix() +
+                  strain_energy(scene_.bodies[b].block, at[b]).curvature);
+  for (const MotionSpring& spring : scene_.springs)
+    for (const auto& [i, row_i] : spring.rows)
+      for (const auto& [j, row_j] : spring.rows)
+        if (out.wants(i, j)) out.add(i, j, spring.stiffness * row_i * row_j.transpose());
+  add_bonds(at, softening, out);
   for (const Meeting& meeting : meetings(at))
     out.add(bodies_of(meeting), rows_along(meeting, meeting.normal),
             response_of(scene_.meeting, meeting).stiffness);
   for (const Slider& slider : sliders_)
     out.add(bodies_of(slider.meeting), rows_along(slider.meeting, slider.tangent()),
             slider.slope(slider.reached(start_, at)));
-  Matrix matrix(6 * num_moving_, 6 * num_moving_);
-  matrix.setFromTriplets(triplets.begin(), triplets.end());
-  return matrix;
+  return {sum_.matrix(), out.take_pull(), has_new_pattern};
 }
 
 std::vector<double> Potential::rounding(const Poses& at, double per_square_time) const {

@@ -3,6 +3,7 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
+#include "continuation/motion/block_sum.hpp"
 #include "continuation/motion/bonds.hpp"
 #include "continuation/motion/sliders.hpp"
 
@@ -36,14 +37,20 @@ class Potential {
   void set_candidates(std::vector<MeetingSearch::Pair> pairs) { pairs_ = std::move(pairs); }
   const std::vector<MeetingSearch::Pair>& candidates() const { return pairs_; }
 
-  /// ∂Π/∂z; rows of held bodies are zero.
+  /// ∂Π/∂z; of held bodies what it takes to hold them.
   Vector gradient(const Poses& at) const;
   /// How joints that soften enter the curvature: by their tangent, or by their secant, which is never negative.
   enum class Softening { tangent, secant };
-  /// ∂²Π/∂z² of what moves, and M/(dt dt_m) of each.
-  Matrix curvature(const Poses& at, double per_square_time, Softening softening) const;
+  /// The lower triangle of ∂²Π/∂z² + c M of what moves, and the forces on it where held bodies go ways: none when these
+  /// are empty.
+  struct Curvature {
+    const Matrix& matrix;
+    Vector pull;
+    bool has_new_pattern;  ///< since the last time
+  };
+  Curvature curvature(const Poses& at, double per_square_time, Softening softening, const Poses& ways);
   StoredEnergies stored(const Poses& at) const;
-  /// What rounding of places may leave of the forces on each body, those of inertia M/(dt dt_m) included: stiffness times
+  /// What rounding of places may leave of the forces on each body, those of inertia c M included: stiffness times
   /// 4 ε |x|, summed [F].
   std::vector<double> rounding(const Poses& at, double per_square_time) const;
   std::vector<Meeting> meetings(const Poses& at) const { return search_.find(pairs_, at); }
@@ -61,6 +68,9 @@ class Potential {
   Eigen::Index num_moving() const { return num_moving_; }
 
  private:
+  void add_bonds(const Poses& at, Softening softening, class Curvatures& out) const;
+  bool prepare_pattern();
+
   const MovingScene& scene_;
   const MeetingSearch& search_;
   const std::vector<Bond>& bonds_;
@@ -70,6 +80,9 @@ class Potential {
   std::vector<Mat2> frames_;  ///< of the bonds
   std::vector<Slider> sliders_;
   std::vector<MeetingSearch::Pair> pairs_;
+  std::vector<BlockSum::Pair> lasting_;  ///< of bonds and springs, as rows
+  BlockSum sum_;
+  bool has_pattern_ = false;  ///< of this step
 };
 
 }  // namespace dda

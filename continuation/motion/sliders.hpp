@@ -41,6 +41,7 @@ class SliderMemory {
   void set(const MeetingKey& key, const Kept& kept) { kept_[key] = kept; }
   /// What was kept of this meeting, or of the same vertex at the next edge or corner of the same body.
   Kept of(const MeetingKey& key) const;
+  const std::map<MeetingKey, Kept>& all() const { return kept_; }
 
  private:
   std::map<MeetingKey, Kept> kept_;

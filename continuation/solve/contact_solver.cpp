@@ -91,7 +91,7 @@ std::optional<Reduced> ContactSolver::solve_from(const Iterate& at, double step,
   Solved found = stepper_.solve({*points_, at, step, method});
   if (!found.converged) return {};
   State state = points_->state({found.x, found.load_factor});
-  return Reduced{std::move(state), std::move(found.x), found.iterations};
+  return Reduced{.state = std::move(state), .x = std::move(found.x), .iterations = found.iterations};
 }
 
 /// What rounding leaves of the equations of the whole structure is taken off as far as it can be, and where

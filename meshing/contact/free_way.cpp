@@ -1,6 +1,7 @@
 #include "meshing/contact/free_way.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "meshing/geometry/polygon.hpp"
 
@@ -31,14 +32,32 @@ double way_of(const VertexAndEdge& pair, double kept, double most) {
   return a;
 }
 
+double fastest(const MovingOutline& outline) {
+  double out = 0;
+  for (const Vec2& v : outline.v) out = std::max(out, v.squaredNorm());
+  return std::sqrt(out);
+}
+
+/// Vertices so far away that no motion of both could bring them near are passed by.
 double ways_of(const MovingOutline& vertices, const MovingOutline& edges, double kept, double most) {
   const std::size_t n = edges.x.size();
-  for (std::size_t i = 0; i < vertices.x.size(); ++i)
+  const double far = most * (fastest(vertices) + fastest(edges)) / (1 - kept);
+  Vec2 low = edges.x.front(), high = low;
+  for (const Vec2& x : edges.x) {
+    low = low.cwiseMin(x);
+    high = high.cwiseMax(x);
+  }
+  low.array() -= far;
+  high.array() += far;
+  for (std::size_t i = 0; i < vertices.x.size(); ++i) {
+    const Vec2& x = vertices.x[i];
+    if ((x.array() < low.array()).any() || (x.array() > high.array()).any()) continue;
     for (std::size_t e = 0; e < n; ++e) {
       const std::size_t f = (e + 1) % n;
       most =
           way_of({vertices.x[i], vertices.v[i], edges.x[e], edges.v[e], edges.x[f], edges.v[f]}, kept, most);
     }
+  }
   return most;
 }
 

@@ -188,17 +188,21 @@ std::span<const JumpId> CrackGeometry::jumps_at(BlockId block, const Vec2& x) co
                                : std::span<const JumpId>(cut->second.part_at(x).jumps);
 }
 
-CrackGeometry::Across CrackGeometry::across(const Cut& cut, const Vec2& x) const {
+CrackGeometry::Beside CrackGeometry::beside(const Cut& cut, const Vec2& x) const {
   const DividedBlock& block = divided_.at(cut.block);
-  const auto without = [](const std::vector<JumpId>& all, const std::vector<JumpId>& others) {
+  const Vec2 along = cut.end - cut.start;
+  return {block.beside(x, -along).jumps, block.beside(x, along).jumps};
+}
+
+CrackGeometry::Across CrackGeometry::across(const Cut& cut, const Vec2& x) const {
+  const auto without = [](std::span<const JumpId> all, std::span<const JumpId> others) {
     std::vector<JumpId> out;
     std::ranges::copy_if(all, std::back_inserter(out),
                          [&](JumpId jump) { return std::ranges::find(others, jump) == others.end(); });
     return out;
   };
-  const Vec2 along = cut.end - cut.start;
-  const std::vector<JumpId>&left = block.beside(x, along).jumps, &right = block.beside(x, -along).jumps;
-  return {without(right, left), without(left, right)};
+  const Beside at = beside(cut, x);
+  return {without(at.right, at.left), without(at.left, at.right)};
 }
 
 std::vector<std::pair<Vec2, Vec2>> CrackGeometry::pieces_of_cut(const Cut& cut) const {

@@ -98,6 +98,11 @@ class CrackGeometry {
     std::vector<JumpId> right, left;
   };
   Across across(const Cut& cut, const Vec2& x) const;
+  /// All jumps by which the parts on either side of a cut move, at a point of it.
+  struct Beside {
+    std::span<const JumpId> right, left;
+  };
+  Beside beside(const Cut& cut, const Vec2& x) const;
   /// Between the places at which other cuts end on it, in their order along it.
   std::vector<std::pair<Vec2, Vec2>> pieces_of_cut(const Cut& cut) const;
   /// Whether a side is divided, opened, or moved by a jump.

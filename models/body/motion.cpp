@@ -15,7 +15,7 @@ std::span<const JumpId> jumps_at(const Body& body, BlockId block, const Vec2& x)
 
 }  // namespace
 
-Motion motion_of(const Body& body, JumpId jump, const Vec2& x) {
+NodeMotion motion_of(const Body& body, JumpId jump, const Vec2& x) {
   const Cut& cut = body.cracks->cut_of(jump);
   const Vec2 from_middle = (x - (cut.start + cut.end) / 2) / length_of(body, jump);
   Mat26 rows = Mat26::Zero();
@@ -23,8 +23,8 @@ Motion motion_of(const Body& body, JumpId jump, const Vec2& x) {
   return {body.node_of(jump), rows};
 }
 
-std::vector<Motion> motions_at(const Body& body, BlockId block, const Vec2& x) {
-  std::vector<Motion> out{{block, displacement_rows(x - body.block(block).moments.centroid)}};
+std::vector<NodeMotion> motions_at(const Body& body, BlockId block, const Vec2& x) {
+  std::vector<NodeMotion> out{{block, displacement_rows(x - body.block(block).moments.centroid)}};
   for (const JumpId jump : jumps_at(body, block, x)) out.push_back(motion_of(body, jump, x));
   return out;
 }

@@ -8,7 +8,7 @@
 namespace dda {
 
 /// One of the motions that displace a point: u(x) = Σ rows · d_node.
-struct Motion {
+struct NodeMotion {
   BlockId node;
   Mat26 rows;
 };
@@ -18,10 +18,10 @@ struct Motion {
 ///
 ///     J(x) = [ 1  0  −Y/ℓ ]       (X, Y) from the middle of the cut,  ℓ² the area of the block
 ///            [ 0  1   X/ℓ ]
-Motion motion_of(const Body& body, JumpId jump, const Vec2& x);
+NodeMotion motion_of(const Body& body, JumpId jump, const Vec2& x);
 
 /// Of a point of a block: the block's own, T, and of the jumps by which its part there moves beside it.
-std::vector<Motion> motions_at(const Body& body, BlockId block, const Vec2& x);
+std::vector<NodeMotion> motions_at(const Body& body, BlockId block, const Vec2& x);
 
 /// Rates of rotation of a point of a block in the same nodes, 1 × 6 each.
 std::vector<std::pair<BlockId, Vec6>> rotations_at(const Body& body, BlockId block, const Vec2& x);

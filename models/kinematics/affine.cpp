@@ -1,6 +1,7 @@
 #include "models/kinematics/affine.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <cmath>
 
 namespace dda {
@@ -34,6 +35,13 @@ Vec6 AffineBlock::times_mass(const Vec6& y) const {
   return out;
 }
 
+Vec6 AffineBlock::over_mass(const Vec6& f) const {
+  const Mat2 inverse = inertia.inverse();
+  Vec6 out;
+  out << f.head<2>() / mass, inverse * f.segment<2>(2), inverse * f.segment<2>(4);
+  return out;
+}
+
 Mat6 AffineBlock::mass_matrix() const {
   Mat6 out = Mat6::Zero();
   out.block<2, 2>(0, 0).diagonal().setConstant(mass);
@@ -52,6 +60,10 @@ Mat36 green_strain_rows(const Pose& y) {
   out.row(1) << 0, 0, 0, y[3], 0, y[5];
   out.row(2) << 0, 0, y[3], y[2], y[5], y[4];
   return out;
+}
+
+Vec6 strain_forces(const AffineBlock& block, const Pose& y) {
+  return block.volume * green_strain_rows(y).transpose() * (block.stiffness * green_strain(y));
 }
 
 StrainEnergy strain_energy(const AffineBlock& block, const Pose& y) {

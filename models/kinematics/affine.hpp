@@ -51,6 +51,8 @@ struct AffineBlock {
 
   /// M y: m c, and J F by rows.
   Vec6 times_mass(const Vec6& y) const;
+  /// M⁻¹ f.
+  Vec6 over_mass(const Vec6& f) const;
   Mat6 mass_matrix() const;
 };
 
@@ -65,5 +67,7 @@ struct StrainEnergy {
   Mat6 curvature = Mat6::Zero();  ///< ∂²V/∂y² with the semidefinite part of what compression takes off
 };
 StrainEnergy strain_energy(const AffineBlock& block, const Pose& y);
+/// Its gradient alone.
+Vec6 strain_forces(const AffineBlock& block, const Pose& y);
 
 }  // namespace dda

@@ -37,7 +37,7 @@ class BodyForce final : public Load {
       const Moments of = moments(part.outline);
       const Vec2 force = of.area * body.thickness * p_.force;
       for (const JumpId jump : part.jumps) {
-        const Motion motion = motion_of(body, jump, of.centroid);
+        const NodeMotion motion = motion_of(body, jump, of.centroid);
         Eigen::Map<Vec6>(stage.force.data() + 6 * motion.node.value()) += motion.rows.transpose() * force;
       }
     }

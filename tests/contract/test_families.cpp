@@ -2,6 +2,7 @@
 
 #include "continuation/control/control.hpp"
 #include "continuation/detour/increment/load_solver.hpp"
+#include "continuation/integrator/integrator.hpp"
 #include "continuation/linear/direct/direct_solver.hpp"
 #include "meshing/subdivision/subdivision.hpp"
 #include "models/contact/contact_law.hpp"
@@ -10,6 +11,7 @@
 #include "models/interface/law.hpp"
 #include "models/load/load.hpp"
 #include "models/material/material.hpp"
+#include "models/time_function/time_function.hpp"
 #include "models/treatment/treatment.hpp"
 #include "studies/dda/case/deck.hpp"
 #include "support/structure.hpp"
@@ -34,7 +36,8 @@ std::vector<FamilyUnderTest> known_families() {
   return {under_test(materials()),        under_test(interface_laws()), under_test(treatments()),
           under_test(gauges()),           under_test(loads()),          under_test(direct_solvers()),
           under_test(crack_directions()), under_test(controls()),       under_test(subdivisions()),
-          under_test(load_solvers()),     under_test(contact_laws())};
+          under_test(load_solvers()),     under_test(contact_laws()),   under_test(integrators()),
+          under_test(time_functions())};
 }
 
 struct Entry {

@@ -12,9 +12,13 @@ import time
 import unittest
 from pathlib import Path
 
-import ddapath
+import numpy as np
 
-DECK = ddapath.read_deck(Path(__file__).resolve().parents[2] / "studies" / "falling-beam" / "deck.yaml")
+import ddapath
+from ddapath.verify import verify
+
+STUDY = Path(__file__).resolve().parents[2] / "studies" / "falling-beam"
+DECK = ddapath.read_deck(STUDY / "deck.yaml")
 LIGAMENT, TOUGHNESS = 100 * 100, 0.05
 
 
@@ -92,6 +96,94 @@ class Falling(unittest.TestCase):
         self.assertEqual(one.read_bytes(), two.read_bytes())
 
 
+class ThroughBlocks(unittest.TestCase):
+    """Parts of blocks that a crack has cut are bodies of their own."""
+
+    def test_breaks_along_the_crack_and_rests(self):
+        deck = ddapath.read_deck(STUDY / "through-blocks.yaml")
+        deck["scene"]["subdivision"]["size"] = 35
+        with tempfile.TemporaryDirectory() as scratch:
+            run = ddapath.run(deck, folder=Path(scratch) / "run")
+            pieces, motion = run.cracks(), run.summary["motion"]
+            self.assertTrue(motion["is_at_rest"], motion["reason"])
+            length = np.hypot(pieces.end_x - pieces.start_x, pieces.end_y - pieces.start_y).groupby(pieces.cut).sum().sum()
+            self.assertAlmostEqual((run.summary["dissipated_energy"] + motion["fracture"]) / (TOUGHNESS * 100 * length), 1,
+                                   delta=1e-4)
+            self.assertLess(abs(motion["energy_error"]), 1e-6 * motion["external_work"])
+            self.assertEqual([str(finding) for finding in verify(run.folder) if not finding.holds], [])
+            blocks = run.motion.fields().blocks
+            self.assertGreater(len(blocks), run.summary["blocks"])
+            moved = blocks[blocks.region == blocks.region.iloc[-1]]
+            self.assertLess(moved.displacement_y.max(), 0)
+
+
+def alone(**motion):
+    """A block thrown from 5 m, and ground to fall on."""
+    stone = {"type": "linear_elastic", "young_modulus": 1e10, "density": 2500}
+    return {"units": {"length": "m", "force": "N"}, "thickness": 1, "materials": {"stone": dict(stone), "rock": dict(stone)},
+            "scene": {"type": "polygons", "regions": [
+                {"name": "ground", "material": "rock", "vertices": [[-20, -1], [20, -1], [20, 0], [-20, 0]]},
+                {"name": "block", "material": "stone", "vertices": [[0, 5], [1, 5], [1, 6], [0, 6]]}]},
+            "gauges": {"x": {"type": "displacement", "at": [0.5, 5.5], "direction": [1, 0]},
+                       "y": {"type": "displacement", "at": [0.5, 5.5], "direction": [0, 1]}},
+            "motion": {"time": 0.5, "gravity": [0, -9.81], "held": ["ground"], "contact": {"friction": 0.5},
+                       "velocities": [{"regions": ["block"], "velocity": [2, 0], "spin": 1}]} | motion}
+
+
+class Alone(unittest.TestCase):
+    """Decks without stages."""
+
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.folder = Path(scratch.name) / "run"
+
+    def test_flies_and_records_its_gauges(self):
+        run = ddapath.run(alone(), folder=self.folder)
+        last = run.motion.curve.iloc[-1]
+        self.assertAlmostEqual(last.x, 1, delta=1e-9)
+        self.assertAlmostEqual(last.y, -9.81 / 8, delta=1e-9)
+        self.assertEqual(run.motion.curve.attrs["units"]["x"], "m")
+        self.assertEqual(run.summary["status"], "goal_reached")
+        self.assertFalse((self.folder / "curve.csv").exists())
+        self.assertAlmostEqual(run.motion.fields().blocks["rotation"].iloc[1], 0.5, delta=1e-9)
+
+    def test_comes_to_rest_and_is_verified(self):
+        run = ddapath.run(alone(time=20), folder=self.folder)
+        self.assertTrue(run.summary["motion"]["is_at_rest"], run.summary["reason"])
+        findings = verify(self.folder)
+        self.assertGreater(len(findings), 5)
+        self.assertEqual([str(finding) for finding in findings if not finding.holds], [])
+
+    def test_restitution_by_pair_of_materials(self):
+        contact = {"friction": 0, "pairs": [{"between": ["stone", "rock"], "restitution": 0.8}]}
+        run = ddapath.run(alone(time=1.8, velocities=[], contact=contact, stop_at_rest=False), folder=self.folder)
+        curve = run.motion.curve
+        after = curve.y[curve.time > 1.1]
+        self.assertAlmostEqual((after.max() + 5) / 5, 0.8**2, delta=0.02)
+
+    def test_every_integrator(self):
+        for integrator in ("free_flight", "implicit_euler", "trapezoidal", "settle"):
+            settings = {"motion.integrator": integrator} | ({"motion.velocities": []} if integrator == "settle" else {})
+            run = ddapath.run(alone(), settings, folder=self.folder, overwrite=True)
+            self.assertLess(run.motion.curve.y.iloc[-1], -1 if integrator != "settle" else -0.05, integrator)
+
+    def test_resumed_bit_for_bit(self):
+        ddapath.run(alone(time=3), folder=self.folder)
+        whole = (self.folder / "motion" / "motion.csv").read_bytes()
+        (self.folder / "summary.json").unlink()
+        subprocess.run([str(ddapath.find_program()), "resume", str(self.folder), "--quiet"], check=True, capture_output=True)
+        self.assertEqual((self.folder / "motion" / "motion.csv").read_bytes(), whole)
+
+    def test_checked(self):
+        file = self.folder.with_suffix(".yaml")
+        ddapath.write_deck(alone(), file)
+        said = subprocess.run([str(ddapath.find_program()), "check", str(file)], check=True, capture_output=True,
+                              text=True).stdout
+        self.assertIn("1 of 2 blocks, from the undeformed structure on", said)
+        self.assertNotIn("support", said)
+
+
 class Units(unittest.TestCase):
     def test_in_metres_and_meganewtons(self):
         """The same motion, before it is chaotic, in units of its own."""
@@ -145,6 +237,21 @@ class Refused(unittest.TestCase):
         stressed = deck_with()
         stressed["stages"].insert(0, {"name": "prestress", "loads": [{"type": "initial_stress", "xx": -1}]})
         self.assertIn("initial stress", self.refusal(stressed))
+
+    def test_without_a_path(self):
+        self.assertIn("`path` needs `stages`", self.refusal(alone() | {"path": {"control": "load"}}))
+        self.assertIn("`record` needs `stages`", self.refusal(alone() | {"record": {"fields_every": 3}}))
+        self.assertIn("a deck needs `stages`", self.refusal({k: v for k, v in alone().items() if k != "motion"}))
+        self.assertIn("second column of that name",
+                      self.refusal(alone() | {"gauges": {"time": {"type": "displacement", "at": [0, 5], "direction": [1, 0]}}}))
+        self.assertIn("no velocities", self.refusal(alone(integrator="settle")))
+        self.assertIn("did you mean 'block'", self.refusal(alone(velocities=[{"regions": ["blok"], "spin": 1}])))
+        self.assertIn("is held", self.refusal(alone(velocities=[{"regions": ["ground"], "spin": 1}])))
+        late = {"type": "table", "times": [1, 2], "values": [0, 1]}
+        self.assertIn("begins with 0",
+                      self.refusal(alone(driven=[{"regions": ["ground"], "direction": [1, 0], "displacement": late}])))
+        self.assertIn("no region is of material 'ston'",
+                      self.refusal(alone(contact={"friction": 0, "pairs": [{"between": ["ston", "rock"], "friction": 1}]})))
 
 
 if __name__ == "__main__":

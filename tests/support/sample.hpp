@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <stdexcept>
@@ -49,6 +50,15 @@ inline Node sample_value(const Parameter& parameter, Random& random, const NameH
       return sample_point(kind.dimension, random);
     case Form::section:
       return sample(*kind.section, random, names);
+    case Form::file:
+      return Node::scalar("/proc/self/exe");  // which is always there
+    case Form::list: {
+      if (kind.item->form != Form::number) break;
+      std::vector<Node> growing;  // from 0, as tables over something do
+      for (std::size_t i = 0; i < std::max<std::size_t>(kind.at_least, 1); ++i)
+        growing.push_back(Node::number(static_cast<double>(i)));
+      return Node::sequence(std::move(growing));
+    }
     default:
       break;
   }

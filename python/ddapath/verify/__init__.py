@@ -4,13 +4,14 @@
     for finding in verify("runs/notched-beam"): print(finding.check, finding.worst, finding.bound, finding.holds)
 
 Read are fields/, curve.csv, summary.json, effective_deck.yaml and log.jsonl. Stresses, openings, forces, energies and
-envelopes are derived again from strains, displacements, stored tractions and the deck's materials and laws.
+envelopes are derived again from strains, displacements, stored tractions and the deck's materials and laws; of a motion,
+energies and overlaps.
 """
 import re
 import threading
 
 from ..run_folder import MESH, opened, read_run
-from . import curve_checks, fields_checks
+from . import curve_checks, fields_checks, motion_checks
 from .finding import Finding
 from .model import Model
 from .state import Step
@@ -43,6 +44,12 @@ def verify(folder):
 
 
 def findings_of(run):
+    has_path = bool(run.deck["stages"])
+    moved = motion_checks.all_checks(run) if (run.folder / "motion").is_dir() else []
+    return (checks_of_path(run) if has_path else []) + moved
+
+
+def checks_of_path(run):
     out = curve_checks.all_checks(run)
     with opened(run.folder / MESH) as file:
         model = Model(file, run.deck)

@@ -86,6 +86,31 @@ Schema<RecordParameters> record_schema() {
       .section("detail", &P::detail, detail_schema());
 }
 
+/// Whether a section says nothing but what holds without it.
+template <class T>
+bool is_default(const Schema<T>& schema, const T& section) {
+  return to_yaml(schema.echo(section)) == to_yaml(schema.echo(schema.read(Node::map())));
+}
+
+/// A deck has a path, a motion, or both; sections of a path it has not would do nothing.
+void check_course(const Deck& deck, const Position& where, Findings& findings) {
+  if (deck.has_path()) {
+    if (deck.supports.empty())
+      findings.add(where, "`supports`: a structure that is loaded along a path needs one at least");
+    return;
+  }
+  if (!deck.motion)
+    return findings.add(where,
+                        "a deck needs `stages`, which load the structure, or a `motion`, which lets it go");
+  const std::string without = " needs `stages`: without them there is no path";
+  RecordParameters record = deck.record;
+  record.folder.clear();
+  if (!deck.cracks.empty()) findings.add(where, "`cracks`" + without);
+  if (!is_default(path_schema(), deck.path)) findings.add(where, "`path`" + without);
+  if (!is_default(record_schema(), record))
+    findings.add(where, "`record`" + without + "; only `folder` may stay");
+}
+
 Schema<Deck> make_schema() {
   Schema<Deck> schema("A structure, its loads, and the path that is to be followed.");
   schema.text("title", &Deck::title, {.fallback = "", .text = "What this deck is about."})
@@ -99,10 +124,10 @@ Schema<Deck> make_schema() {
   return schema.section("path", &Deck::path, path_schema())
       .section("motion", &Deck::motion, motion_schema())
       .section("record", &Deck::record, record_schema())
-      .value(
-          "sweep", &Deck::sweep, anything_kind(),
-          {.text =
-               "Makes the deck many runs: keys with the values they take. `dda explain sweep` shows how."});
+      .value("sweep", &Deck::sweep, anything_kind(),
+             {.text =
+                  "Makes the deck many runs: keys with the values they take. `dda explain sweep` shows how."})
+      .check(check_course);
 }
 
 void refuse_sweep(const Node& root) {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "continuation/course/path_parameters.hpp"
-#include "continuation/motion/motion_parameters.hpp"
+#include "continuation/handover/motion_parameters.hpp"
 #include "framework/deck/units.hpp"
 #include "meshing/scene/scene.hpp"
 #include "models/parameters.hpp"
@@ -59,6 +59,9 @@ struct Deck : ModelParameters {
   RecordParameters record;
   std::optional<Node>
       sweep;  ///< of a file that describes many runs, see studies/dda/sweep/sweep.hpp; none in one run
+
+  /// Without loads there is nothing to follow, only a motion.
+  bool has_path() const { return !stages.empty(); }
 };
 
 /// The one declaration of a deck: reading, explain, JSON schema and effective deck come from it.

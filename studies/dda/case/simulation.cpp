@@ -5,10 +5,11 @@
 #include <algorithm>
 
 #include "continuation/detour/dead_load.hpp"
+#include "continuation/handover/handover.hpp"
 #include "continuation/linear/matrix_quality.hpp"
-#include "continuation/motion/handover.hpp"
 #include "framework/base/memory.hpp"
 #include "framework/base/suggestion.hpp"
+#include "studies/dda/case/motion_columns.hpp"
 
 namespace dda {
 namespace {
@@ -65,8 +66,11 @@ Simulation::Simulation(const Deck& deck, Timings& timings) : deck_(deck), timing
                      fmt::format("record.stiffness: the structure has {} blocks; at most {} can be "
                                  "written by contribution",
                                  equilibrium_->num_blocks(), RecordParameters::most_stiffness_blocks));
-  require_control();
-  if (deck.motion) require_handover(*body_, *equilibrium_, *deck.motion);
+  if (deck.has_path()) require_control();
+  if (deck.motion) {
+    motion_column::require_free(deck);
+    require_handover(*body_, *equilibrium_, *deck.motion);
+  }
   landings();
   legs();
   if (deck.record.detail)

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "continuation/handover/regions.hpp"
 #include "continuation/state/least_memory.hpp"
 #include "framework/base/memory.hpp"
 #include "models/loading.hpp"
@@ -83,14 +84,35 @@ void print_size(const Simulation& simulation) {
                    mib(least.vectors)));
 }
 
+/// What a motion begins with, and how long its steps are at most.
+void print_motion(const Simulation& simulation) {
+  const MotionParameters& parameters = *simulation.deck().motion;
+  const std::size_t blocks = simulation.assembly().num_blocks();
+  std::size_t held = 0;
+  for (const Block& block : simulation.assembly().blocks)
+    held += is_held(simulation.body(), parameters, block.region);
+  line("motion", fmt::format("{} of {} blocks, {}, {:g} s at most{}", blocks - held, blocks,
+                             simulation.deck().has_path() ? "from the end of the path on"
+                                                          : "from the undeformed structure on",
+                             parameters.time, parameters.stops_at_rest ? " or until rest" : ""));
+  line("integrator", parameters.integrator.name());
+  line("contact", fmt::format("{}, friction {:g}, restitution {:g}, {} pairs of their own",
+                              parameters.contact.law.name(), parameters.contact.friction,
+                              parameters.contact.restitution, parameters.contact.pairs.size()));
+}
+
+void print_gauges(const Simulation& simulation) {
+  for (const NamedGauge& gauge : simulation.gauges().gauges)
+    line("gauge", fmt::format("{} [{}]", gauge.name, label(gauge.dimension, simulation.deck().units)));
+}
+
 void print_loading(const Simulation& simulation) {
   for (const auto& [name, reaction] : simulation.loading().reactions) line("support", name);
   const auto& stages = simulation.equilibrium().stages();
   for (std::size_t s = 0; s < stages.size(); ++s)
     line("stage", fmt::format("{}{}", stages[s].name,
                               s + 1 == stages.size() ? ", times the load factor" : ", in full first"));
-  for (const NamedGauge& gauge : simulation.gauges().gauges)
-    line("gauge", fmt::format("{} [{}]", gauge.name, label(gauge.dimension, simulation.deck().units)));
+  print_gauges(simulation);
   line("control", simulation.deck().path.control.name());
 }
 
@@ -126,11 +148,16 @@ int command_check(const CommandLine& command) {
   const Simulation simulation(file.deck, timings);
   fmt::print("{} is valid{}\n", command.deck.string(), file.deck.title.empty() ? "" : ": " + file.deck.title);
   print_blocks(simulation);
-  print_groups(simulation);
   print_interfaces(simulation);
-  print_size(simulation);
-  print_loading(simulation);
-  print_warnings(simulation);
+  if (file.deck.has_path()) {
+    print_groups(simulation);
+    print_size(simulation);
+    print_loading(simulation);
+    print_warnings(simulation);
+  } else {
+    print_gauges(simulation);
+  }
+  if (file.deck.motion) print_motion(simulation);
   return 0;
 }
 

@@ -2,6 +2,7 @@
 
 #include "framework/files/whole_file.hpp"
 #include "studies/dda/commands/commands.hpp"
+#include "studies/dda/run/motion_alone.hpp"
 #include "studies/dda/run/profile.hpp"
 #include "studies/dda/run/summary.hpp"
 
@@ -25,6 +26,11 @@ int command_resume(const CommandLine& line) {
     fmt::print("{}: goal_reached before; `--set` another stopping rule or control to go on\n",
                folder.string());
     return 0;
+  }
+  if (is_motion_alone(folder)) {
+    const MotionResult moved = resume_motion_alone(folder, line.overrides, line.run);
+    fmt::print("{}\n", last_line(moved));
+    return exit_code_of(moved.ending);
   }
   const RunResult result = resume_run(folder, line.overrides, line.run);
   if (line.run.profile) fmt::print("{}", profile_table(result.summary));

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "studies/dda/commands/commands.hpp"
+#include "studies/dda/run/motion_alone.hpp"
 #include "studies/dda/run/profile.hpp"
 #include "studies/dda/run/summary.hpp"
 #include "studies/dda/sweep/sweep.hpp"
@@ -11,6 +12,11 @@ int command_run(const CommandLine& line) {
   DeckSource source = read_source(line.deck);
   if (is_sweep(source.root, line.overrides)) return command_sweep(line);
   const DeckFile deck = read_deck(std::move(source), line.overrides);
+  if (!deck.deck.has_path()) {
+    const MotionResult moved = run_motion_alone(deck, line.run);
+    fmt::print("{}\n", last_line(moved));
+    return exit_code_of(moved.ending);
+  }
   const RunResult result = run_deck(deck, line.run);
   if (line.run.profile) fmt::print("{}", profile_table(result.summary));
   fmt::print("{}\n", last_line(result));

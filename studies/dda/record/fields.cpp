@@ -95,7 +95,7 @@ Vec2 Fields::displacement(BlockId block, const Vec2& x, std::span<const double> 
 Vec2 Fields::displacement_by(std::span<const JumpId> jumps, const Vec2& x, std::span<const double> d) const {
   Vec2 out = Vec2::Zero();
   for (const JumpId jump : jumps) {
-    const Motion motion = motion_of(body_, jump, x);
+    const NodeMotion motion = motion_of(body_, jump, x);
     out += motion.rows * Eigen::Map<const Vec6>(d.data() + block_unknowns * motion.node.value());
   }
   return out;

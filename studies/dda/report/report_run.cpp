@@ -120,6 +120,44 @@ std::string read_text(const fs::path& file, std::size_t most) {
          fmt::format("\n# ... and {} more characters, left out here\n", text.size() - kept);
 }
 
+namespace {
+
+/// What has moved, with the keys of a path.
+Json data_of_motion(const fs::path& folder, Json& data, const Limits& limits) {
+  Json out = Json::object();
+  attempt(data, [&] {
+    const CsvTable curve = read_csv(folder / "motion.csv");
+    const Json units = read_json(folder / "motion.units.json", data["notices"]);
+    const std::size_t most = std::max<std::size_t>(2, limits.cells / curve.names().size());
+    out["curve"] = columns_of(curve, units, kept_rows(curve.num_rows(), most, {}));
+  });
+  attempt(data, [&] {
+    const ResultsReader results(folder);
+    out["blocks"] = data_of_blocks(results, results.steps().back(), limits);
+  });
+  return out;
+}
+
+/// What the path has left behind.
+void add_path(const fs::path& folder, Json& data, const Limits& limits) {
+  std::optional<ResultsReader> results;
+  attempt(data, [&] { results.emplace(folder); });
+  attempt(data, [&] {
+    data["curve"] = data_of_curve(folder, data, results ? results->steps() : std::vector<int>{}, limits);
+  });
+  attempt(data, [&] { data["log"] = data_of_log(folder / "log.jsonl", limits); });
+  if (!results) return;
+  attempt(data, [&] {
+    data["blocks"] = data_of_blocks(*results, peak_step(read_csv(folder / "curve.csv")), limits);
+  });
+  attempt(data, [&] {
+    data["provenance"] = results->provenance();
+    for (const char* deck : {"deck", "effective_deck"}) data["provenance"].erase(deck);
+  });
+}
+
+}  // namespace
+
 Json data_of_run(const fs::path& folder, const Limits& limits) {
   const fs::path whole = (fs::absolute(folder) / "").lexically_normal();
   Json data{{"kind", "run"},
@@ -131,20 +169,9 @@ Json data_of_run(const fs::path& folder, const Limits& limits) {
   data["notices"] = notices;
   add_decks(folder, data, limits);
   add_title(folder, data);
-  std::optional<ResultsReader> results;
-  attempt(data, [&] { results.emplace(folder); });
-  attempt(data, [&] {
-    data["curve"] = data_of_curve(folder, data, results ? results->steps() : std::vector<int>{}, limits);
-  });
-  attempt(data, [&] { data["log"] = data_of_log(folder / "log.jsonl", limits); });
-  if (!results) return data;
-  attempt(data, [&] {
-    data["blocks"] = data_of_blocks(*results, peak_step(read_csv(folder / "curve.csv")), limits);
-  });
-  attempt(data, [&] {
-    data["provenance"] = results->provenance();
-    for (const char* deck : {"deck", "effective_deck"}) data["provenance"].erase(deck);
-  });
+  const bool has_moved = fs::is_directory(folder / "motion");
+  if (!has_moved || fs::exists(folder / "curve.csv")) add_path(folder, data, limits);
+  if (has_moved) data["motion"] = data_of_motion(folder / "motion", data, limits);
   return data;
 }
 

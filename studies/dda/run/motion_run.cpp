@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <optional>
 
-#include "continuation/motion/handover.hpp"
 #include "continuation/motion/motion.hpp"
 #include "framework/figure/drawing.hpp"
 #include "framework/figure/plot.hpp"
@@ -15,86 +16,130 @@
 #include "framework/messages/interrupt.hpp"
 #include "framework/messages/progress.hpp"
 #include "framework/messages/provenance.hpp"
+#include "studies/dda/case/motion_columns.hpp"
+#include "studies/dda/run/motion_restart.hpp"
 
 namespace dda {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char *kinetic = "kinetic_energy", *stored = "stored_energy", *work = "external_work",
-                     *friction = "friction", *fracture = "fracture", *numerical = "impact_and_damping",
-                     *error = "energy_error";
-
-std::vector<Column> columns(const Units& units) {
-  const std::string energy = label(dimension::energy, units);
-  return {{"step", ""},     {"time", "s"},       {"time_step", "s"}, {"iterations", ""},
-          {"meetings", ""}, {"live_joints", ""}, {work, energy},     {kinetic, energy},
-          {stored, energy}, {friction, energy},  {fracture, energy}, {numerical, energy},
-          {error, energy}};
-}
+using namespace motion_column;
 
 std::int64_t live_joints(const Motion& motion) {
   return std::ranges::count_if(motion.bonds(), [](const Bond& bond) { return !bond.is_spent(); });
 }
 
+/// What moves, and how it is called.
+struct Moved {
+  const Deck& deck;
+  const Pieces& pieces;
+  const Motion& motion;
+  double load_factor;  ///< at which the path has ended
+
+  const std::vector<Block>& blocks() const { return pieces.body().assembly.blocks; }
+  const std::vector<NamedGauge>& gauges() const { return pieces.equilibrium().stages().back().gauges; }
+};
+
+constexpr auto restart_name = "restart.h5";
+
+/// All of a deck by which a motion goes, but for where it ends and what is kept of it.
+std::string restart_deck(Deck deck) {
+  deck.title.clear();
+  deck.record = RecordParameters{};
+  deck.motion->time = 1;
+  deck.motion->stops_at_rest = false;
+  deck.motion->frame_every = 0;
+  return to_yaml(deck_schema().echo(deck));
+}
+
 /// Writes what happens while a structure moves.
 class MotionRecorder {
  public:
-  MotionRecorder(const RunFolder& folder, const Simulation& simulation, const Motion& motion)
-      : folder_(made(folder.file("motion"))),
-        simulation_(simulation),
-        motion_(motion),
-        table_(folder_ / "motion.csv", columns(simulation.deck().units)),
-        results_(folder_, mesh(), {{"version", provenance().version}}) {
-    store();
+  /// A recorder that goes on where an earlier one stood, or begins.
+  static MotionRecorder make(const fs::path& folder, const Moved& moved,
+                             const std::optional<MotionRestart>& before) {
+    if (!before) {
+      make_folder(folder);
+      MotionRecorder out(folder, moved, CurveTable(folder / "motion.csv", columns(moved)),
+                         ResultsWriter(folder, mesh(moved), {{"version", provenance().version}}));
+      out.store();
+      return out;
+    }
+    MotionRecorder out(
+        folder, moved,
+        CurveTable::resume(folder / "motion.csv", columns(moved), static_cast<std::size_t>(before->steps)),
+        ResultsWriter::resume(folder, before->stored));
+    out.at_ = *before;
+    return out;
   }
 
   void record() {
-    ++steps_;
+    ++at_.steps;
     const MotionLedger& ledger = motion_.ledger();
-    const std::vector<TableCell> row{std::int64_t{steps_},
-                                     motion_.time(),
-                                     motion_.step().before,
-                                     std::int64_t{motion_.iterations()},
-                                     static_cast<std::int64_t>(motion_.num_meetings()),
-                                     live_joints(motion_),
-                                     ledger.external,
-                                     ledger.kinetic,
-                                     ledger.stored.sum(),
-                                     ledger.friction,
-                                     ledger.fracture,
-                                     ledger.numerical,
-                                     ledger.error};
+    std::vector<TableCell> row{std::int64_t{at_.steps},
+                               motion_.time(),
+                               motion_.step().before,
+                               std::int64_t{motion_.iterations()},
+                               static_cast<std::int64_t>(motion_.num_meetings()),
+                               live_joints(motion_),
+                               ledger.external,
+                               ledger.kinetic,
+                               ledger.stored.sum(),
+                               ledger.friction,
+                               ledger.fracture,
+                               ledger.numerical,
+                               ledger.error};
+    for (const NamedGauge& gauge : moved_.gauges()) row.emplace_back(value(gauge.functional));
     table_.append(row);
-    const MotionParameters& parameters = *simulation_.deck().motion;
+    const MotionParameters& parameters = *moved_.deck.motion;
     const double every = parameters.frame_every > 0 ? parameters.frame_every : parameters.time / 100;
-    if (motion_.time() >= (frames_ + 1) * every) {
-      frames_ = static_cast<int>(motion_.time() / every);
+    if (motion_.time() >= (at_.frames + 1) * every) {
+      at_.frames = static_cast<int>(motion_.time() / every);
       store();
     }
+    const Clock::time_point now = Clock::now();
+    if (now - written_ > between_restarts) write_restart_file();
   }
 
   void finish() {
-    if (stored_ != steps_) store();
+    write_restart_file();
+    if (at_.stored != at_.steps) store();
     write_whole(folder_ / "end.svg", to_svg(picture()), Flush::to_system);
-    if (steps_ > 0) write_whole(folder_ / "energies.svg", to_svg(energies()), Flush::to_system);
+    if (at_.steps > 0) write_whole(folder_ / "energies.svg", to_svg(energies()), Flush::to_system);
   }
 
-  int steps() const { return steps_; }
+  int steps() const { return at_.steps; }
 
  private:
-  static fs::path made(const fs::path& folder) {
+  static void make_folder(const fs::path& folder) {
     std::error_code failed;
     fs::remove_all(folder / fields_folder, failed);
+    fs::remove(folder / restart_name, failed);
     fs::create_directories(folder, failed);
     if (failed) throw OutputError(fmt::format("cannot make '{}': {}", folder.string(), failed.message()));
-    return folder;
   }
 
-  ResultsMesh mesh() const {
-    ResultsMesh out{
-        .blocks = {}, .block_region = {}, .segments = {}, .length_unit = simulation_.deck().units.length};
-    for (const Block& block : simulation_.assembly().blocks) {
+  static std::vector<Column> columns(const Moved& moved) {
+    const Units& units = moved.deck.units;
+    std::vector<Column> out = all(units);
+    for (const NamedGauge& gauge : moved.gauges()) out.push_back({gauge.name, label(gauge.dimension, units)});
+    return out;
+  }
+
+  /// A gauge of the path at finite rotations: the same row on how far its material points have moved.
+  double value(const Functional& gauge) const {
+    double out = gauge.per_load_factor * moved_.load_factor + gauge.constant;
+    for (const auto& [block, row] : gauge.rows)
+      out +=
+          finite_row(row).dot(motion_.poses()[block.value()] -
+                              pose_of(moved_.pieces.body().block(block).moments.centroid, Mat2::Identity()));
+    return out;
+  }
+
+  static ResultsMesh mesh(const Moved& moved) {
+    ResultsMesh out{.blocks = {}, .block_region = {}, .segments = {}, .length_unit = moved.deck.units.length};
+    for (const Block& block : moved.blocks()) {
       out.blocks.push_back(block.outline.vertices);
       out.block_region.push_back(block.region);
     }
@@ -103,35 +148,35 @@ class MotionRecorder {
 
   std::vector<Vec2> outline(std::size_t b) const {
     std::vector<Vec2> out;
-    const Block& block = simulation_.assembly().blocks[b];
+    const Block& block = moved_.blocks()[b];
     for (const Vec2& x : block.outline.vertices)
       out.push_back(place_of(motion_.poses()[b], x - block.moments.centroid));
     return out;
   }
 
   void store() {
-    const std::string length = simulation_.deck().units.length;
+    const std::string length = moved_.deck.units.length;
     StoredField moved{"displacement", length, FieldPlace::block_vertex, 2, {}, "x y z"};
     StoredField velocity{"velocity", length + "/s", FieldPlace::block, 2, {}, "x y z"};
     StoredField angle{"rotation", "", FieldPlace::block, 1, {}, ""};
     const Poses velocities = motion_.velocities();
     for (std::size_t b = 0; b < velocities.size(); ++b) {
-      const std::vector<Vec2>& before = simulation_.assembly().blocks[b].outline.vertices;
+      const std::vector<Vec2>& before = moved_.blocks()[b].outline.vertices;
       const std::vector<Vec2> now = outline(b);
       for (std::size_t v = 0; v < now.size(); ++v)
         for (const double component : Vec2(now[v] - before[v])) moved.values.push_back(component);
       for (const double component : centre_of(velocities[b])) velocity.values.push_back(component);
       angle.values.push_back(polar_of(gradient_of(motion_.poses()[b])).angle);
     }
-    results_.store({.step = steps_,
+    results_.store({.step = at_.steps,
                     .time = motion_.time(),
                     .numbers = {{"time_of_motion", motion_.time()}},
                     .fields = {std::move(moved), std::move(velocity), std::move(angle)}});
-    stored_ = steps_;
+    at_.stored = at_.steps;
   }
 
   svg::Drawing picture() const {
-    svg::Drawing out{.title = simulation_.deck().title,
+    svg::Drawing out{.title = moved_.deck.title,
                      .caption = fmt::format("after {:.4g} s of motion, at true scale", motion_.time())};
     for (std::size_t b = 0; b < motion_.poses().size(); ++b) out.polygons.push_back({.outline = outline(b)});
     return out;
@@ -139,9 +184,8 @@ class MotionRecorder {
 
   svg::Figure energies() const {
     const CsvTable table = read_csv(folder_ / "motion.csv");
-    svg::Panel panel{
-        .x_label = "time [s]",
-        .y_label = fmt::format("energy [{}]", label(dimension::energy, simulation_.deck().units))};
+    svg::Panel panel{.x_label = "time [s]",
+                     .y_label = fmt::format("energy [{}]", label(dimension::energy, moved_.deck.units))};
     for (const char* name : {work, kinetic, stored, friction, fracture, numerical}) {
       std::string text = name;
       std::ranges::replace(text, '_', ' ');
@@ -152,12 +196,29 @@ class MotionRecorder {
     return out;
   }
 
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::chrono::seconds between_restarts{2};
+
+  MotionRecorder(fs::path folder, const Moved& moved, CurveTable table, ResultsWriter results)
+      : folder_(std::move(folder)),
+        moved_(moved),
+        motion_(moved.motion),
+        table_(std::move(table)),
+        results_(std::move(results)) {}
+
+  void write_restart_file() {
+    written_ = Clock::now();
+    at_.motion = motion_.memory();
+    write_motion_restart(folder_ / restart_name, at_, restart_deck(moved_.deck));
+  }
+
   const fs::path folder_;
-  const Simulation& simulation_;
+  const Moved moved_;
   const Motion& motion_;
   CurveTable table_;
   ResultsWriter results_;
-  int steps_ = 0, frames_ = 0, stored_ = -1;
+  MotionRestart at_;
+  Clock::time_point written_ = Clock::now();
 };
 
 nlohmann::ordered_json summary_of(const Motion& motion, const Ending& ending, int steps, bool is_pushed) {
@@ -182,7 +243,7 @@ nlohmann::ordered_json summary_of(const Motion& motion, const Ending& ending, in
 
 Ending ending_of(const Motion& motion, bool is_interrupted) {
   if (is_interrupted)
-    return {Ending::Kind::interrupted, "interrupted in the motion; `dda resume` begins it again"};
+    return {Ending::Kind::interrupted, "interrupted in the motion; `dda resume` goes on with it"};
   const bool has_failed = motion.ending() == Motion::Ending::failed;
   return {has_failed ? Ending::Kind::stopped_early : Ending::Kind::goal_reached,
           "motion: " + motion.reason()};
@@ -190,23 +251,37 @@ Ending ending_of(const Motion& motion, bool is_interrupted) {
 
 }  // namespace
 
-MotionRecord run_motion(const RunFolder& folder, Simulation& simulation, bool quiet) {
-  const auto scope = simulation.system().timings().measure("motion");
+void copy_motion(const fs::path& from, const RunFolder& to) {
+  std::error_code error;
+  if (!fs::is_directory(from / "motion", error)) return;
+  fs::copy(from / "motion", to.file("motion"),
+           fs::copy_options::overwrite_existing | fs::copy_options::recursive, error);
+  if (error)
+    throw OutputError(fmt::format("cannot copy '{}': {}", (from / "motion").string(), error.message()));
+}
+
+MotionRecord run_motion(const RunFolder& run_folder, const Simulation& simulation, const PathEnd& end,
+                        const MotionOptions& options) {
   const MotionParameters& parameters = *simulation.deck().motion;
-  const Walker& walker = simulation.walker();
-  const bool has_fallen = walker.leaving().load_factor * walker.state().load_factor < 0;
-  Handover start =
-      hand_over(simulation.body(), {simulation.system(), walker.state(), has_fallen}, parameters);
-  const Poses at_rest(start.poses.size(), Pose::Zero());
-  Motion motion(
-      start.scene, std::move(start.bonds), std::move(start.poses), at_rest,
-      {.time = parameters.time, .stops_at_rest = parameters.stops_at_rest, .step = parameters.step});
-  MotionRecorder recorder(folder, simulation, motion);
-  Progress progress = Progress::for_stream(stderr, quiet);
+  const fs::path folder = run_folder.file("motion");
+  const Pieces pieces(simulation.body(), end.equilibrium, simulation.deck());
+  Handover start = hand_over(pieces, end, parameters);
+  Motion motion(start.scene, start.bonds, std::move(start.poses), std::move(start.velocities),
+                {.time = parameters.time,
+                 .stops_at_rest = parameters.stops_at_rest,
+                 .step = parameters.step,
+                 .integrator = parameters.integrator.make()});
+  const auto before = options.goes_on
+                          ? read_motion_restart(folder / restart_name, restart_deck(simulation.deck()))
+                          : std::nullopt;
+  if (before) motion.restore(before->motion, start.bonds);
+  MotionRecorder recorder =
+      MotionRecorder::make(folder, {simulation.deck(), pieces, motion, end.state.load_factor}, before);
+  Progress progress = Progress::for_stream(stderr, options.quiet);
   while (!interrupted() && motion.advance()) {
     recorder.record();
     progress.show({.step = recorder.steps(),
-                   .load_factor = walker.state().load_factor,
+                   .load_factor = end.state.load_factor,
                    .control = "motion",
                    .gauges = {{"time", motion.time()}, {kinetic, motion.ledger().kinetic}},
                    .iterations = motion.iterations(),

@@ -11,8 +11,8 @@
 #include "framework/files/run/results.hpp"
 #include "framework/files/whole_file.hpp"
 #include "framework/messages/interrupt.hpp"
-#include "studies/dda/case/parameter_list.hpp"
 #include "studies/dda/run/motion_run.hpp"
+#include "studies/dda/run/new_run.hpp"
 #include "studies/dda/run/restart.hpp"
 #include "studies/dda/run/summary.hpp"
 
@@ -20,30 +20,6 @@ namespace dda {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Which folder a new run gets. A folder that the user named and that holds something is the user's to decide
-/// about.
-RunFolder new_folder(const DeckFile& deck, const RunOptions& options) {
-  fs::path wanted = options.folder;
-  if (wanted.empty()) wanted = deck.deck.record.folder;
-  const bool is_named = !wanted.empty();
-  if (!is_named) wanted = default_run_folder(deck.path);
-  if (options.overwrite) return RunFolder::create(wanted, IfExists::overwrite);
-  if (!is_named) return RunFolder::create(wanted, IfExists::number);
-  std::error_code error;
-  if (fs::is_directory(wanted, error) && !fs::is_empty(wanted, error))
-    throw InputError(Position{wanted.string()},
-                     "the run folder exists and is not empty; choose another one or give "
-                     "--overwrite");
-  return RunFolder::create(wanted, IfExists::refuse);
-}
-
-void write_decks(const RunFolder& folder, const DeckFile& deck, const std::string& effective) {
-  write_whole(folder.file("parameters.xml"), effective_parameter_list(deck_schema().echo(deck.deck)),
-              Flush::to_system);
-  write_whole(folder.file("deck.yaml"), deck.text, Flush::to_system);
-  write_whole(folder.file("effective_deck.yaml"), effective, Flush::to_system);
-}
 
 /// Follows the branch that the path has left by switching, if it has, in a folder inside that of the run.
 void follow_primary(const DeckFile& deck, const RunFolder& folder, const RunMemory& memory) {
@@ -82,8 +58,14 @@ Ending follow(Simulation& simulation, RunRecorder& recorder, bool quiet) {
 bool is_reached(const Ending& ending) { return ending.kind == Ending::Kind::goal_reached; }
 
 /// What follows the path where the deck has a motion; how the run ends.
-Ending move_on(const RunFolder& folder, Simulation& simulation, RunRecorder& recorder, bool quiet) {
-  const MotionRecord motion = run_motion(folder, simulation, quiet);
+Ending move_on(const RunFolder& folder, Simulation& simulation, RunRecorder& recorder,
+               const MotionOptions& options) {
+  const auto scope = simulation.system().timings().measure("motion");
+  const Walker& walker = simulation.walker();
+  const bool has_fallen = walker.leaving().load_factor * walker.state().load_factor < 0;
+  const MotionRecord motion = run_motion(
+      folder, simulation,
+      {simulation.equilibrium(), walker.state(), simulation.system().history(), has_fallen}, options);
   recorder.add_motion(motion.summary);
   recorder.log().info("motion", motion.summary);
   return motion.ending;
@@ -103,6 +85,7 @@ void copy_run(const fs::path& from, const RunFolder& to) {
     if (error)
       throw OutputError(fmt::format("cannot copy '{}': {}", (from / name).string(), error.message()));
   }
+  copy_motion(from, to);
 }
 
 /// A run that was killed in its first second has left a deck and no more.
@@ -148,7 +131,8 @@ RunResult run_deck(const DeckFile& deck, const RunOptions& options) {
   if (obstacle.empty()) ending = follow(simulation, recorder, options.quiet);
   follow_primary(deck, folder, recorder.memory());
   if (deck.deck.motion && ending.kind != Ending::Kind::interrupted)
-    if (const Ending moved = move_on(folder, simulation, recorder, options.quiet); !is_reached(moved))
+    if (const Ending moved = move_on(folder, simulation, recorder, {.quiet = options.quiet});
+        !is_reached(moved))
       ending = moved;
   return conclude(folder, recorder, ending);
 }
@@ -178,7 +162,8 @@ RunResult resume_run(const fs::path& existing, const std::vector<std::string>& o
   Ending ending = follow(simulation, recorder, options.quiet);
   follow_primary(deck, folder, recorder.memory());
   if (deck.deck.motion && ending.kind != Ending::Kind::interrupted)
-    if (const Ending moved = move_on(folder, simulation, recorder, options.quiet); !is_reached(moved))
+    if (const Ending moved = move_on(folder, simulation, recorder, {.quiet = options.quiet, .goes_on = true});
+        !is_reached(moved))
       ending = moved;
   return conclude(folder, recorder, ending);
 }

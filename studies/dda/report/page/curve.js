@@ -23,6 +23,11 @@ class Curve {
     return this.table.numericColumns().filter((column) => column.unit === this.lengthUnit);
   }
 
+  /** What goes on from row to row. */
+  get clocks() {
+    return [COLUMN.step];
+  }
+
   get defaultAxis() {
     return (this.displacements()[0] ?? this.table.column(COLUMN.dissipated) ?? this.table.columns[0]).name;
   }

@@ -1,10 +1,12 @@
 // The figure of the deformed blocks with its slider.
 
 class DeformedFigure {
-  /** shown: the Choice of the place in the list of stored steps. */
-  constructor(blocks, shown, {name, stepText}) {
-    Object.assign(this, {blocks, shown, name, stepText});
-    this.automatic = this.automaticMagnification();
+  /**
+   * shown: the Choice of the place in the list of stored steps. isTrue: displacements are shown as large as they are.
+   */
+  constructor(blocks, shown, {name, stepText, id = "deformed", isTrue = false}) {
+    Object.assign(this, {blocks, shown, name, stepText, id});
+    this.automatic = isTrue ? 1 : this.automaticMagnification();
     this.options = {magnification: this.automatic, field: "none", cracks: "opening", everyStep: true, view: null};
     this.canvas =
         element("canvas", {role: "img", tabindex: 0, "aria-label": "Deformed blocks and cracks at the chosen step"});
@@ -15,7 +17,7 @@ class DeformedFigure {
     this.canvas.addEventListener("keydown", (event) => this.key(event));
     new ResizeObserver(this.draw).observe(this.stage);
     shown.listen(() => this.changed());
-    this.figure = element("figure", {id: "deformed"}, this.toolbar(), this.stage, this.player(), this.caption());
+    this.figure = element("figure", {id}, this.toolbar(), this.stage, this.player(), this.caption());
     this.changed();
   }
 
@@ -63,7 +65,7 @@ class DeformedFigure {
     const last = this.blocks.steps.length - 1;
     this.slider = element("input", {
       type: "range",
-      id: "step-slider",
+      id: this.id === "deformed" ? "step-slider" : `${this.id}-slider`,
       min: 0,
       max: last,
       step: 1,
@@ -72,7 +74,7 @@ class DeformedFigure {
       input: () => this.shown.set(Number(this.slider.value))
     });
     this.play = button("▶", "Play the stored steps", () => this.toggle());
-    this.told = element("output", {id: "step-shown"});
+    this.told = element("output", {id: this.id === "deformed" ? "step-shown" : `${this.id}-shown`});
     return element("div", {class: "player"}, this.play, this.slider, this.magnifier(), this.told);
   }
 
@@ -173,7 +175,7 @@ class DeformedFigure {
     const surface = new SvgSurface(width, this.height + PicturePainter.barHeight(scales.list));
     new PicturePainter(this.blocks, this.current(), scales).paint(surface, width, this.height);
     download(
-        `${fileName(this.name, "deformed", this.blocks.steps[this.shown.value].step)}.svg`, surface.document(),
+        `${fileName(this.name, this.id, this.blocks.steps[this.shown.value].step)}.svg`, surface.document(),
         "image/svg+xml");
   }
 }

@@ -62,19 +62,21 @@ class LinesFigure {
           [COLUMN.step, String(curve.steps[series.rows[i]])],
           ...lines.map((line) => [line.name, formatNumber(line.values[series.rows[i]])])],
     });
-    const axes =
-        [[COLUMN.step, COLUMN.step], ...curve.displacements().map((column) => [column.name, words(column.name)])];
+    const axes = [
+      ...curve.clocks.map((clock) => [clock, clock]),
+      ...curve.displacements().map((column) => [column.name, words(column.name)])
+    ];
     this.figure = element(
         "figure", {id},
         element(
-            "div", {class: "toolbar"}, chooser("across", axes, COLUMN.step, (axis) => this.show(axis)),
+            "div", {class: "toolbar"}, chooser("across", axes, axes[0][0], (axis) => this.show(axis)),
             this.plot.buttons()),
         this.plot.stage,
         element(
             "figcaption", {},
             lines.length > 1 ? legend(lines.map((line, i) => [line.name, PALETTE[i % PALETTE.length]])) : null,
             note ?? ""));
-    this.show(COLUMN.step);
+    this.show(axes[0][0]);
   }
 
   show(axis) {

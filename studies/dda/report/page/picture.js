@@ -32,8 +32,8 @@ class PicturePainter {
 
   paint(surface, width, height) {
     this.view = this.options.view ?? PicturePainter.viewOf(this.blocks, width, height);
-    const moved = this.blocks.movedOutlines(
-        this.options.index, this.options.magnification, (places) => this.onPicture(places));
+    const moved =
+        this.blocks.movedOutlines(this.options.index, this.options.magnification, (places) => this.onPicture(places));
     surface.clipped({x: 0, y: 0, width, height}, () => {
       this.paintBlocks(surface, moved, width, height);
       this.paintCracks(surface);

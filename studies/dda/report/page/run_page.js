@@ -14,8 +14,8 @@ class RunPage {
 
   elements() {
     return [
-      ...this.top(), this.pathSection(), this.cracksSection(), this.stabilitySection(), this.energySection(), this.askedSection(),
-      this.logSection(), this.timeSection(), this.provenanceSection()
+      ...this.top(), this.pathSection(), this.cracksSection(), this.stabilitySection(), this.energySection(),
+      this.motionSection(), this.askedSection(), this.logSection(), this.timeSection(), this.provenanceSection()
     ].filter(Boolean);
   }
 
@@ -43,7 +43,7 @@ class RunPage {
     if (s.steps > 0) card("iterations per step", formatNumber(iterations / s.steps, 2), `${iterations} in all`);
     if (s.energy_balance_error !== undefined)
       card("energy balance error", formatNumber(s.energy_balance_error, 2), "of the work, at the end");
-    if (s.blocks !== undefined) card("blocks", String(s.blocks), `${s.unknowns} unknowns`);
+    if (s.blocks !== undefined) card("blocks", String(s.blocks), s.unknowns ? `${s.unknowns} unknowns` : null);
     if (s.crackable_points !== undefined)
       card("points that may crack", String(s.crackable_points), `of ${s.interface_points}`);
     if (s.rescues) card("rescues", String(s.rescues), "sequentially linear");
@@ -73,7 +73,16 @@ class RunPage {
     return [["highest load so far", this.table.column(COLUMN.load).textAt(row), `step ${this.curve.steps[row]}`]];
   }
 
+  motionSection() {
+    const {motion} = this.data;
+    if (!motion) return null;
+    this.figures.motion =
+        new MotionFigures({...motion, units: this.summary.units}, this.summary.motion, this.data.name);
+    return this.figures.motion.section();
+  }
+
   pathSection() {
+    if (!this.curve && !this.blocks && this.data.motion) return null;
     if (!this.curve && !this.blocks) return section("path", "Path", element("p", {}, "Nothing has been recorded."));
     const figures = element("div", {class: "figures"});
     const shown = this.blocks ? new Choice(this.firstShown()) : null;

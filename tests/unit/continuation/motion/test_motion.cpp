@@ -172,6 +172,100 @@ TEST(Motion, GivesBackWhatIsPressedAtTheBeginning) {
   EXPECT_NEAR((ledger.kinetic + ledger.stored.sum() + ledger.numerical) / pressed, 1, 1e-6);
 }
 
+std::shared_ptr<const Integrator> integrator(const std::string& name) {
+  return integrators().choose(parse_yaml(name, "test")).make();
+}
+
+TEST(Motion, FallsAtAnyIntegratorThatHasInertia) {
+  for (const auto& [name, bound] :
+       {std::pair("free_flight", 1e-9), {"implicit_euler", 0.02}, {"trapezoidal", 1e-9}}) {
+    const MovingScene of = scene(0, {body(box(0, 0, 1, 1))}, {0, -gravity});
+    Poses velocities = at_rest(of);
+    velocities[0][0] = 2;
+    Motion motion(of, {}, undeformed(of), velocities, {.time = 1, .integrator = integrator(name)});
+    run(motion);
+    EXPECT_NEAR(motion.poses()[0][0], 2.5, 1e-9) << name;
+    EXPECT_NEAR((motion.poses()[0][1] - 0.5) / (-gravity / 2), 1, bound) << name;
+    EXPECT_NEAR(motion.ledger().kinetic / (motion.ledger().external + density * 2), 1, 0.03) << name;
+    EXPECT_LT(unbalanced(motion, motion.ledger().external), 1e-6) << name;
+  }
+}
+
+TEST(Motion, SwingsWithoutLossAtSecondOrder) {
+  constexpr double stiffness = 1e6;
+  const double period = 2 * M_PI * std::sqrt(density / stiffness);
+  std::vector<double> late;
+  for (const double step : {0.001, 0.0005}) {
+    MovingScene of = scene(0, {body(box(0, 0, 1, 1))}, {0, 0});
+    Vec6 along = Vec6::Zero();
+    along[0] = 1;
+    of.springs.push_back({{{0, along}}, 0.5, stiffness});
+    Poses velocities = at_rest(of);
+    velocities[0][0] = 0.1;
+    Motion motion(
+        of, {}, undeformed(of), velocities,
+        {.time = 5 * period, .stops_at_rest = false, .step = step, .integrator = integrator("trapezoidal")});
+    const double energy = motion.ledger().kinetic;
+    run(motion);
+    EXPECT_NEAR((motion.ledger().kinetic + motion.ledger().stored.springs) / energy, 1, 1e-9);
+    late.push_back(std::abs(motion.poses()[0][0] - 0.5));
+  }
+  EXPECT_NEAR(std::log2(late[0] / late[1]), 2, 0.2);
+}
+
+TEST(Motion, SettlesWithoutInertia) {
+  std::vector<MovingBody> bodies{body(box(-5, -1, 5, 0), true)};
+  for (int i = 0; i < 3; ++i)
+    bodies.push_back(body(box(0.1 * i, i + 0.002 * (i + 1), 1 + 0.1 * i, i + 1 + 0.002 * (i + 1))));
+  const MovingScene of = scene(0.5, std::move(bodies), {0, -gravity});
+  Motion motion(of, {}, undeformed(of), at_rest(of), {.time = 100, .integrator = integrator("settle")});
+  run(motion);
+  EXPECT_EQ(motion.ending(), Motion::Ending::at_rest) << motion.reason();
+  EXPECT_NEAR(motion.poses()[3][1], 2.5, 1e-4);
+  EXPECT_EQ(motion.ledger().kinetic, 0);
+  EXPECT_NEAR((motion.ledger().stored.sum() + motion.ledger().numerical + motion.ledger().friction) /
+                  motion.ledger().external,
+              1, 1e-6);
+}
+
+TEST(Motion, GivesBackWhatRestitutionSays) {
+  for (const double share : {0.0, 0.5, 1.0}) {
+    MovingScene of = scene(0, {body(box(-5, -1, 9, 0), true), body(box(0, 1, 1, 2))}, {0, -gravity});
+    of.meeting.restitution = [share](std::size_t, std::size_t) { return share; };
+    Motion motion(of, {}, undeformed(of), at_rest(of), {.time = 1.2, .stops_at_rest = false, .step = 0.005});
+    double highest = 0;
+    while (motion.advance())
+      if (motion.time() > std::sqrt(2 / gravity) + 0.02)
+        highest = std::max(highest, motion.poses()[1][1] - 0.5);
+    EXPECT_NEAR(std::sqrt(highest), share, 0.03) << motion.reason();
+    EXPECT_LT(unbalanced(motion, motion.ledger().external), 1e-6);
+    EXPECT_GE(motion.ledger().numerical, -1e-9 * density);
+  }
+}
+
+/// A displacement u = v t.
+class Steady final : public TimeFunction {
+ public:
+  explicit Steady(double speed) : speed_(speed) {}
+  double at(double time) const override { return speed_ * time; }
+
+ private:
+  double speed_;
+};
+
+TEST(Motion, GoesWithAGroundThatIsDriven) {
+  MovingScene of = scene(0.5, {body(box(-5, -1, 9, 0), true), body(box(0, 0, 1, 1))}, {0, -gravity});
+  of.drives.push_back({{0}, {1, 0}, std::make_shared<Steady>(0.2)});
+  of.drives.push_back({{0}, {0, 1}, std::make_shared<Steady>(0.5)});
+  Motion motion(of, {}, undeformed(of), at_rest(of), {.time = 1, .stops_at_rest = false});
+  run(motion);
+  EXPECT_NEAR(motion.poses()[0][1], 0, 1e-12);  // −0.5 + 0.5
+  EXPECT_NEAR(motion.poses()[1][1], 1, 1e-3);
+  EXPECT_NEAR(motion.poses()[1][0], 0.7, 0.2 * 0.2 / (gravity / 2));
+  EXPECT_NEAR(motion.ledger().kinetic, density / 2 * (0.04 + 0.25), 10);
+  EXPECT_LT(unbalanced(motion, density), 1e-6);
+}
+
 TEST(Motion, NothingCrossesWhateverIsThrown) {
   for (unsigned seed = 1; seed <= 4; ++seed) {
     std::mt19937 random(seed);

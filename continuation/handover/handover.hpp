@@ -1,0 +1,45 @@
+#pragma once
+
+#include <span>
+
+#include "continuation/handover/motion_parameters.hpp"
+#include "continuation/handover/pieces.hpp"
+#include "continuation/motion/bonds.hpp"
+#include "continuation/state/system.hpp"
+
+namespace dda {
+
+/// What a motion begins with: the last state of a path, in finite rotations.
+///
+///     c = X0 + (u0, v0),   F = R(r0) (I + ε)
+///
+/// Parts of blocks that cracks have cut are bodies of their own; their joints are springs with what they bear at the
+/// handover as an offset. Joints that still hold stay, with their histories; where nothing is left of one, bodies meet. Loads stay as dead
+/// forces on material points, supports as springs. What finite rotations unbalance, of second order in them, moves
+/// the structure in its first step.
+struct Handover {
+  MovingScene scene;
+  std::vector<Bond> bonds;
+  Poses poses, velocities;
+  bool is_pushed = false;
+  double offset = 0;  ///< s [L]
+};
+
+/// Throws InputError for what could not be handed over: materials without density, blocks narrower than their offset,
+/// cracks through blocks, initial stress.
+void require_handover(const Body& body, const Equilibrium& equilibrium, const MotionParameters& parameters);
+
+/// Where a path has ended; without a path the undeformed structure, under no load.
+struct PathEnd {
+  const Equilibrium& equilibrium;
+  const State& state;
+  std::span<const History> history;  ///< of every active point
+  bool has_fallen = false;           ///< the load was falling
+
+  const Loading& loading() const { return equilibrium.stages().back(); }
+};
+
+/// Throws InputError where a crack has left a part that is too narrow for any core.
+Handover hand_over(const Pieces& pieces, const PathEnd& end, const MotionParameters& parameters);
+
+}  // namespace dda

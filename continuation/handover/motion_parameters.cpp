@@ -1,0 +1,132 @@
+#include "continuation/handover/motion_parameters.hpp"
+
+namespace dda {
+namespace {
+
+Kind<PairParameters> pair_kind() {
+  using P = PairParameters;
+  return Schema<P>("What bodies of two materials do where they meet.")
+      .texts("between", &P::between, {.at_least = 1, .text = "Two materials, or one twice."})
+      .number("friction", &P::friction, {.bounds = at_least(0), .text = "Coefficient of friction, tan φ."})
+      .number("restitution", &P::restitution,
+              {.bounds = between(0, 1), .text = "Speed after an impact over that before."})
+      .check([](const P& p, const Position& where, Findings& findings) {
+        if (p.between.size() != 2) findings.add(where, "`between` takes two materials");
+        if (!p.friction && !p.restitution)
+          findings.add(where, "a pair needs a `friction` or a `restitution` of its own");
+      })
+      .kind();
+}
+
+Kind<VelocityParameters> velocity_kind() {
+  using P = VelocityParameters;
+  return Schema<P>("Blocks that are thrown.")
+      .texts("regions", &P::regions, {.at_least = 1, .text = "Names of regions."})
+      .point("velocity", &P::velocity,
+             {.fallback = Vec2(Vec2::Zero()),
+              .dimension = dimension::length,
+              .text = "Velocity of their centroids (vx, vy) [per s]."})
+      .number("spin", &P::spin,
+              {.fallback = 0,
+               .text = "Rate at which each block turns about its centroid, counter-clockwise "
+                       "[rad/s]."})
+      .kind();
+}
+
+Kind<DriveParameters> drive_kind() {
+  using P = DriveParameters;
+  return Schema<P>("Blocks that are moved, such as a ground that shakes or a support that gives way.")
+      .texts("regions", &P::regions, {.at_least = 1, .text = "Names of regions; they are `held` thereby."})
+      .point("direction", &P::direction,
+             {.dimension = dimension::none, .text = "Direction (lx, ly), any length."})
+      .choice("displacement", &P::displacement, time_functions(), {.text = "Displacement over time."})
+      .check([](const P& p, const Position& where, Findings& findings) {
+        if (p.direction.norm() == 0) findings.add(where, "`direction` must not be zero");
+      })
+      .kind();
+}
+
+Schema<MeetingParameters> meeting_schema() {
+  using P = MeetingParameters;
+  return Schema<P>("How bodies meet that nothing joins any more.")
+      .choice("law", &P::law, contact_laws(), {.fallback = "wall", .text = "What an overlap stores."})
+      .number("stiffness", &P::stiffness,
+              {.fallback = 10,
+               .bounds = between(0.1, 1000),
+               .text = "Stiffness where a corner meets a side, in E · thickness/2."})
+      .number("offset", &P::offset,
+              {.fallback = 1e-3,
+               .bounds = between(1e-5, 2e-2),
+               .text = "By how much outlines are shrunk to cores that never meet, over the size of the "
+                       "smallest block; corners are round by it."})
+      .number("friction", &P::friction,
+              {.bounds = at_least(0),
+               .text = "Coefficient of friction, tan φ, of bodies for which neither an interface nor `pairs` "
+                       "have one."})
+      .number("restitution", &P::restitution,
+              {.fallback = 0,
+               .bounds = between(0, 1),
+               .text = "Speed at which bodies part after an impact over that at which they have met; 0: they "
+                       "stay together."})
+      .list("pairs", &P::pairs, pair_kind(),
+            {.at_least = 0, .text = "Friction and restitution of some pairs of materials."});
+}
+
+/// What acts on the structure once it is let go.
+Schema<MotionParameters> with_actions(Schema<MotionParameters> schema) {
+  using P = MotionParameters;
+  return schema
+      .one_of("loads", &P::loads, {{"keep", KeptLoads::all}, {"drop", KeptLoads::dead}},
+              {.fallback = KeptLoads::all,
+               .text = "Whether the loads of the last stage stay as they are at the end of the path; those "
+                       "of the stages before stay in any case. They keep their directions."})
+      .boolean("supports", &P::keeps_supports,
+               {.fallback = true,
+                .text = "Whether the supports of the path go on to hold the material points they hold; "
+                        "without them the structure rests on what it meets."})
+      .number("push", &P::push,
+              {.fallback = 0.01,
+               .bounds = at_least(0) & at_most(1),
+               .text = "Share by which the last load grows where the path has ended while it was falling: "
+                       "such a state may close again as well as go on."})
+      .point("gravity", &P::gravity,
+             {.fallback = Vec2(Vec2::Zero()),
+              .dimension = dimension::length,
+              .text = "Acceleration (gx, gy) of all that moves, beside the loads [per s²]: (0, 0) where the "
+                      "weight is a load already."})
+      .texts("held", &P::held,
+             {.fallback = {{}},
+              .text = "Names of regions whose blocks stay where they are, such as the ground."})
+      .list("driven", &P::driven, drive_kind(),
+            {.at_least = 0, .text = "Regions that are moved over time; displacements add up."})
+      .list("velocities", &P::velocities, velocity_kind(),
+            {.at_least = 0, .text = "Regions that do not begin at rest."});
+}
+
+}  // namespace
+
+Schema<MotionParameters> motion_schema() {
+  using P = MotionParameters;
+  return with_actions(
+             Schema<P>("What happens from the end of the path on: pieces move, part, meet, slide and come "
+                       "to rest; in a deck without `stages` from the undeformed structure on. Needs the "
+                       "`density` of every material that moves. Times are in seconds."))
+      .number("time", &P::time,
+              {.bounds = above(0), .text = "The motion ends after so long at the latest [s]."})
+      .boolean("stop_at_rest", &P::stops_at_rest,
+               {.fallback = true, .text = "It ends before where everything has come to rest."})
+      .choice("integrator", &P::integrator, integrators(),
+              {.fallback = "free_flight", .text = "How the motion goes from one instant to the next."})
+      .section("contact", &P::contact, meeting_schema())
+      .number("step", &P::step,
+              {.fallback = 0.01,
+               .bounds = between(1e-5, 0.1),
+               .text = "Time step in √(L/g), L the size of the smallest block that moves and g the "
+                       "acceleration of all by their loads; a tenth of it while joints tear."})
+      .number("frame_every", &P::frame_every,
+              {.fallback = 0,
+               .bounds = at_least(0),
+               .text = "Time between the states that are stored [s]; 0 stores about a hundred over `time`."});
+}
+
+}  // namespace dda

@@ -1,0 +1,98 @@
+#include <algorithm>
+#include <set>
+
+#include "continuation/handover/handover.hpp"
+#include "continuation/handover/regions.hpp"
+#include "framework/base/suggestion.hpp"
+
+namespace dda {
+namespace {
+
+/// Names of what the structure has not got are findings.
+class NameCheck {
+ public:
+  NameCheck(const Body& body, Findings& findings) : findings_(findings) {
+    for (const Region& region : body.assembly.regions) {
+      regions_.push_back(region.name);
+      materials_.push_back(region.material);
+    }
+  }
+  void regions(const Position& where, const std::string& key, const std::vector<std::string>& names) {
+    check(where, key + ": there is no region '", names, regions_);
+  }
+  void materials(const Position& where, const std::string& key, const std::vector<std::string>& names) {
+    check(where, key + ": no region is of material '", names, materials_);
+  }
+
+ private:
+  void check(const Position& where, const std::string& what, const std::vector<std::string>& names,
+             const std::vector<std::string>& known) {
+    for (const std::string& name : names)
+      if (std::ranges::find(known, name) == known.end())
+        findings_.add(where, what + name + "'" + suggest(name, known));
+  }
+
+  Findings& findings_;
+  std::vector<std::string> regions_, materials_;
+};
+
+void check_names(const Body& body, const MotionParameters& parameters, Findings& findings) {
+  NameCheck check(body, findings);
+  check.regions(parameters.where, "motion.held", parameters.held);
+  for (const DriveParameters& drive : parameters.driven)
+    check.regions(drive.where, "motion.driven", drive.regions);
+  for (const VelocityParameters& thrown : parameters.velocities) {
+    check.regions(thrown.where, "motion.velocities", thrown.regions);
+    for (std::size_t r = 0; r < body.assembly.regions.size(); ++r)
+      if (const int region = static_cast<int>(r);
+          is_named(thrown.regions, body, region) && is_held(body, parameters, region))
+        findings.add(thrown.where,
+                     "motion.velocities: region '" + body.assembly.regions[r].name + "' is held");
+  }
+  for (const PairParameters& pair : parameters.contact.pairs)
+    check.materials(pair.where, "motion.contact.pairs", pair.between);
+}
+
+void check_density(const Body& body, const MotionParameters& parameters, Findings& findings) {
+  std::set<std::string> without;
+  for (std::size_t r = 0; r < body.assembly.regions.size(); ++r)
+    if (!is_held(body, parameters, static_cast<int>(r)) && body.materials[r]->density() <= 0)
+      without.insert(body.assembly.regions[r].material);
+  for (const std::string& material : without)
+    findings.add(parameters.where, "motion: material '" + material + "' needs a `density`");
+}
+
+void check_offset(const Body& body, const MotionParameters& parameters, Findings& findings) {
+  if (const auto narrow = too_narrow(body.assembly, offset_of(body, parameters)))
+    findings.add(parameters.where, "motion.contact.offset: " + *narrow + "; take a smaller offset");
+}
+
+}  // namespace
+
+void require_handover(const Body& body, const Equilibrium& equilibrium, const MotionParameters& parameters) {
+  const Position& where = parameters.where;
+  const Loading& loading = equilibrium.stages().back();
+  Findings findings;
+  if (!loading.dead_stress.empty() || !loading.reference_stress.empty())
+    findings.add(where, "motion: initial stress cannot be handed over");
+  if (parameters.loads == KeptLoads::dead && !equilibrium.driven_springs().empty())
+    findings.add(where, "motion.loads: what is driven stays where it is, `keep`");
+  if (!parameters.velocities.empty() && !parameters.integrator.make()->has_inertia())
+    findings.add(where, "motion.velocities: '" + parameters.integrator.name() + "' knows of no velocities");
+  if (std::ranges::all_of(body.assembly.blocks,
+                          [&](const Block& block) { return is_held(body, parameters, block.region); }))
+    findings.add(where, "motion.held: nothing is left that could move");
+  for (const DriveParameters& drive : parameters.driven) {
+    try {
+      drive.displacement.make();
+    } catch (const InputError& error) {
+      findings.add(error);
+    }
+  }
+  check_names(body, parameters, findings);
+  check_density(body, parameters, findings);
+  check_offset(body, parameters, findings);
+  findings.throw_if_any();
+}
+
+}  // namespace dda

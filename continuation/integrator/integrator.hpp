@@ -1,0 +1,76 @@
+#pragma once
+
+#include <memory>
+
+#include "framework/deck/family.hpp"
+#include "models/kinematics/affine.hpp"
+
+namespace dda {
+
+/// Three instants of a motion: a step dt behind the last one, dt₋.
+struct Interval {
+  double now = 0;       ///< dt [T]
+  double before = 0;    ///< dt₋ [T]
+  bool begins = false;  ///< the motion, with a velocity that is that of now and no mean over dt₋
+};
+
+/// A velocity of the centroid and a spin.
+struct RigidMotion {
+  Vec2 velocity = Vec2::Zero();  ///< [L/T]
+  double spin = 0;               ///< [1/T]
+};
+
+/// How a body has come to where it is.
+struct BodyCourse {
+  Pose before, now;                  ///< dt₋ ago, and now
+  Pose velocity = Pose::Zero();      ///< ẏ, as the integrator means it [1/T]
+  Pose acceleration = Pose::Zero();  ///< ÿ now, of those integrators that need it [1/T²]
+};
+
+/// A step of a body: from where it is, past where inertia would take it, to where it has come.
+struct BodyStep {
+  const BodyCourse& start;
+  Pose flight;   ///< ŷ
+  Pose reached;  ///< y₁
+  Interval dt;
+};
+
+/// What a step has done to a body: K₁ − K̂ = −∇Π(y₁) · way + of_start.
+struct BodyWork {
+  Pose way;             ///< along which the forces at the end count
+  Pose loaded;          ///< along which constant loads have worked
+  double flown = 0;     ///< K̂ [F L]
+  double of_start = 0;  ///< by the forces at the start, or taken by what resists every motion [F L]
+};
+
+/// How bodies go from one instant to the next: to the minimum of
+///
+///     ½ c |y − ŷ|²_M + Π(y)        so that  M c (y₁ − ŷ) + ∇Π(y₁) = 0
+class Integrator {
+ public:
+  virtual ~Integrator() = default;
+  /// A course that begins at a pose with a velocity ẏ, as if a step dt had led there.
+  virtual BodyCourse begin(const Pose& now, const Pose& velocity, double dt) const = 0;
+  /// c [1/T²].
+  virtual double per_square_time(const Interval& dt) const = 0;
+  /// ŷ.
+  virtual Pose flight(const BodyCourse& at, const Interval& dt) const = 0;
+  /// The course with y₁ as its now.
+  virtual BodyCourse arrive(const BodyStep& step) const = 0;
+  virtual BodyWork work(const AffineBlock& block, const BodyStep& step) const = 0;
+  /// The same course with a rigid motion more; dt was its last step.
+  virtual BodyCourse pushed(const BodyCourse& at, const RigidMotion& by, double dt) const = 0;
+  /// Whether what moves has inertia; else it goes where forces send it as long as they do.
+  virtual bool has_inertia() const { return true; }
+};
+
+/// ½ |v|²_M.
+double kinetic_energy(const AffineBlock& block, const Pose& velocity);
+
+using IntegratorFamily = Family<Integrator>;
+using IntegratorChoice = Choice<Integrator>;
+
+/// The registry of integrators.
+IntegratorFamily& integrators();
+
+}  // namespace dda

@@ -1,0 +1,107 @@
+"""Checks of a motion: its energy book, that nothing is inside of anything else, and that rest is rest."""
+import numpy as np
+
+from .finding import Finding, worst_of
+
+ROUNDING = 1e-9  # of the largest energy
+SOLVING = 1e-5   # of the largest energy: what steps may have been solved inexactly by
+REST = 1e-6      # of the largest kinetic energy
+BOOKED = ("kinetic_energy", "stored_energy", "friction", "fracture", "impact_and_damping", "energy_error")
+SPENT = ("friction", "fracture")
+
+
+def scale_of(curve):
+    """The largest energy there has been [FL]."""
+    return max(np.abs(curve[["external_work", *BOOKED]].to_numpy()).max(), 1e-300)
+
+
+def finite(curve):
+    bad = ~np.isfinite(curve.select_dtypes("number").to_numpy())
+    return Finding("motion: every number is finite", float(bad.sum()), 0.0, "everywhere")
+
+
+def books(curve):
+    """What the loads have done is kinetic, stored, spent or damped, from every row to the next."""
+    scale = scale_of(curve)
+    miss = np.abs(np.diff(curve["external_work"]) - np.diff(curve[list(BOOKED)], axis=0).sum(axis=1)) / scale
+    at = int(np.argmax(miss)) + 2 if len(miss) else 0
+    return [worst_of("motion: energies add up", [(miss.max(initial=0), f"step {at}")], ROUNDING),
+            worst_of("motion: steps are solved", [(np.abs(curve["energy_error"]).max() / scale, "energy_error")], SOLVING)]
+
+
+def spent_never_falls(curve):
+    scale = scale_of(curve)
+    found = [(-np.diff(curve[name]).min(initial=0) / scale, name) for name in SPENT]
+    return worst_of("motion: what is spent never falls", found, ROUNDING)
+
+
+def rest(curve, summary):
+    """The last row is what the summary says of it."""
+    if not summary.get("is_at_rest"):
+        return []
+    left = curve["kinetic_energy"].iloc[-1] / max(curve["kinetic_energy"].max(), 1e-300)
+    return [Finding("motion: at rest", left, REST, "last row")]
+
+
+def outlines(fields):
+    """The corners of every block where they are now, n × 2 each."""
+    vertices = fields.vertices
+    now = np.column_stack([vertices["x"] + vertices["displacement_x"], vertices["y"] + vertices["displacement_y"]])
+    return [now[rows] for rows in vertices.groupby("block").indices.values()]
+
+
+def stand_back(polygon):
+    """1 + 1/sin(β/2) of every corner, β its inner angle: times s, how deep it may be where cores only touch."""
+    before, after = np.roll(polygon, 1, axis=0) - polygon, np.roll(polygon, -1, axis=0) - polygon
+    cross = after[:, 0] * before[:, 1] - after[:, 1] * before[:, 0]
+    angle = np.arctan2(cross, (before * after).sum(axis=1)) % (2 * np.pi)
+    return 1 + 1 / np.sin(angle / 2)
+
+
+def depths_inside(points, polygon):
+    """How deep each point is inside of a polygon; 0 outside."""
+    start, end = polygon, np.roll(polygon, -1, axis=0)
+    edge, to = end - start, points[:, None, :] - start[None]
+    share = np.clip((to * edge).sum(-1) / (edge**2).sum(-1), 0, 1)
+    distance = np.linalg.norm(to - share[..., None] * edge, axis=-1).min(axis=1)
+    above = (start[None, :, 1] > points[:, None, 1]) != (end[None, :, 1] > points[:, None, 1])
+    rise = np.where(edge[:, 1] == 0, 1, edge[:, 1])
+    crossing = start[:, 0] + (points[:, None, 1] - start[:, 1]) / rise * edge[:, 0]
+    return distance * ((above & (points[:, None, 0] < crossing)).sum(axis=1) % 2 == 1)
+
+
+def deepest(polygons):
+    """The deepest corner of any block in another, over what its core stands back, and the two blocks."""
+    low, high = (np.array([f(p, axis=0) for p in polygons]) for f in (np.min, np.max))
+    worst = (0.0, "everywhere")
+    for i, polygon in enumerate(polygons):
+        near = np.flatnonzero(((low <= high[i]) & (high >= low[i])).all(axis=1))
+        for j in near[near != i]:
+            depth = (depths_inside(polygon, polygons[j]) / stand_back(polygon)).max()
+            worst = max(worst, (float(depth), f"block {i} in block {j}"))
+    return worst
+
+
+def nothing_crosses(motion, offset):
+    """No corner is deeper in another block than the margins s by which cores are smaller let it be."""
+    found = [(depth / offset, f"step {step}, {place}")
+             for step in motion.steps for depth, place in [deepest(outlines(motion.fields(step)))]]
+    return worst_of("motion: nothing crosses", found, 1 + ROUNDING)
+
+
+def offset_of(motion, deck):
+    """s of the deck, of the smallest block's size [L]."""
+    def area(p):
+        after = np.roll(p, -1, axis=0)
+        return abs((p[:, 0] * after[:, 1] - p[:, 1] * after[:, 0]).sum()) / 2
+
+    return deck["motion"]["contact"]["offset"] * np.sqrt(min(map(area, outlines(motion.fields(motion.steps[0])))))
+
+
+def all_checks(run):
+    motion, summary = run.motion, run.summary.get("motion", {})
+    curve = motion.curve
+    out = [finite(curve)] if len(curve) else []
+    if len(curve):
+        out += [*books(curve), spent_never_falls(curve), *rest(curve, summary)]
+    return [*out, nothing_crosses(motion, offset_of(motion, run.deck))]

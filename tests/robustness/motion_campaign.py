@@ -1,0 +1,54 @@
+"""Runs random scenes of bodies in motion and judges each: it ends by rest or time, nothing crosses, its books close.
+
+    motion_campaign.py PROGRAM [--count 100] [--seed 1] [--jobs 1] [--time-limit 120] [--keep FOLDER]
+
+Exit code 1 where some scene fails; each such scene is a line.
+"""
+
+import argparse
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "python"))
+
+from ddapath import study  # noqa: E402
+from ddapath.verify import verify  # noqa: E402
+from moving_scenes import scene_of  # noqa: E402
+
+
+def judged(seed, folder, asked):
+    """(seconds, what is wrong or "", what is special about the scene)"""
+    deck, what = scene_of(seed)
+    done = study.measured(deck, folder / str(seed), limit=asked.time_limit, program=asked.program)
+    if done.exit_code != 0:
+        return done.seconds, f"exit code {done.exit_code}: {done.said.strip()[-300:]}", what
+    wrong = [f"{finding.check} {finding.worst:.1e} > {finding.bound:.0e} ({finding.place})"
+             for finding in verify(done.run.folder) if not finding.holds]
+    return done.seconds, "; ".join(wrong), what
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program", type=lambda name: str(Path(name).resolve()))
+    parser.add_argument("--count", type=int, default=100)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--jobs", type=int, default=1)
+    parser.add_argument("--time-limit", type=float, default=120)
+    parser.add_argument("--keep", type=Path, help="keeps the runs here")
+    asked = parser.parse_args()
+    with tempfile.TemporaryDirectory(prefix="ddapath-") as scratch, ThreadPoolExecutor(asked.jobs) as pool:
+        folder = asked.keep or Path(scratch)
+        seeds = range(asked.seed, asked.seed + asked.count)
+        good = 0
+        for seed, (seconds, wrong, what) in zip(seeds, pool.map(lambda s: judged(s, folder, asked), seeds)):
+            good += not wrong
+            if wrong or seconds > asked.time_limit / 2:
+                print(f"{seed}: {what}, {seconds:.0f} s: {wrong or 'slow'}", flush=True)
+    print(f"{good} of {asked.count} scenes good")
+    return 0 if good == asked.count else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
