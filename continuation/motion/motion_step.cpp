@@ -32,13 +32,36 @@ MotionStep StepSolver::solve(const Poses& start, const Inertia& inertia, const S
     is_met = is_last || sliders.empty();
     potential_.set_sliders(std::move(sliders));
     rounding_ = potential_.rounding(out.poses, inertia.per_square_time);
+    if (pass == 0) out.poses = predicted(start, inertia);
     const Minimised found = minimise(out.poses, inertia, is_met ? tolerances_.tolerance : tolerances_.loose);
     out.iterations += found.iterations;
+    fprintf(stderr, "pass %d met %d it %d sliders %zu ", pass, is_met, found.iterations,
+            potential_.sliders().size());
     out.failure = found.failure;
     if (!out.converged() || is_last) break;
   }
   out.sliders = potential_.sliders();
   return out;
+}
+
+/// Where the step is looked for first: as far on the way of flight as cores are free, if that is lower than the start.
+Poses StepSolver::predicted(const Poses& start, const Inertia& inertia) {
+  Poses way(start.size(), Pose::Zero());
+  for (std::size_t b = 0; b < start.size(); ++b)
+    if (!scene_.bodies[b].is_held) way[b] = inertia.flight[b] - start[b];
+  potential_.set_candidates(potential_.all_candidates(start, advanced(start, way, 1)));
+  const double free = std::min(bearable_share(way), potential_.free_share(start, way));
+  Poses out = advanced(start, way, free);
+  const auto value = [&](const Poses& z) {
+    double sum = potential_.value(z);
+    for (std::size_t b = 0; b < z.size(); ++b)
+      if (!scene_.bodies[b].is_held)
+        sum += inertia.per_square_time *
+               (z[b] - inertia.flight[b]).dot(scene_.bodies[b].block.times_mass(z[b] - inertia.flight[b])) /
+               2;
+    return sum;
+  };
+  return value(out) < value(start) ? out : start;
 }
 
 /// The largest change of a bound since the pass before, over the largest bound; 0 without friction.
@@ -170,11 +193,10 @@ double StepSolver::bearable_share(const Poses& dz) const {
 /// Whether it is positive definite. The order of elimination is kept as long as the same bodies may meet.
 bool StepSolver::factor(const Potential::Curvature& curvature) {
   if (curvature.has_new_pattern || !is_analysed_) {
-    factor_.analyzePattern(curvature.matrix);
+    factor_.analyse(curvature.matrix);
     is_analysed_ = true;
   }
-  factor_.factorize(curvature.matrix);
-  return factor_.info() == Eigen::Success && (factor_.vectorD().array() > 0).all();
+  return factor_.factorise(curvature.matrix);
 }
 
 /// Where the slope along dz has fallen to a fifth, by bisection and the Illinois rule; as far as cores are free where it

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <Eigen/SparseCholesky>
 #include <string>
 
+#include "continuation/motion/positive_factor.hpp"
 #include "continuation/motion/potential.hpp"
 
 namespace dda {
@@ -63,6 +63,7 @@ class StepSolver {
   double excess(const Eigen::VectorXd& gradient, std::size_t* worst) const;
   double force_scale(const Poses& start, const Inertia& inertia) const;
 
+  Poses predicted(const Poses& start, const Inertia& inertia);
   Poses ways_of_held(const Poses& z, const Inertia& inertia) const;
   Poses direction(const Poses& z, const Inertia& inertia, const Eigen::VectorXd& gradient);
   double bearable_share(const Poses& dz) const;
@@ -73,7 +74,7 @@ class StepSolver {
   MotionTolerances tolerances_;
   double scale_ = 0;              ///< of forces [F]
   std::vector<double> rounding_;  ///< of those on each body [F]
-  Eigen::SimplicialLDLT<Potential::Matrix> factor_;
+  PositiveFactor factor_;
   bool is_analysed_ = false;
 };
 

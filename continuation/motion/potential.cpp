@@ -201,6 +201,15 @@ std::vector<double> Potential::rounding(const Poses& at, double per_square_time)
   return out;
 }
 
+double Potential::value(const Poses& at) const {
+  double out = stored(at).sum();
+  for (std::size_t b = 0; b < scene_.num_bodies(); ++b)
+    if (rows_[b] >= 0) out -= scene_.load_on(b).dot(at[b]);
+  for (const Slider& slider : sliders_) out += slider.spent(slider.reached(start_, at));
+  for (std::size_t i = 0; i < bonds_.size(); ++i) out += spending(bonds_[i], state_of(i, at));
+  return out;
+}
+
 StoredEnergies Potential::stored(const Poses& at) const {
   StoredEnergies out;
   for (std::size_t b = 0; b < scene_.num_bodies(); ++b)

@@ -50,6 +50,8 @@ class Potential {
   };
   Curvature curvature(const Poses& at, double per_square_time, Softening softening, const Poses& ways);
   StoredEnergies stored(const Poses& at) const;
+  /// Π, what joints and sliders would spend on the way included [F L].
+  double value(const Poses& at) const;
   /// What rounding of places may leave of the forces on each body, those of inertia c M included: stiffness times
   /// 4 ε |x|, summed [F].
   std::vector<double> rounding(const Poses& at, double per_square_time) const;

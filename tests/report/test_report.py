@@ -18,6 +18,12 @@ ROOT = Path(__file__).resolve().parents[2]
 BEAM = ROOT / "tests/program/beam.yaml"
 BAR = ROOT / "studies/softening-bar/deck.yaml"
 CRACKED = ROOT / "tests/program/cracked_beam.yaml"
+THROWN = """
+scene: {type: polygons, regions: [{name: block, material: stone, vertices: [[0, 0], [1, 0], [1, 1], [0, 1]]}]}
+thickness: 1
+materials: {stone: {type: linear_elastic, young_modulus: 1e7, density: 2.5}}
+motion: {time: 0.5, gravity: [0, -9.81], contact: {friction: 0}, velocities: [{regions: [block], velocity: [1, 1], spin: 3}]}
+"""
 ATTACK = "</script><script>window.stolen = 1</script><img src=x onerror=window.stolen=1>"
 PROGRAM, AXES = "dda", "axes"
 
@@ -270,6 +276,22 @@ class Reports(unittest.TestCase):
         self.assertIn("fields/mesh.h5", self.text(page, ".notice"))
         self.assertIn("highest load so far", self.text(page, "#numbers").lower())
         self.check(page)
+
+    def test_a_motion_without_a_path(self):
+        """Its blocks move at true scale, a slider goes through the frames, energies stand beside them."""
+        deck = self.work / "thrown.yaml"
+        deck.write_text(THROWN)
+        dda("run", deck, "--folder", self.work / "thrown", "--quiet")
+        page = self.open(self.work / "thrown")
+        self.check(page)
+        self.assertIn("the time 0.5 is reached", self.text(page, "#motion"))
+        self.assertEqual(page.run("thePage.figures.motion.moving.options.magnification"), 1)
+        last = int(page.run("document.querySelector('#moving canvas').dataset.step"))
+        self.assertGreater(last, 10)
+        page.run("thePage.figures.motion.shown.set(0)")
+        page.drawn()
+        self.assertEqual(page.run("document.querySelector('#moving canvas').dataset.step"), "0")
+        self.assertIn("external work", self.text(page, "#motion-energies"))
 
     def test_a_sweep(self):
         folder = self.work / "sweep"

@@ -5,9 +5,10 @@ class DeformedFigure {
    * shown: the Choice of the place in the list of stored steps. isTrue: displacements are shown as large as they are.
    */
   constructor(blocks, shown, {name, stepText, id = "deformed", isTrue = false}) {
-    Object.assign(this, {blocks, shown, name, stepText, id});
+    Object.assign(this, {blocks, shown, name, stepText, id, isTrue});
     this.automatic = isTrue ? 1 : this.automaticMagnification();
-    this.options = {magnification: this.automatic, field: "none", cracks: "opening", everyStep: true, view: null};
+    const cracks = isTrue ? "none" : "opening";
+    this.options = {magnification: this.automatic, field: "none", cracks, everyStep: true, view: null};
     this.canvas =
         element("canvas", {role: "img", tabindex: 0, "aria-label": "Deformed blocks and cracks at the chosen step"});
     this.stage = element("div", {class: "stage"}, this.canvas);
@@ -51,14 +52,15 @@ class DeformedFigure {
   toolbar() {
     const fields = Object.entries(BLOCK_FIELDS).map(([key, {text}]) => [key, text]);
     const middle = () => [this.stage.clientWidth / 2, this.height / 2];
+    const ofCracks = [
+      chooser(
+          "cracks by", [["opening", "opening"], ["sliding", "sliding"], ["damage", "damage"], ["none", "not shown"]], "opening",
+          (value) => this.set("cracks", value)),
+      this.blocks.stressUnit ? chooser("blocks by", fields, "none", (value) => this.set("field", value)) : null,
+      checkbox("one scale for all steps", true, (value) => this.set("everyStep", value)),
+    ];
     return element(
-        "div", {class: "toolbar"},
-        chooser(
-            "cracks by", [["opening", "opening"], ["sliding", "sliding"], ["damage", "damage"], ["none", "not shown"]],
-            "opening", (value) => this.set("cracks", value)),
-        this.blocks.stressUnit ? chooser("blocks by", fields, "none", (value) => this.set("field", value)) : null,
-        checkbox("one scale for all steps", true, (value) => this.set("everyStep", value)),
-        figureButtons(this.actions(), middle, () => this.save()));
+        "div", {class: "toolbar"}, this.isTrue ? null : ofCracks, figureButtons(this.actions(), middle, () => this.save()));
   }
 
   player() {

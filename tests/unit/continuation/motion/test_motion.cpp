@@ -266,6 +266,23 @@ TEST(Motion, GoesWithAGroundThatIsDriven) {
   EXPECT_LT(unbalanced(motion, density), 1e-6);
 }
 
+TEST(Motion, GoesOnWhereItStoodWithTheSameBits) {
+  const MovingScene of =
+      scene(0.5, {body(box(-5, -1, 9, 0), true), body(box(0, 0.1, 1, 1.1)), body(box(0.2, 1.2, 1.2, 2.2))},
+            {0, -gravity});
+  Poses velocities = at_rest(of);
+  velocities[1][0] = 1;
+  const MotionCourse course{.time = 0.6, .stops_at_rest = false};
+  Motion whole(of, {}, undeformed(of), velocities, course), later(of, {}, undeformed(of), velocities, course);
+  for (int i = 0; i < 80; ++i) ASSERT_TRUE(whole.advance());
+  later.restore(whole.memory(), {});
+  run(whole);
+  run(later);
+  EXPECT_EQ(later.time(), whole.time());
+  EXPECT_EQ(later.poses(), whole.poses());
+  EXPECT_EQ(later.ledger().friction, whole.ledger().friction);
+}
+
 TEST(Motion, NothingCrossesWhateverIsThrown) {
   for (unsigned seed = 1; seed <= 4; ++seed) {
     std::mt19937 random(seed);
