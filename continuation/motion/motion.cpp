@@ -215,7 +215,9 @@ bool Motion::creates_energy(const MotionLedger& step) const {
                (2 * scene_.bodies[b].block.mass);
   const double all =
       m_.ledger.kinetic + step.kinetic + m_.ledger.stored.sum() + step.stored.sum() + std::abs(step.external);
-  return -step.numerical > given + bearable * all + hardly * m_.most_kinetic;
+  const double ahead =
+      step.friction + step.fracture;  // booked up to half a step before the work that is spent
+  return -step.numerical > given + ahead + bearable * all + hardly * m_.most_kinetic;
 }
 
 /// What the sliders keep, and whether any has slid.

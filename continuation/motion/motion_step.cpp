@@ -35,8 +35,6 @@ MotionStep StepSolver::solve(const Poses& start, const Inertia& inertia, const S
     if (pass == 0) out.poses = predicted(start, inertia);
     const Minimised found = minimise(out.poses, inertia, is_met ? tolerances_.tolerance : tolerances_.loose);
     out.iterations += found.iterations;
-    fprintf(stderr, "pass %d met %d it %d sliders %zu ", pass, is_met, found.iterations,
-            potential_.sliders().size());
     out.failure = found.failure;
     if (!out.converged() || is_last) break;
   }

@@ -266,6 +266,15 @@ TEST(Motion, GoesWithAGroundThatIsDriven) {
   EXPECT_LT(unbalanced(motion, density), 1e-6);
 }
 
+TEST(Motion, IsDraggedByAGroundThatSetsOutAtOnce) {
+  MovingScene of = scene(0.5, {body(box(-5, -1, 9, 0), true), body(box(0, 0, 1, 1))}, {0, -gravity});
+  of.drives.push_back({{0}, {1, 0}, std::make_shared<Steady>(0.8)});
+  Motion motion(of, {}, undeformed(of), at_rest(of), {.time = 0.1, .stops_at_rest = false});
+  run(motion);
+  EXPECT_NEAR((motion.poses()[1][0] - 0.5) / (0.5 * gravity * 0.01 / 2), 1, 0.05);
+  EXPECT_EQ(motion.rejected(), 0);
+}
+
 TEST(Motion, GoesOnWhereItStoodWithTheSameBits) {
   const MovingScene of =
       scene(0.5, {body(box(-5, -1, 9, 0), true), body(box(0, 0.1, 1, 1.1)), body(box(0.2, 1.2, 1.2, 2.2))},
