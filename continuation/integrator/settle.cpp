@@ -27,8 +27,8 @@ class Settle final : public Integrator {
 }  // namespace
 
 DDA_REGISTER(integrators(), "settle",
-             Schema<NoParameters>(
-                 "Without inertia: down to rest under friction, a static answer for masonry and rubble; its times mean nothing."),
+             Schema<NoParameters>("Without inertia: down to rest under friction, a static answer for masonry "
+                                  "and rubble; its times mean nothing."),
              make_of<Settle>);
 
 }  // namespace dda
