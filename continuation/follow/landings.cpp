@@ -58,10 +58,10 @@ std::optional<Point> land(PathState& path, const Candidate& beyond, const Crossi
   return point;
 }
 
-std::optional<Point> land_ahead(PathState& path, double amount, bool slides) {
+std::optional<Point> land_ahead(PathState& path, double amount, std::optional<double> most) {
   Candidate predicted = path.walker.here();
   predicted.state = path.walker.ahead(amount);
-  if (slides) predicted.dissipated = std::numeric_limits<double>::infinity();
+  predicted.dissipated = most.value_or(predicted.dissipated);
   const auto crossing = first_crossing(path, predicted);
   return crossing ? land(path, predicted, *crossing, StepKind::event) : std::nullopt;
 }

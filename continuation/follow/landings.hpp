@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "continuation/course/path_state.hpp"
 
 namespace dda {
@@ -21,9 +23,9 @@ std::optional<Crossing> first_crossing(const PathState& path, const Candidate& c
 /// The step that ends exactly there instead of beyond it.
 std::optional<Point> land(PathState& path, const Candidate& beyond, const Crossing& crossing, StepKind kind);
 
-/// Lands on a wanted value that lies before an event predicted `amount` ahead, up to which nothing is
-/// dissipated unless joints slide.
-std::optional<Point> land_ahead(PathState& path, double amount, bool slides = false);
+/// Lands on a wanted value that lies before an event predicted `amount` ahead, by when no more than `most` is dissipated;
+/// without it nothing from here on.
+std::optional<Point> land_ahead(PathState& path, double amount, std::optional<double> most = {});
 
 /// Along the leaving tangent to the first wanted value; infinite when none lies ahead.
 double amount_to_landing(const PathState& path);

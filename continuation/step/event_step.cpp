@@ -57,6 +57,8 @@ std::optional<Point> event_step(PathState& path) {
   }
   if (const auto crossing = first_crossing(path, *candidate)) {
     if (auto point = land(path, *candidate, *crossing, StepKind::event)) return point;
+    if (auto point = land_ahead(path, amount, candidate->dissipated))
+      return point;  // friction slides on the way
     if (auto point = approach(path, crossing->share * amount)) return point;
   }
   path.memory.step = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "continuation/contact/contact_piece.hpp"
 #include "continuation/follow/landings.hpp"
@@ -102,7 +103,7 @@ std::optional<Point> sliding_step(PathState& path) {
     if (!std::isfinite(goal) && !may_release && !moves_freely(path)) return linear_for_good(path);
     constexpr double beyond = 1.001;
     if (std::isfinite(goal))
-      if (auto point = land_ahead(path, beyond * goal, true)) return point;
+      if (auto point = land_ahead(path, beyond * goal, std::numeric_limits<double>::infinity())) return point;
   }
   const bool is_far = std::isfinite(change) &&
                       std::abs(path.walker.leaving().rate(path.load)) * change > path.smallest_load();
