@@ -1,4 +1,4 @@
-#include "continuation/motion/bonds.hpp"
+#include "continuation/bodies/bonds.hpp"
 
 #include <cmath>
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "continuation/motion/moving_scene.hpp"
+#include "continuation/bodies/moving_scene.hpp"
 #include "models/interface/law.hpp"
 
 namespace dda {

@@ -1,4 +1,4 @@
-#include "continuation/motion/meetings.hpp"
+#include "continuation/bodies/meetings.hpp"
 
 #include <algorithm>
 #include <numeric>

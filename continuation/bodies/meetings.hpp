@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "continuation/motion/moving_scene.hpp"
+#include "continuation/bodies/moving_scene.hpp"
 
 namespace dda {
 

@@ -1,6 +1,5 @@
-#include "continuation/motion/restitution.hpp"
+#include "continuation/bodies/restitution.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -40,13 +39,7 @@ Side side_of(const MovingScene& scene, std::size_t body, const Vec2& arm, const 
   return out;
 }
 
-/// The rigid part of a velocity: what a block's strain does besides is no approach of the block.
-RigidMotion rigid_part(const Pose& at, const Pose& velocity) {
-  const Mat2 rate = gradient_of(velocity) * gradient_of(at).inverse();
-  return {centre_of(velocity), (rate(1, 0) - rate(0, 1)) / 2};
-}
-
-/// How fast the sides of a contact part.
+/// How fast the sides of a contact part, as rigid bodies: what a block's strain does besides is no approach.
 double parting(const std::array<Side, 2>& sides, const Poses& at, const Poses& velocity) {
   double out = 0;
   for (const Side& side : sides) out += side.speed(rigid_part(at[side.body], velocity[side.body]));
@@ -58,7 +51,6 @@ double parting(const std::array<Side, 2>& sides, const Poses& at, const Poses& v
 std::vector<RigidMotion> rebound(const MovingScene& scene, const Impact& impact) {
   constexpr int sweeps = 200;
   constexpr double hardly = 1e-10;
-  if (!scene.meeting.restitution) return {};
   std::vector<Contact> contacts;
   double largest = 0;
   for (const Meeting& meeting : impact.meetings) {

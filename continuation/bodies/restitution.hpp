@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "continuation/bodies/meetings.hpp"
 #include "continuation/integrator/integrator.hpp"
-#include "continuation/motion/meetings.hpp"
 
 namespace dda {
 

@@ -1,4 +1,4 @@
-#include "continuation/motion/sliders.hpp"
+#include "continuation/bodies/sliders.hpp"
 
 namespace dda {
 

@@ -5,7 +5,7 @@
 #include <map>
 #include <vector>
 
-#include "continuation/motion/meetings.hpp"
+#include "continuation/bodies/meetings.hpp"
 
 namespace dda {
 

@@ -86,9 +86,8 @@ class Maker {
     centre /= mass;
     for (const std::size_t b : blocks) {
       const Vec2 arm = centre_of(out_.poses[b]) - centre;
-      Mat2 turn;
-      turn << 0, -thrown.spin, thrown.spin, 0;
-      out_.velocities[b] += pose_of(thrown.velocity + turn * arm, turn * gradient_of(out_.poses[b]));
+      const RigidMotion own = {thrown.velocity + thrown.spin * Vec2(-arm.y(), arm.x()), thrown.spin};
+      out_.velocities[b] += rate_of(out_.poses[b], own);
     }
   }
 

@@ -2,9 +2,9 @@
 
 #include <span>
 
+#include "continuation/bodies/bonds.hpp"
 #include "continuation/handover/motion_parameters.hpp"
 #include "continuation/handover/pieces.hpp"
-#include "continuation/motion/bonds.hpp"
 #include "continuation/state/system.hpp"
 
 namespace dda {

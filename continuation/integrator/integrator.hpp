@@ -14,12 +14,6 @@ struct Interval {
   bool begins = false;  ///< the motion, with a velocity that is that of now and no mean over dt₋
 };
 
-/// A velocity of the centroid and a spin.
-struct RigidMotion {
-  Vec2 velocity = Vec2::Zero();  ///< [L/T]
-  double spin = 0;               ///< [1/T]
-};
-
 /// How a body has come to where it is.
 struct BodyCourse {
   Pose before, now;                  ///< dt₋ ago, and now

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <Eigen/LU>
-
 #include "continuation/integrator/integrator.hpp"
 
 namespace dda {
@@ -15,9 +13,8 @@ class LastStep : public Integrator {
   virtual double mean(const Interval& dt) const = 0;
 
   BodyCourse begin(const Pose& now, const Pose& velocity, double dt) const final {
-    const Mat2 f = gradient_of(now), rate = gradient_of(velocity) * f.inverse();
     const BodyCourse at_rest{now, now, Pose::Zero(), Pose::Zero()};
-    return pushed(at_rest, {centre_of(velocity), (rate(1, 0) - rate(0, 1)) / 2}, dt);
+    return pushed(at_rest, rigid_part(now, velocity), dt);
   }
   BodyCourse pushed(const BodyCourse& at, const RigidMotion& by, double dt) const final {
     BodyCourse out = at;

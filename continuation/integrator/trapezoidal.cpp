@@ -30,9 +30,7 @@ class Trapezoidal final : public Integrator {
   }
   BodyCourse pushed(const BodyCourse& at, const RigidMotion& by, double) const override {
     BodyCourse out = at;
-    Mat2 turn;
-    turn << 0, -by.spin, by.spin, 0;
-    out.velocity += pose_of(by.velocity, turn * gradient_of(at.now));
+    out.velocity += rate_of(at.now, by);
     return out;
   }
 };

@@ -8,7 +8,7 @@
 #include <limits>
 #include <numeric>
 
-#include "continuation/motion/restitution.hpp"
+#include "continuation/bodies/restitution.hpp"
 
 namespace dda {
 namespace {
@@ -52,7 +52,6 @@ Motion::Motion(const MovingScene& scene, std::vector<Bond> bonds, Poses poses, P
   std::iota(m_.bonds.begin(), m_.bonds.end(), std::size_t{0});
   search_ = std::make_unique<MeetingSearch>(scene_, m_.joined);
   release();
-  keep_histories();
   const Eigen::VectorXd forces = potential_->gradient(now_);
   for (std::size_t b = 0; b < now_.size(); ++b) {
     if (scene_.bodies[b].is_held) continue;
@@ -69,6 +68,7 @@ void Motion::restore(MotionMemory memory, const std::vector<Bond>& bonds) {
     bonds_.push_back(bonds.at(m_.bonds[i]));
     bonds_.back().history = m_.histories[i];
   }
+  m_.histories.clear();
   for (std::size_t b = 0; b < now_.size(); ++b) now_[b] = m_.courses[b].now;
   make_solver();
   end_if_due();
@@ -80,6 +80,12 @@ void Motion::make_solver() {
   potential_ = std::make_unique<Potential>(scene_, *search_, bonds_);
   solver_ = std::make_unique<StepSolver>(scene_, *potential_, course_.tolerances);
   potential_->begin(now_);
+}
+
+MotionMemory Motion::memory() const {
+  MotionMemory out = m_;
+  for (const Bond& bond : bonds_) out.histories.push_back(bond.history);
+  return out;
 }
 
 Poses Motion::velocities() const {
@@ -254,6 +260,7 @@ bool Motion::crack(const MotionStep& step) {
 
 /// What impacts give back, as far as the step has taken it.
 void Motion::bounce(Try& step) {
+  if (!scene_.meeting.restitution) return;
   constexpr double steps = 3;  // of falling, whose speed is that of contacts which stay
   Poses approach, velocity;
   for (std::size_t b = 0; b < now_.size(); ++b) {
@@ -313,13 +320,7 @@ void Motion::accept(Try step) {
     m_.ledger.numerical -= potential_->stored(now_).sum() - m_.ledger.stored.sum();
     m_.ledger.stored = potential_->stored(now_);
   }
-  keep_histories();
   potential_->begin(now_);
-}
-
-void Motion::keep_histories() {
-  m_.histories.clear();
-  for (const Bond& bond : bonds_) m_.histories.push_back(bond.history);
 }
 
 void Motion::judge() {

@@ -45,7 +45,7 @@ class Motion {
 
   /// Where an earlier motion of the same scene, bonds and beginning stood: it goes on with the same bits.
   void restore(MotionMemory memory, const std::vector<Bond>& bonds);
-  const MotionMemory& memory() const { return m_; }
+  MotionMemory memory() const;
 
   /// One step on; false at the end.
   bool advance();
@@ -69,7 +69,6 @@ class Motion {
   struct Try;
   void release();
   void make_solver();
-  void keep_histories();
   bool has_left(const Bond& bond) const;
   Inertia aim() const;
   void set_step();
@@ -90,7 +89,7 @@ class Motion {
   std::unique_ptr<MeetingSearch> search_;
   std::unique_ptr<Potential> potential_;
   std::unique_ptr<StepSolver> solver_;
-  MotionMemory m_;
+  MotionMemory m_;     ///< but for the histories, which are those of bonds_
   Poses now_, start_;  ///< where bodies are, and where they were at first
   double natural_ = 0;
   double pull_ = 0;  ///< acceleration of all that moves, by the loads or by how fast it is [L/T²]

@@ -3,9 +3,9 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
+#include "continuation/bodies/bonds.hpp"
+#include "continuation/bodies/sliders.hpp"
 #include "continuation/motion/block_sum.hpp"
-#include "continuation/motion/bonds.hpp"
-#include "continuation/motion/sliders.hpp"
 
 namespace dda {
 

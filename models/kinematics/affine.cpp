@@ -16,6 +16,17 @@ Vec6 finite_row(const Vec6& row) {
   return (Vec6() << row[0], row[1], row[3], row[5] - row[2] / 2, row[5] + row[2] / 2, row[4]).finished();
 }
 
+Pose rate_of(const Pose& y, const RigidMotion& motion) {
+  Mat2 turn;
+  turn << 0, -motion.spin, motion.spin, 0;
+  return pose_of(motion.velocity, turn * gradient_of(y));
+}
+
+RigidMotion rigid_part(const Pose& y, const Pose& rate) {
+  const Mat2 turning = gradient_of(rate) * gradient_of(y).inverse();
+  return {centre_of(rate), (turning(1, 0) - turning(0, 1)) / 2};
+}
+
 Mat2 rotation(double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   return (Mat2() << c, -s, s, c).finished();

@@ -34,6 +34,15 @@ Pose finite_pose(const Vec2& centroid, const Vec6& d);
 /// material points. Exact, since either is made of a force and its four moments about the centroid.
 Vec6 finite_row(const Vec6& row);
 
+/// A velocity of the centroid and a spin.
+struct RigidMotion {
+  Vec2 velocity = Vec2::Zero();  ///< [L/T]
+  double spin = 0;               ///< [1/T]
+};
+/// The rate ẏ of a pose that moves so, and the rigid part of any rate: its centroid's, and the skew part of Ḟ F⁻¹.
+Pose rate_of(const Pose& y, const RigidMotion& motion);
+RigidMotion rigid_part(const Pose& y, const Pose& rate);
+
 /// F = R(angle) stretch, stretch symmetric.
 struct Polar {
   double angle = 0;  ///< in (−π, π]

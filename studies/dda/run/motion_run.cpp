@@ -209,12 +209,13 @@ class MotionRecorder {
   void write_restart_file() {
     written_ = Clock::now();
     at_.motion = motion_.memory();
-    write_motion_restart(folder_ / restart_name, at_, restart_deck(moved_.deck));
+    write_motion_restart(folder_ / restart_name, at_, deck_);
   }
 
   const fs::path folder_;
   const Moved moved_;
   const Motion& motion_;
+  const std::string deck_ = restart_deck(moved_.deck);
   CurveTable table_;
   ResultsWriter results_;
   MotionRestart at_;
