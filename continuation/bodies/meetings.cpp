@@ -109,9 +109,9 @@ class MeetingSearch::Placed {
 };
 
 /// The vertices of the first of a pair that meet the second.
-void MeetingSearch::meet(const Pair& pair, const Placed& placed, std::vector<Meeting>& out) const {
+void MeetingSearch::meet(const Pair& pair, const Placed& placed, double reach,
+                         std::vector<Meeting>& out) const {
   const auto [i, j] = pair;
-  const double reach = scene_.meeting.reach;
   const Vec2 low = placed.box(j).low.array() - reach, high = placed.box(j).high.array() + reach;
   if ((placed.box(i).low.array() > high.array()).any() || (placed.box(i).high.array() < low.array()).any())
     return;
@@ -133,14 +133,15 @@ void MeetingSearch::meet(const Pair& pair, const Placed& placed, std::vector<Mee
   }
 }
 
-std::vector<Meeting> MeetingSearch::find(const std::vector<Pair>& pairs, const Poses& at) const {
+std::vector<Meeting> MeetingSearch::find(const std::vector<Pair>& pairs, const Poses& at,
+                                         double reach) const {
   constexpr std::size_t pairs_at_once = 512;
   const Placed placed(scene_, at);
   std::vector<std::vector<Meeting>> found((pairs.size() + pairs_at_once - 1) / pairs_at_once);
   parallel_pieces(pairs.size(), pairs_at_once, [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) {
-      meet(pairs[p], placed, found[begin / pairs_at_once]);
-      meet({pairs[p].second, pairs[p].first}, placed, found[begin / pairs_at_once]);
+      meet(pairs[p], placed, reach, found[begin / pairs_at_once]);
+      meet({pairs[p].second, pairs[p].first}, placed, reach, found[begin / pairs_at_once]);
     }
   });
   if (found.size() == 1) return std::move(found.front());

@@ -43,7 +43,11 @@ class MeetingSearch {
   /// Pairs of bodies that come nearer than `reach` 2s anywhere on the straight ways from one pose to another, in order.
   std::vector<Pair> candidates(const Poses& from, const Poses& to) const;
   /// Meetings among these pairs, in order.
-  std::vector<Meeting> find(const std::vector<Pair>& pairs, const Poses& at) const;
+  std::vector<Meeting> find(const std::vector<Pair>& pairs, const Poses& at) const {
+    return find(pairs, at, scene_.meeting.reach);
+  }
+  /// The same for all that is nearer than `reach`.
+  std::vector<Meeting> find(const std::vector<Pair>& pairs, const Poses& at, double reach) const;
   /// The largest share of the ways z + a dz that is free: up to 0.8 of the distance to where cores touch.
   double free_share(const std::vector<Pair>& pairs, const Poses& z, const Poses& dz) const;
   /// Whether cores of some pair cross each other.
@@ -53,7 +57,7 @@ class MeetingSearch {
 
  private:
   class Placed;
-  void meet(const Pair& pair, const Placed& placed, std::vector<Meeting>& out) const;
+  void meet(const Pair& pair, const Placed& placed, double reach, std::vector<Meeting>& out) const;
 
   const MovingScene& scene_;
   std::vector<Pair> joined_;  ///< in order

@@ -18,7 +18,7 @@ struct Interval {
 struct BodyCourse {
   Pose before, now;                  ///< dt₋ ago, and now
   Pose velocity = Pose::Zero();      ///< ẏ, as the integrator means it [1/T]
-  Pose acceleration = Pose::Zero();  ///< ÿ now, of those integrators that need it [1/T²]
+  Pose acceleration = Pose::Zero();  ///< ÿ, as the last step has found it [1/T²]
 };
 
 /// A step of a body: from where it is, past where inertia would take it, to where it has come.

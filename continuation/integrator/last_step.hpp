@@ -25,7 +25,8 @@ class LastStep : public Integrator {
   }
   double per_square_time(const Interval& dt) const final { return 1 / (dt.now * mean(dt)); }
   BodyCourse arrive(const BodyStep& step) const final {
-    return {step.start.now, step.reached, (step.reached - step.start.now) / step.dt.now, Pose::Zero()};
+    return {step.start.now, step.reached, (step.reached - step.start.now) / step.dt.now,
+            per_square_time(step.dt) * (step.reached - step.flight)};
   }
   BodyWork work(const AffineBlock& block, const BodyStep& step) const final {
     const double share = mean(step.dt) / step.dt.now;

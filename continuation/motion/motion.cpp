@@ -113,7 +113,7 @@ double Motion::longest() const {
 
 /// Where inertia takes bodies in the step; what is held stays, or goes where it is driven.
 Inertia Motion::aim() const {
-  Inertia out{now_, course_.integrator->per_square_time(m_.dt)};
+  Inertia out{now_, {}, course_.integrator->per_square_time(m_.dt)};
   for (std::size_t b = 0; b < now_.size(); ++b)
     if (!scene_.bodies[b].is_held) out.flight[b] = course_.integrator->flight(m_.courses[b], m_.dt);
   for (const Drive& drive : scene_.drives)
@@ -121,6 +121,9 @@ Inertia Motion::aim() const {
   for (const Drive& drive : scene_.drives)
     for (const std::size_t b : drive.bodies)
       out.flight[b].head<2>() += drive.displacement->at(m_.time + m_.dt.now) * drive.direction;
+  out.likely = out.flight;
+  for (std::size_t b = 0; b < now_.size(); ++b)
+    if (!scene_.bodies[b].is_held) out.likely[b] += m_.courses[b].acceleration / out.per_square_time;
   return out;
 }
 

@@ -16,6 +16,12 @@ Poses advanced(const Poses& z, const Poses& dz, double share) {
   return out;
 }
 
+double slope_along(const Vector& gradient, const Poses& way) {
+  double out = 0;
+  for (std::size_t b = 0; b < way.size(); ++b) out += of_body(gradient, b).dot(way[b]);
+  return out;
+}
+
 }  // namespace
 
 MotionStep StepSolver::solve(const Poses& start, const Inertia& inertia, const SliderMemory& memory) {
@@ -42,24 +48,33 @@ MotionStep StepSolver::solve(const Poses& start, const Inertia& inertia, const S
   return out;
 }
 
-/// Where the step is looked for first: as far on the way of flight as cores are free, if that is lower than the start.
+/// Where the step is looked for first: the lowest of the start and of what is free for cores on the ways of flight and of
+/// the last accelerations.
 Poses StepSolver::predicted(const Poses& start, const Inertia& inertia) {
-  Poses way(start.size(), Pose::Zero());
-  for (std::size_t b = 0; b < start.size(); ++b)
-    if (!scene_.bodies[b].is_held) way[b] = inertia.flight[b] - start[b];
-  potential_.set_candidates(potential_.all_candidates(start, advanced(start, way, 1)));
-  const double free = std::min(bearable_share(way), potential_.free_share(start, way));
-  Poses out = advanced(start, way, free);
-  const auto value = [&](const Poses& z) {
-    double sum = potential_.value(z);
-    for (std::size_t b = 0; b < z.size(); ++b)
-      if (!scene_.bodies[b].is_held)
-        sum += inertia.per_square_time *
-               (z[b] - inertia.flight[b]).dot(scene_.bodies[b].block.times_mass(z[b] - inertia.flight[b])) /
-               2;
-    return sum;
-  };
-  return value(out) < value(start) ? out : start;
+  Poses lowest = start;
+  double least = objective(start, inertia);
+  for (const Poses* end : {&inertia.likely, &inertia.flight}) {
+    Poses way(start.size(), Pose::Zero());
+    for (std::size_t b = 0; b < start.size(); ++b)
+      if (!scene_.bodies[b].is_held) way[b] = (*end)[b] - start[b];
+    potential_.set_candidates(potential_.all_candidates(start, advanced(start, way, 1)));
+    Poses there = advanced(start, way, std::min(bearable_share(way), potential_.free_share(start, way)));
+    const double value = objective(there, inertia);
+    if (!(value < least)) continue;
+    least = value;
+    lowest = std::move(there);
+  }
+  return lowest;
+}
+
+/// What the step makes least.
+double StepSolver::objective(const Poses& z, const Inertia& inertia) const {
+  double sum = potential_.value(z);
+  for (std::size_t b = 0; b < z.size(); ++b)
+    if (!scene_.bodies[b].is_held)
+      sum += inertia.per_square_time *
+             (z[b] - inertia.flight[b]).dot(scene_.bodies[b].block.times_mass(z[b] - inertia.flight[b])) / 2;
+  return sum;
 }
 
 /// The largest change of a bound since the pass before, over the largest bound; 0 without friction.
@@ -135,7 +150,7 @@ Poses StepSolver::direction(const Poses& z, const Inertia& inertia, const Vector
     Vector right = -k.pull;
     for (std::size_t b = 0; b < z.size(); ++b)
       if (const int row = potential_.row_of(b); row >= 0) right.segment<6>(6 * row) -= of_body(gradient, b);
-    const Vector dv = factor_.solve(right);
+    const Vector dv = dz.empty() ? ClampedMinimum(factor_, k.springs).solve(right) : factor_.solve(right);
     if (!dv.allFinite() || !(dv.dot(right) > 0)) continue;
     dz.resize(z.size(), Pose::Zero());
     for (std::size_t b = 0; b < z.size(); ++b)
@@ -148,8 +163,8 @@ Poses StepSolver::direction(const Poses& z, const Inertia& inertia, const Vector
 StepSolver::Minimised StepSolver::minimise(Poses& z, const Inertia& inertia, double tolerance) {
   Minimised out;
   potential_.set_candidates(potential_.all_candidates(z, z));
+  Vector g = gradient(z, inertia);
   for (;; ++out.iterations) {
-    const Vector g = gradient(z, inertia);
     std::size_t worst = 0;
     const double left = excess(g, &worst);
     const bool is_driven = !ways_of_held(z, inertia).empty();
@@ -166,13 +181,16 @@ StepSolver::Minimised StepSolver::minimise(Poses& z, const Inertia& inertia, dou
     }
     potential_.set_candidates(potential_.all_candidates(z, advanced(z, dz, 1)));
     const double free = std::min(bearable_share(dz), potential_.free_share(z, dz));
-    double slope = 0;
-    for (std::size_t b = 0; b < z.size(); ++b) slope += of_body(g, b).dot(dz[b]);
-    const double share = is_driven ? free : line_search(z, dz, inertia, {slope, free});
-    z = advanced(z, dz, share);
-    if (share == 1)
-      for (std::size_t b = 0; b < z.size(); ++b)
+    if (is_driven) {
+      z = advanced(z, dz, free);
+      for (std::size_t b = 0; free == 1 && b < z.size(); ++b)
         if (scene_.bodies[b].is_held) z[b] = inertia.flight[b];
+      g = gradient(z, inertia);
+      continue;
+    }
+    Found found = line_search(z, dz, inertia, {slope_along(g, dz), free});
+    z = advanced(z, dz, found.share);
+    g = std::move(found.gradient);
   }
 }
 
@@ -199,28 +217,27 @@ bool StepSolver::factor(const Potential::Curvature& curvature) {
 
 /// Where the slope along dz has fallen to a fifth, by bisection and the Illinois rule; as far as cores are free where it
 /// still leads down there.
-double StepSolver::line_search(const Poses& z, const Poses& dz, const Inertia& inertia,
-                               const Descent& descent) const {
+StepSolver::Found StepSolver::line_search(const Poses& z, const Poses& dz, const Inertia& inertia,
+                                          const Descent& descent) const {
   constexpr double flat = 0.2;
   constexpr int most = 40;
+  Found out{descent.free, {}};
   const auto slope_at = [&](double a) {
-    const Vector g = gradient(advanced(z, dz, a), inertia);
-    double out = 0;
-    for (std::size_t b = 0; b < dz.size(); ++b) out += of_body(g, b).dot(dz[b]);
-    return out;
+    out = {a, gradient(advanced(z, dz, a), inertia)};
+    return slope_along(out.gradient, dz);
   };
   const double first = descent.slope;
   double low = 0, high = descent.free, at_low = first, at_high = slope_at(high);
-  if (!(at_high > flat * std::abs(first))) return high;
-  double a = high;
+  if (!(at_high > flat * std::abs(first))) return out;
   for (int i = 0; i < most; ++i) {
-    a = i % 3 == 2 ? (low + high) / 2 : low - at_low * (high - low) / (at_high - at_low);
-    const double now = slope_at(a);
-    if (std::abs(now) <= flat * std::abs(first)) return a;
-    (now > 0 ? high : low) = a;
+    const double now =
+        slope_at(i % 3 == 2 ? (low + high) / 2 : low - at_low * (high - low) / (at_high - at_low));
+    if (std::abs(now) <= flat * std::abs(first)) return out;
+    (now > 0 ? high : low) = out.share;
     (now > 0 ? at_high : at_low) = now;
   }
-  return low > 0 ? low : a;
+  if (low > 0) slope_at(low);
+  return out;
 }
 
 std::vector<Slider> StepSolver::sliders_at(const Poses& z, const SliderMemory& memory,

@@ -11,9 +11,9 @@ namespace dda {
 struct MotionTolerances {
   double tolerance =
       1e-6;             ///< of what is left of the forces on a body, over the forces that act in the scene
-  double loose = 1e-3;  ///< the same in all passes but the last
+  double loose = 0.03;  ///< the same in all passes but the last
   double friction_change = 0.01;  ///< of normal forces, between passes, over the largest of them
-  int most_passes = 3;
+  int most_passes = 4;
   int most_iterations = 100;  ///< of Newton's method, in one pass
 };
 
@@ -30,6 +30,7 @@ struct MotionStep {
 /// ½ c |y − ŷ|²_M; ŷ of held bodies is where they go.
 struct Inertia {
   Poses flight;                ///< ŷ
+  Poses likely;                ///< where the accelerations of the last step would lead
   double per_square_time = 0;  ///< c [1/T²]
 };
 
@@ -57,13 +58,19 @@ class StepSolver {
   struct Descent {
     double slope, free;
   };
-  double line_search(const Poses& z, const Poses& dz, const Inertia& inertia, const Descent& descent) const;
+  /// Where a line search has ended.
+  struct Found {
+    double share;
+    Eigen::VectorXd gradient;
+  };
+  Found line_search(const Poses& z, const Poses& dz, const Inertia& inertia, const Descent& descent) const;
   std::vector<Slider> sliders_at(const Poses& z, const SliderMemory& memory, bool uses_memory) const;
   double change_of_bounds(const std::vector<Slider>& sliders) const;
   double excess(const Eigen::VectorXd& gradient, std::size_t* worst) const;
   double force_scale(const Poses& start, const Inertia& inertia) const;
 
   Poses predicted(const Poses& start, const Inertia& inertia);
+  double objective(const Poses& z, const Inertia& inertia) const;
   Poses ways_of_held(const Poses& z, const Inertia& inertia) const;
   Poses direction(const Poses& z, const Inertia& inertia, const Eigen::VectorXd& gradient);
   double bearable_share(const Poses& dz) const;

@@ -34,4 +34,10 @@ Eigen::VectorXd PositiveFactor::solve(const Eigen::VectorXd& right) const {
   return cholmod_->factor.solve(right);
 }
 
+Eigen::MatrixXd PositiveFactor::solve_all(const Eigen::MatrixXd& right) const {
+  return cholmod_->factor.solve(right);
+}
+
+Eigen::Index PositiveFactor::num_rows() const { return cholmod_->factor.rows(); }
+
 }  // namespace dda

@@ -18,6 +18,8 @@ class PositiveFactor {
   /// Of a matrix with that pattern; false where it is not positive definite.
   bool factorise(const Matrix& lower);
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
+  Eigen::MatrixXd solve_all(const Eigen::MatrixXd& right) const;
+  Eigen::Index num_rows() const;
 
  private:
   struct Cholmod;

@@ -153,6 +153,34 @@ void Potential::add_bonds(const Poses& at, Softening softening, Curvatures& out)
   }
 }
 
+/// What touches, what would after a little way, and what slides.
+std::vector<ClampedSpring> Potential::clamped_springs(const Poses& at) const {
+  constexpr double further = 1.5;  // of the reach
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  std::vector<ClampedSpring> out;
+  const auto add = [&](const Meeting& meeting, const Vec2& direction, ClampedSpring spring) {
+    spring.bodies = bodies_of(meeting);
+    spring.rows = {rows_[meeting.key.body], rows_[meeting.key.other]};
+    spring.along = rows_along(meeting, direction);
+    out.push_back(spring);
+  };
+  const MeetingRules& rules = scene_.meeting;
+  for (const Meeting& meeting : search_.find(pairs_, at, further * rules.reach)) {
+    const double overlap = rules.reach - meeting.distance;
+    const auto [energy, force, stiffness] =
+        rules.law->respond(std::max(0.0, overlap), meeting.stiffness, rules.reach);
+    if (stiffness > 0)
+      add(meeting, -meeting.normal,
+          {.stiffness = stiffness, .at = overlap > 0 ? force / stiffness : overlap, .high = inf});
+  }
+  for (const Slider& slider : sliders_) {
+    const double u = slider.reached(start_, at);
+    add(slider.meeting, slider.tangent(),
+        {.stiffness = slider.stiffness, .at = u, .low = -slider.bound, .high = slider.bound});
+  }
+  return out;
+}
+
 Potential::Curvature Potential::curvature(const Poses& at, double per_square_time, Softening softening,
                                           const Poses& ways) {
   const bool has_new_pattern = prepare_pattern();
@@ -167,13 +195,11 @@ Potential::Curvature Potential::curvature(const Poses& at, double per_square_tim
       for (const auto& [j, row_j] : spring.rows)
         if (out.wants(i, j)) out.add(i, j, spring.stiffness * row_i * row_j.transpose());
   add_bonds(at, softening, out);
-  for (const Meeting& meeting : meetings(at))
-    out.add(bodies_of(meeting), rows_along(meeting, meeting.normal),
-            response_of(scene_.meeting, meeting).stiffness);
-  for (const Slider& slider : sliders_)
-    out.add(bodies_of(slider.meeting), rows_along(slider.meeting, slider.tangent()),
-            slider.slope(slider.reached(start_, at)));
-  return {sum_.matrix(), out.take_pull(), has_new_pattern};
+  std::vector<ClampedSpring> springs = clamped_springs(at);
+  for (const ClampedSpring& spring : springs)
+    if (spring.state(0) == ClampedSpring::State::within)
+      out.add(spring.bodies, spring.along, spring.stiffness);
+  return {sum_.matrix(), std::move(springs), out.take_pull(), has_new_pattern};
 }
 
 std::vector<double> Potential::rounding(const Poses& at, double per_square_time) const {

@@ -6,6 +6,7 @@
 #include "continuation/bodies/bonds.hpp"
 #include "continuation/bodies/sliders.hpp"
 #include "continuation/motion/block_sum.hpp"
+#include "continuation/motion/clamped_springs.hpp"
 
 namespace dda {
 
@@ -45,6 +46,7 @@ class Potential {
   /// are empty.
   struct Curvature {
     const Matrix& matrix;
+    std::vector<ClampedSpring> springs;  ///< contacts and sliders, and contacts that may come
     Vector pull;
     bool has_new_pattern;  ///< since the last time
   };
@@ -72,6 +74,7 @@ class Potential {
  private:
   void add_bonds(const Poses& at, Softening softening, class Curvatures& out) const;
   bool prepare_pattern();
+  std::vector<ClampedSpring> clamped_springs(const Poses& at) const;
 
   const MovingScene& scene_;
   const MeetingSearch& search_;
