@@ -55,6 +55,35 @@ def dump(tree):
     return yaml.dump(plain(tree), Dumper=_Dumper, sort_keys=False, default_flow_style=None, width=100, allow_unicode=True)
 
 
+def lines(tree, precise=7):
+    """YAML text to be read by people: a region, a material, an interface a line; numbers to so many decimals."""
+    def line(indent, begin, value):
+        flow = yaml.dump([_rounded(plain(value), precise)], Dumper=_Dumper, sort_keys=False, default_flow_style=True,
+                         width=float("inf"), allow_unicode=True)
+        return f"{' ' * indent}{begin} {flow.strip()[1:-1]}"
+
+    out = []
+    for key, value in tree.items():
+        if not isinstance(value, dict) or key in ("units", "path"):
+            out.append(line(0, f"{key}:", value))
+            continue
+        out.append(f"{key}:")
+        for name, item in value.items():
+            if name == "regions":
+                out += ["  regions:", *(line(4, "-", region) for region in item)]
+            else:
+                out.append(line(2, f"{name}:", item))
+    return "\n".join(out) + "\n"
+
+
+def _rounded(value, precise):
+    if isinstance(value, dict):
+        return {key: _rounded(item, precise) for key, item in value.items()}
+    if isinstance(value, list):
+        return [_rounded(item, precise) for item in value]
+    return round(value, precise) if isinstance(value, float) else value
+
+
 def read_deck(path):
     """The deck in a YAML file, a dictionary; numbers in the deck's own units.
 

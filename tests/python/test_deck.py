@@ -27,6 +27,14 @@ class Yaml(unittest.TestCase):
                 "nested": {"a": [[0, 0], [1, 0]], "b": {}}, "µ": "a: b # c", "exact": 0.1 + 0.2}
         self.assertEqual(decks.load(decks.dump(deck)), deck)
 
+    def test_lines_read_back_to_their_decimals(self):
+        deck = {"title": "a: b", "units": {"length": "m", "force": "N"},
+                "scene": {"type": "polygons", "regions": [{"name": "r", "vertices": [[0, 0.25], [1 / 3, 2]]}]},
+                "thickness": 1, "materials": {"m": {"type": "linear_elastic", "young_modulus": 1e10}}}
+        found = decks.load(decks.lines(deck))
+        self.assertEqual(found["scene"]["regions"][0]["vertices"], [[0, 0.25], [0.3333333, 2]])
+        self.assertEqual({**found, "scene": None}, {**deck, "scene": None})
+
     def test_values_of_numpy_and_paths(self):
         deck = {"a": np.float64(0.1), "b": np.arange(3), "c": (1, 2), "d": Path("x/y"), "e": range(2), "f": np.bool_(True)}
         self.assertEqual(decks.load(decks.dump(deck)),
