@@ -19,10 +19,12 @@ COLUMNS = ("case", "status", "exit", "steps", "rejected", "end", "peak", "expect
 def start_deck(deck, folder, program, limit):
     """Runs a deck into a folder: exit code (or `time`), seconds and the last line said.
 
-    `limit` is the processor time that it may take [s], so that a busy machine changes nothing.
+    `limit` is the processor time that it may take [s], so that a busy machine changes nothing. A second more is the hard
+    limit, at which it would be killed without saying why.
     """
     begun = time.monotonic()
-    command = ["prlimit", f"--cpu={math.ceil(limit)}", program, "run", str(deck), "--folder", str(folder), "--overwrite",
+    seconds = math.ceil(limit)
+    command = ["prlimit", f"--cpu={seconds}:{seconds + 1}", program, "run", str(deck), "--folder", str(folder), "--overwrite",
                "--quiet", "--threads", "1"]
     try:
         done = subprocess.run(command, capture_output=True, text=True, timeout=10 * limit, check=False)
