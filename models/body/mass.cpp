@@ -31,13 +31,14 @@ Mat6 integral(const LinearRows& a, const LinearRows& b, const Moments& moments) 
   return out;
 }
 
-Mat6 mass_of(const Block& block) {
+Mat6 integral_of(const Block& block) {
   const LinearRows rows = about(Vec2(Vec2::Zero()), displacement_rows);
   return integral(rows, rows, block.moments);
 }
 
-/// What the parts of a block that move beside it add to the nodes of their jumps, and share with the block.
-void add_parts(const Body& body, BlockId block, Mass& out) {
+/// What the parts of a block of some mass per area that move beside it add to the nodes of their jumps, and share with the
+/// block.
+void add_parts(const Body& body, BlockId block, double per_area, Mass& out) {
   const Vec2& centroid = body.block(block).moments.centroid;
   for (const Part& part : body.cracks->parts(block)) {
     const Moments of_part = moments(part.outline);
@@ -49,13 +50,32 @@ void add_parts(const Body& body, BlockId block, Mass& out) {
                          }));
     for (std::size_t i = 0; i < moves.size(); ++i)
       for (std::size_t j = std::max<std::size_t>(i, 1); j < moves.size(); ++j) {
-        const Mat6 m = body.thickness * integral(moves[i].second, moves[j].second, of_part);
+        const Mat6 m = per_area * integral(moves[i].second, moves[j].second, of_part);
         if (i == j)
           out.diagonal[moves[i].first.value()] += m;
         else
           out.couplings.push_back({moves[i].first, moves[j].first, m});
       }
   }
+}
+
+/// By densities of the blocks.
+Mass mass_with(const Body& body, const std::vector<double>& densities) {
+  Mass out;
+  const auto per_area = [&](std::size_t b) { return densities[b] * body.thickness; };
+  for (std::size_t b = 0; b < densities.size(); ++b)
+    out.diagonal.push_back(per_area(b) * integral_of(body.block(BlockId{b})));
+  if (!body.cracks) return out;
+  constexpr double next_to_none = 1e-9;
+  for (std::size_t j = 0; j < body.num_jumps(); ++j) {
+    const BlockId cut = body.cracks->cut_of(JumpId{j}).block;
+    Mat6 unused = Mat6::Zero();
+    unused.diagonal().tail<3>().setConstant(next_to_none * per_area(cut.value()) *
+                                            body.block(cut).moments.area);
+    out.diagonal.push_back(unused);
+  }
+  for (std::size_t b = 0; b < densities.size(); ++b) add_parts(body, BlockId{b}, per_area(b), out);
+  return out;
 }
 
 }  // namespace
@@ -90,18 +110,14 @@ Eigen::MatrixXd Mass::dense() const {
 }
 
 Mass unit_mass(const Body& body) {
-  Mass out;
-  for (const Block& block : body.assembly.blocks) out.diagonal.push_back(body.thickness * mass_of(block));
-  if (!body.cracks) return out;
-  constexpr double next_to_none = 1e-9;
-  for (std::size_t j = 0; j < body.num_jumps(); ++j) {
-    const Block& block = body.block(body.cracks->cut_of(JumpId{j}).block);
-    Mat6 unused = Mat6::Zero();
-    unused.diagonal().tail<3>().setConstant(next_to_none * body.thickness * block.moments.area);
-    out.diagonal.push_back(unused);
-  }
-  for (std::size_t b = 0; b < body.assembly.num_blocks(); ++b) add_parts(body, BlockId{b}, out);
-  return out;
+  return mass_with(body, std::vector<double>(body.assembly.num_blocks(), 1));
+}
+
+Mass mass_of(const Body& body) {
+  std::vector<double> densities;
+  for (std::size_t b = 0; b < body.assembly.num_blocks(); ++b)
+    densities.push_back(body.material(BlockId{b}).density());
+  return mass_with(body, densities);
 }
 
 }  // namespace dda

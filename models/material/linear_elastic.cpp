@@ -40,13 +40,12 @@ Schema<LinearElasticParameters> schema() {
               {.dimension = dimension::stress, .bounds = above(0), .text = "Young's modulus E."})
       .number("poisson_ratio", &P::poisson_ratio,
               {.fallback = 0.2, .bounds = strictly_between(-1, 0.5), .text = "Poisson's ratio ν."})
-      .number(
-          "density", &P::density,
-          {.fallback = 0,
-           .bounds = at_least(0),
-           .text =
-               "Density, for `motion` alone, in force · s²/length⁴: 2.4e-9 for concrete in N and mm; 0 is "
-               "none."});
+      .number("density", &P::density,
+              {.fallback = 0,
+               .bounds = at_least(0),
+               .text = "Density, for `motion` and frequencies alone, in force · s²/length⁴: 2.4e-9 for "
+                       "concrete in N and mm; 0 is "
+                       "none."});
 }
 
 }  // namespace

@@ -144,7 +144,7 @@ eigenvalues() {
   for file in eigenvalues.svg modes.svg; do [ -s seldom/$file ] || complain "no $file"; done
   # By contribution, at the end with a released joint: the eigenvalues are those of the sum.
   expect 0 "stiffness by contribution" "$program" run "$bar" --folder parts --quiet --set record.stiffness=true \
-    --set record.eigenvalues.count=4 --set record.eigenvalues.mass=false --set path.stop.load_below=0
+    --set record.eigenvalues.count=4 --set record.eigenvalues.mass=none --set path.stop.load_below=0
   /usr/bin/python3 - <<'PYTHON' || complain "the contributions do not add up to the eigenvalues"
 import csv, json
 import numpy

@@ -112,6 +112,24 @@ TEST(Eigenmodes, ChainOfBlocks) {
     EXPECT_NEAR(found.values[i], expected[i], 1e-3 * expected[i]);
 }
 
+/// With densities μ is ω²: those of blocks without mass, divided by ρ.
+TEST(Eigenmodes, DensitiesMakeThemFrequencies) {
+  constexpr double density = 2.4e-9;
+  std::string deck = row_of_blocks(4, 400);
+  const std::string key = "young_modulus:";
+  deck.insert(deck.find(key), fmt::format("density: {}, ", density));
+  const Structure structure(deck);
+  LinearSystem linear(structure.equilibrium, direct_solvers().choose("cholmod"),
+                      LinearSystem::Update::low_rank);
+  const Eigenmodes found = lowest_eigenmodes({.solve = [&](auto b, auto x) { linear.solve(b, x); },
+                                              .shifted = {},
+                                              .mass = mass_of(structure.body),
+                                              .count = 4});
+  const std::vector<double> expected = chain(4, 400, 4);
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    EXPECT_NEAR(found.values[i], expected[i] / density, 1e-3 * expected[i] / density);
+}
+
 /// Ties by multipliers: the physical stiffness has none of them.
 TEST(Eigenmodes, ChainTiedByMultipliers) {
   for (const std::string treatment : {"lagrange", "augmented_lagrangian"}) {

@@ -36,10 +36,15 @@ Schema<EigenvalueParameters> eigenvalue_schema() {
           {.fallback = {{}},
            .text = "Events at which they are computed as well. A peak that a jump follows is known only when "
                    "it has passed, and is none of them."})
-      .boolean("mass", &P::mass,
-               {.fallback = true,
-                .text = "K φ = μ M φ with the mass of density 1, which no unit of length changes; else K φ = "
-                        "μ φ."});
+      .one_of(
+          "mass", &P::mass,
+          {{"none", EigenvalueMass::none},
+           {"unit", EigenvalueMass::unit},
+           {"density", EigenvalueMass::density}},
+          {.fallback = EigenvalueMass::unit,
+           .text = "K φ = μ φ; K φ = μ M φ with the mass of density 1, which no unit of length changes; or "
+                   "K φ = ω² M φ with the `density` of the materials: then the frequencies ω/2π are columns "
+                   "frequency_1, frequency_2, ... as well [1/s], `nan` of modes that are not stable."});
 }
 
 Schema<ReferencePeak> reference_schema() {

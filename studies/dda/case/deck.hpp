@@ -15,12 +15,16 @@
 
 namespace dda {
 
+/// The M of K φ = μ M φ: identities, that of density 1, or that of the materials.
+enum class EigenvalueMass { none, unit, density };
+
 /// Eigenvalues of the tangent stiffness that a deck asks for.
 struct EigenvalueParameters {
   int count = 0;              ///< lowest eigenvalues per step; 0: none
   int every = 1;              ///< steps between them; 0: only at the events
   std::vector<EventKind> at;  ///< events at which they are computed as well
-  bool mass = true;           ///< K φ = μ M φ with M = ∫ TᵀT dV, else K φ = μ φ
+  EigenvalueMass mass = EigenvalueMass::unit;
+  Position where;
 };
 
 /// A peak load known from elsewhere, against which that of the run is reported.

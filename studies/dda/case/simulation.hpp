@@ -57,6 +57,7 @@ class Simulation {
   void require_control() const;
   /// Throws InputError for more eigenvalues than there are, or than fit into memory.
   void require_eigenvalues() const;
+  void require_density() const;
   std::vector<Landing> landings() const;
   std::vector<Leg> legs() const;
   const Functional& gauge(const std::string& name, const Position& where) const;

@@ -18,6 +18,7 @@ inline constexpr const char* rigid_modes = "rigid_modes";
 
 /// Modes are counted from 1.
 inline std::string mu(std::size_t mode) { return "mu_" + std::to_string(mode); }
+inline std::string frequency(std::size_t mode) { return "frequency_" + std::to_string(mode); }
 inline std::string mu_ratio(std::size_t mode) { return "mu_ratio_" + std::to_string(mode); }
 
 }  // namespace dda::column

@@ -16,6 +16,11 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
+/// f = ω/2π of ω²; nan below 0.
+double frequency_of(double eigenvalue) {
+  return eigenvalue >= 0 ? std::sqrt(eigenvalue) / (2 * M_PI) : unknown;
+}
+
 TableCell count_cell(const std::optional<int>& count) {
   return count ? TableCell{std::int64_t{*count}} : TableCell{unknown};
 }
@@ -32,8 +37,9 @@ FailureIndicator::FailureIndicator(Simulation& simulation, IndicatorMemory memor
 
 /// Of blocks and jumps; an identity has none of what a jump's node does not use either.
 Mass FailureIndicator::mass() const {
+  if (parameters_.mass == EigenvalueMass::density) return mass_of(simulation_.body());
   Mass out = unit_mass(simulation_.body());
-  if (parameters_.mass) return out;
+  if (parameters_.mass == EigenvalueMass::unit) return out;
   const std::size_t blocks = simulation_.equilibrium().num_blocks();
   out = Mass::identity(out.num_nodes());
   constexpr double next_to_none = 1e-9;
@@ -70,13 +76,20 @@ RecordedColumns FailureIndicator::columns() const {
                    [](At at) { return count_cell(at.point.num_negative_work); }});
   }
   if (parameters_.count == 0) return out;
-  constexpr Dimension per_mass{1, -4}, raw = dimension::stiffness;
-  const std::string unit = unit_of(parameters_.mass ? per_mass : raw, simulation_.deck().units);
+  constexpr Dimension per_mass{1, -4};
+  const std::string unit =
+      parameters_.mass == EigenvalueMass::density
+          ? "1/s^2"
+          : unit_of(parameters_.mass == EigenvalueMass::unit ? per_mass : dimension::stiffness,
+                    simulation_.deck().units);
   const auto count = static_cast<std::size_t>(parameters_.count);
   for (std::size_t i = 0; i < count; ++i)
     out.push_back({{column::mu(i + 1), unit}, [this, i](At) { return values_[i]; }});
   for (std::size_t i = 0; i < count; ++i)
     out.push_back({{column::mu_ratio(i + 1), ""}, [this, i](At) { return ratios_[i]; }});
+  if (parameters_.mass == EigenvalueMass::density)
+    for (std::size_t i = 0; i < count; ++i)
+      out.push_back({{column::frequency(i + 1), "1/s"}, [this, i](At) { return frequency_of(values_[i]); }});
   out.push_back({{column::rigid_modes, ""}, [this](At) { return count_cell(num_rigid_); }});
   return out;
 }
