@@ -193,10 +193,20 @@ class Fields:
         """Outlines of the deformed blocks, of those that are cut of their parts, displacements times `scale`: a list of
         k × 2 arrays [length unit]."""
         blocks = self._moved(self.mesh, self.vertices, scale)
-        is_whole = np.ones(len(blocks), dtype=bool)
-        is_whole[self.cut.block] = False
         parts = self._moved(self.cut.parts, self.part_vertices, scale) if len(self.cut.block) else []
-        return [block for block, whole in zip(blocks, is_whole) if whole] + parts
+        return [block for block, whole in zip(blocks, self._is_whole) if whole] + parts
+
+    @property
+    def polygon_regions(self):
+        """The number of the region of each of `polygons`."""
+        return np.concatenate([self.mesh.region[self._is_whole], self.mesh.region[self.cut.block]])
+
+    @property
+    def _is_whole(self):
+        """Of every block: no crack has cut it."""
+        out = np.ones(self.mesh.num_blocks, dtype=bool)
+        out[self.cut.block] = False
+        return out
 
     @staticmethod
     def _moved(mesh, table, scale):

@@ -61,6 +61,7 @@ class Run:
     cracks(step)   the pieces of cracks through blocks at a stored step, a DataFrame: Fields.cracks
     crack_path(crack, step)   corners of the line along which a crack has grown until then, n × 2
     motion     what has moved from the end of the path on, see Motion
+    animate(file, fps, speed, path, magnification)   writes the motion as a GIF or MP4, see ddapath.animation
     """
 
     TABLE = "curve"
@@ -123,6 +124,11 @@ class Run:
         if not folder.is_dir():
             raise NothingStored(f"{self.folder}: nothing has moved (yet); `motion` in the deck lets the structure go")
         return Motion(folder)
+
+    def animate(self, file=None, **wishes):
+        from .animation import Wishes, animate  # matplotlib is loaded by none who does not draw
+
+        return animate(self, file, Wishes(**wishes))
 
     def _step_files(self):
         """Step → file."""

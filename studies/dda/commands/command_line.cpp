@@ -114,6 +114,7 @@ class Grammar {
   void add_solving();
   void add_many();
   void add_looking();
+  void add_animate();
 
   CLI::App app_;
   CommandLine line_;
@@ -191,6 +192,30 @@ void Grammar::add_looking() {
                          "reactions, the reason; 0 all hold, 3 some are refused",
                          command_verify);
   verify->add_option("runs", line_.runs, "Run folders")->required();
+  add_animate();
+}
+
+void Grammar::add_animate() {
+  CLI::App* animate =
+      add("animate", "Write the motion of a run as an animation, GIF or MP4", command_animate);
+  animate->add_option("run", line_.runs, "The run folder")->required()->expected(1);
+  const auto option = [&](const std::string& names, const std::string& text) {
+    const std::string word = names.substr(0, names.find(','));
+    animate->add_option_function<std::string>(
+        names, [this, word](const std::string& value) { line_.animation.push_back(word + "=" + value); },
+        text);
+  };
+  option("--out,--output",
+         "The file, .gif or .mp4 (which needs ffmpeg); motion.gif in that folder if not given");
+  option("--fps", "Pictures per second, from 1 to 50; 20 if not given");
+  option(
+      "--speed",
+      "Seconds of motion per second of film, 1 is true; a round number for some eight seconds if not given");
+  animate->add_flag_function(
+      "--path", [this](std::int64_t) { line_.animation.emplace_back("--path"); },
+      "Before it the path: load against deflection, and the blocks with displacements magnified");
+  option("--magnify",
+         "How many times displacements of the path are magnified, 1 is true; a round number if not given");
 }
 
 std::string Grammar::unknown_name(int argc, char** argv) const {

@@ -21,6 +21,7 @@ struct CommandLine {
   int only_case = 0;                         ///< sweep; 0: all
   std::filesystem::path page;                ///< report; report.html in the folder when empty
   bool json = false;
+  std::vector<std::string> animation;  ///< animate; options as Python takes them
   RunOptions run;
 };
 
@@ -39,5 +40,7 @@ int resume_sweep(const CommandLine& line);
 int command_report(const CommandLine& line);
 /// Becomes Python's `ddapath.verify` on `line.runs`; 0 all checks hold, 3 some are refused, 2 no run.
 int command_verify(const CommandLine& line);
+/// Becomes Python's `ddapath.animation` on `line.runs.front()`; 0 written, 2 nothing to be drawn or wrong options.
+int command_animate(const CommandLine& line);
 
 }  // namespace dda

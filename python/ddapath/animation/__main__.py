@@ -1,0 +1,43 @@
+"""`dda animate RUN`, or `python -m ddapath.animation RUN`: the motion of a run as a GIF or MP4."""
+import argparse
+import sys
+
+from ..errors import DdapathError
+from ..run_folder import read_run
+from . import ToolMissing, Wishes, animate
+
+WRITTEN, WRONG_INPUT, FAILED, INTERRUPTED = 0, 2, 4, 130
+
+
+def parser():
+    out = argparse.ArgumentParser(prog="dda animate", description=__doc__)
+    out.add_argument("run", help="the run folder")
+    out.add_argument("--out", "--output", help="the file, .gif or .mp4 (which needs ffmpeg); by default motion.gif in the folder")
+    out.add_argument("--fps", type=float, default=20, help="pictures per second, from 1 to 50; by default 20")
+    out.add_argument("--speed", type=float, help="seconds of motion per second of film; by default a round number")
+    out.add_argument("--path", action="store_true", help="before it the path")
+    out.add_argument("--magnify", type=float, help="how many times displacements of the path are magnified")
+    return out
+
+
+def main(arguments):
+    asked = parser().parse_args(arguments)
+    try:
+        file = animate(read_run(asked.run), asked.out, Wishes(asked.fps, asked.speed, asked.path, asked.magnify))
+    except KeyboardInterrupt:
+        return INTERRUPTED
+    except ToolMissing as error:
+        print(f"dda animate: {error}", file=sys.stderr)
+        return FAILED
+    except OSError as error:
+        print(f"dda animate: {error.filename}: {error.strerror}", file=sys.stderr)
+        return WRONG_INPUT
+    except (DdapathError, ValueError) as error:
+        print(f"dda animate: {error}", file=sys.stderr)
+        return WRONG_INPUT
+    print(f"{file}: {file.stat().st_size / 1e6:.2g} MB")
+    return WRITTEN
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
