@@ -14,7 +14,6 @@ namespace dda {
 ///
 ///     φ(x) = k (x₀ + x) within [low, high],      x = Σ alongᵀ dz      [L]
 struct ClampedSpring {
-  std::array<std::size_t, 2> bodies = {};
   std::array<int, 2> rows = {-1, -1};  ///< of the bodies in what moves; −1 of one that does not
   std::array<Vec6, 2> along = {};      ///< a unit force on either body
   double stiffness = 0;                ///< k [F/L]
@@ -60,9 +59,8 @@ class ClampedMinimum {
 
   const PositiveFactor& factor_;
   const std::vector<ClampedSpring>& springs_;
-  std::vector<State> first_;  ///< states at dz = 0
-  std::vector<std::size_t>
-      changed_;  ///< springs that have left them at some time, by which the solution is changed
+  std::vector<State> first_;          ///< states at dz = 0
+  std::vector<std::size_t> changed_;  ///< springs that have left them at some time
   std::vector<bool> is_changed_;
   Vector unchanged_;           ///< stretches where no spring leaves its state
   Eigen::MatrixXd ways_;       ///< A⁻¹ of their unit forces

@@ -154,14 +154,15 @@ void Potential::add_bonds(const Poses& at, Softening softening, Curvatures& out)
 }
 
 /// What touches, what would after a little way, and what slides.
-std::vector<ClampedSpring> Potential::clamped_springs(const Poses& at) const {
+std::vector<ClampedSpring> Potential::add_clamped(const Poses& at, Curvatures& sum) const {
   constexpr double further = 1.5;  // of the reach
   constexpr double inf = std::numeric_limits<double>::infinity();
   std::vector<ClampedSpring> out;
   const auto add = [&](const Meeting& meeting, const Vec2& direction, ClampedSpring spring) {
-    spring.bodies = bodies_of(meeting);
     spring.rows = {rows_[meeting.key.body], rows_[meeting.key.other]};
     spring.along = rows_along(meeting, direction);
+    if (spring.state(0) == ClampedSpring::State::within)
+      sum.add(bodies_of(meeting), spring.along, spring.stiffness);
     out.push_back(spring);
   };
   const MeetingRules& rules = scene_.meeting;
@@ -195,10 +196,7 @@ Potential::Curvature Potential::curvature(const Poses& at, double per_square_tim
       for (const auto& [j, row_j] : spring.rows)
         if (out.wants(i, j)) out.add(i, j, spring.stiffness * row_i * row_j.transpose());
   add_bonds(at, softening, out);
-  std::vector<ClampedSpring> springs = clamped_springs(at);
-  for (const ClampedSpring& spring : springs)
-    if (spring.state(0) == ClampedSpring::State::within)
-      out.add(spring.bodies, spring.along, spring.stiffness);
+  std::vector<ClampedSpring> springs = add_clamped(at, out);
   return {sum_.matrix(), std::move(springs), out.take_pull(), has_new_pattern};
 }
 

@@ -74,7 +74,7 @@ class Potential {
  private:
   void add_bonds(const Poses& at, Softening softening, class Curvatures& out) const;
   bool prepare_pattern();
-  std::vector<ClampedSpring> clamped_springs(const Poses& at) const;
+  std::vector<ClampedSpring> add_clamped(const Poses& at, class Curvatures& sum) const;
 
   const MovingScene& scene_;
   const MeetingSearch& search_;

@@ -66,6 +66,25 @@ def measured(deck, folder, settings=None, *, threads=1, limit=None, environment=
         return Measured(*ended, time.perf_counter() - start, processor_seconds() - before, Run(folder))
 
 
+class Runs:
+    """Decks that are run into a folder of their own, one after another; the first that fails ends the study."""
+
+    def __init__(self, folder):
+        self.folder = Path(folder)
+
+    def file(self, name, text):
+        """A file that a deck may name."""
+        file = self.folder / name
+        file.write_text(text, encoding="utf-8")
+        return file
+
+    def __call__(self, name, deck, settings=None):
+        done = measured(deck, self.folder / name, settings)
+        if done.exit_code != 0:
+            raise SystemExit(f"{name}: exit code {done.exit_code}: {done.said}")
+        return done.run
+
+
 def told(*arguments):
     """What `dda ARGUMENTS` prints."""
     return subprocess.run([find_program(), *arguments], check=True, capture_output=True, text=True).stdout

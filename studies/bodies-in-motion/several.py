@@ -25,7 +25,7 @@ def chart(run, cases=CHART):
         deck = scene({"ground": box(-5, -1, 20, 0), "block": box(0, 0, ratio, 1)}, inclined(degrees),
                      math.tan(math.radians(friction)),
                      {"foot": ((0, 0), (1, 0)), "heel": ((0, 0), (0, 1))}, time=1.5, stop_at_rest=False)
-        last = run(f"chart-{ratio}-{degrees}-{friction}", deck).curve
+        last = run(f"chart-{ratio}-{degrees}-{friction}", deck).motion.curve
         slid, lifted = last.foot.iloc[-1] > 2e-3, last.heel.max() > 2e-3
         found = {(False, False): "stands", (True, False): "slides"}.get((slid, lifted), "topples")
         exact = behaviour(ratio, degrees, friction)
@@ -51,7 +51,7 @@ def stands(run, voussoirs, thickness):
     """Whether the crown has come down by less than a hundredth of the radius in 4 s."""
     crown = (0, 1 - thickness / 2)
     deck = scene(arch(voussoirs, thickness), friction=10, gauges={"crown": (crown, (0, -1))}, time=4)
-    return run(f"arch-{thickness:.5f}", deck).curve.crown.iloc[-1] < 0.01
+    return run(f"arch-{thickness:.5f}", deck).motion.curve.crown.iloc[-1] < 0.01
 
 
 def least_thickness(run, voussoirs=26, low=0.09, high=0.13, precise=3e-4):

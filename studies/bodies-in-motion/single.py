@@ -18,7 +18,7 @@ def row(case, quantity, unit, exact, found, bound, scale=None):
 def thrown(run):
     deck = scene({"block": box(0, 5, 1, 6)}, gauges={"x": ((0.5, 5.5), (1, 0)), "y": ((0.5, 5.5), (0, 1))}, held=[],
                  velocities=[{"regions": ["block"], "velocity": [2, 3], "spin": 5}], time=1, step=0.1)
-    last = run("thrown", deck).curve.iloc[-1]
+    last = run("thrown", deck).motion.curve.iloc[-1]
     return [row("throw, 1 s, longest steps", "x", "m", 2, last.x, 1e-9),
             row("throw, 1 s, longest steps", "y", "m", 3 - GRAVITY / 2, last.y, 1e-9)]
 
@@ -31,14 +31,14 @@ def slides(run):
                      {"x": ((0.5, 0.5), (1, 0))}, time=1, step=step)
         exact = GRAVITY / 2 * (math.sin(math.pi / 6) - friction * math.cos(math.pi / 6))
         rows.append(row(f"slides on 30°, φ = {angle}°, step {step}", "way in 1 s", "m", exact,
-                        run(f"slides-{angle}-{step}", deck).curve.x.iloc[-1], 1e-3, GRAVITY / 4))
+                        run(f"slides-{angle}-{step}", deck).motion.curve.x.iloc[-1], 1e-3, GRAVITY / 4))
     return rows
 
 
 def sticks(run):
     deck = scene({"ground": FLOOR, "block": box(0, 0, 1, 1)}, inclined(30), math.tan(math.radians(35)),
                  {"x": ((0.5, 0.5), (1, 0))}, time=20, stop_at_rest=False)
-    curve = run("sticks", deck).curve
+    curve = run("sticks", deck).motion.curve
     early = curve.x[curve.time >= 1].iloc[0]
     return [row("sticks on 30°, φ = 35°", "way from 1 to 20 s", "m", 0, curve.x.iloc[-1] - early, 1e-8)]
 
@@ -46,7 +46,7 @@ def sticks(run):
 def stops(run):
     deck = scene({"ground": FLOOR, "block": box(0, 0, 1, 1)}, gauges={"x": ((0.5, 0.5), (1, 0))},
                  velocities=[{"regions": ["block"], "velocity": [3, 0]}], time=20)
-    done = run("stops", deck)
+    done = run("stops", deck).motion
     return [row("slides to a stop, 3 m/s, μ = 0.5", "way", "m", 9 / GRAVITY, done.curve.x.iloc[-1], 2e-4),
             row("slides to a stop, 3 m/s, μ = 0.5", "friction / kinetic energy", "", 1,
                 done.curve.friction.iloc[-1] / (2500 * 9 / 2), 1e-2)]
@@ -58,7 +58,7 @@ def bounces(run):
         deck = scene({"ground": FLOOR, "block": box(0, 1, 1, 2)}, gauges={"y": ((0.5, 1), (0, 1))},
                      time=1.1, stop_at_rest=False)
         deck["motion"]["contact"]["restitution"] = e
-        curve = run(f"bounces-{e}", deck).curve
+        curve = run(f"bounces-{e}", deck).motion.curve
         y, t = np.asarray(curve.y) + 1, np.asarray(curve.time)
         behind = t > math.sqrt(2 / GRAVITY) + 0.02
         rows.append(row(f"falls 1 m, restitution {e}", "√(height of the rebound)", "√m", e,
@@ -74,7 +74,7 @@ def dragged(run):
                  time=time, driven=[{"regions": ["ground"], "direction": [1, 0],
                                      "displacement": {"type": "record", "file": str(record)}}])
     return [row("on a ground that accelerates by 8 m/s², μ = 0.5", "way in 1 s", "m",
-                friction * GRAVITY * time**2 / 2, run("dragged", deck).curve.x.iloc[-1], 1e-3)]
+                friction * GRAVITY * time**2 / 2, run("dragged", deck).motion.curve.x.iloc[-1], 1e-3)]
 
 
 def swings(run):
@@ -84,7 +84,7 @@ def swings(run):
                  integrator="trapezoidal", stop_at_rest=False, step=1e-4,
                  velocities=[{"regions": ["block"], "velocity": [0.1, 0]}])
     deck["supports"] = {"spring": {"at": [0.5, 0.5], "fix": "x", "stiffness": stiffness}}
-    curve = run("swings", deck).curve
+    curve = run("swings", deck).motion.curve
     x, t = np.asarray(curve.x), np.asarray(curve.time)
     down = [i for i in range(1, len(x)) if x[i - 1] > 0 >= x[i]]
     at = [t[i] - x[i] * (t[i] - t[i - 1]) / (x[i] - x[i - 1]) for i in down]
@@ -102,7 +102,7 @@ def rocks(run):
     deck = scene({"ground": FLOOR, "block": vertices}, friction=2,
                  gauges={"top": (vertices[3], (1, 0)), "foot": (vertices[0], (0, 1)), "base": (vertices[1], (1, 0))},
                  time=1.2, stop_at_rest=False, step=0.003)
-    curve = run("rocks", deck).curve
+    curve = run("rocks", deck).motion.curve
     t, foot = np.asarray(curve.time), np.asarray(curve.foot) + vertices[0][1]
     down = int(np.argmax(foot < 2e-3 * breadth))
     time = time_to_impact(slenderness, radius, tilt)

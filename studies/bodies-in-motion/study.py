@@ -21,24 +21,6 @@ from ddapath import study  # noqa: E402
 MILANKOVITCH = 0.1075  # least t/R of a semicircular arch with radial joints
 
 
-class Runner:
-    """Runs decks into a folder of its own, one after another."""
-
-    def __init__(self, folder):
-        self.folder = folder
-
-    def file(self, name, text):
-        file = self.folder / name
-        file.write_text(text, encoding="utf-8")
-        return file
-
-    def __call__(self, name, deck):
-        done = study.measured(deck, self.folder / name)
-        if done.exit_code != 0:
-            raise SystemExit(f"{name}: exit code {done.exit_code}: {done.said}")
-        return done.run.motion
-
-
 def table_of(rows):
     lines = ["| case | quantity | closed form | found | error | bound |", "|---|---|---|---|---|---|"]
     for row in rows:
@@ -59,7 +41,7 @@ def main():
     asked = study.arguments(study.parser(__doc__), HERE)
     os.environ["DDA"] = asked.program
     with tempfile.TemporaryDirectory(prefix="ddapath-") as scratch:
-        run = Runner(Path(scratch))
+        run = study.Runs(scratch)
         rows = [row for case in (single.QUICK if asked.quick else single.CASES) for row in case(run)]
         if not asked.quick:
             rows.append(single.row("semicircular arch of 26 stones", "least thickness over radius", "", MILANKOVITCH,

@@ -54,7 +54,7 @@ def spreading(spread, fast=4, slow=20, **motion):
 
 
 def stands(run, name, of, limit=FALLEN):
-    return run(name, of).curve.crown.iloc[-1] < limit
+    return run(name, of).motion.curve.crown.iloc[-1] < limit
 
 
 def friction_of_semicircular(run, thickness=0.15, precise=1e-3):
@@ -91,7 +91,7 @@ def hinges_of_spreading(run):
     """Which joints have opened at nine tenths of the spread, by the angle between the stones beside them."""
     arch = SpreadArch(**SPREADING)
     exact, hinge = arch.largest_spread()
-    motion = run("spread-hinges", spreading(0.9 * exact))
+    motion = run("spread-hinges", spreading(0.9 * exact)).motion
     angles = np.array([rotation(motion, stone) for stone in range(1, SPREADING["stones"] + 1)])
     opened = np.argsort(-np.abs(np.diff(angles)))[:3] + 1
     return sorted(int(joint) for joint in opened), sorted((hinge, SPREADING["stones"] // 2, SPREADING["stones"] - hinge))

@@ -24,24 +24,6 @@ CASES = (arches.friction_of_semicircular, arches.friction_of_flat, arches.fricti
          walls.starts_to_rock, walls.starts_to_slide, walls.slides_under_a_record, walls.slides_in_harmonic_motion)
 
 
-class Runner:
-    """Runs decks into a folder of its own, one after another."""
-
-    def __init__(self, folder):
-        self.folder = folder
-
-    def file(self, name, text):
-        file = self.folder / name
-        file.write_text(text, encoding="utf-8")
-        return file
-
-    def __call__(self, name, deck):
-        done = study.measured(deck, self.folder / name)
-        if done.exit_code != 0:
-            raise SystemExit(f"{name}: exit code {done.exit_code}: {done.said}")
-        return done.run.motion
-
-
 def table_of(rows):
     lines = ["| case | quantity | limit equilibrium | found | error | bound |", "|---|---|---|---|---|---|"]
     lines += [f"| {row['case']} | {row['quantity']} | {row['expected']:.4g} | {row['found']:.4g} | {row['error']:.1%} | "
@@ -49,18 +31,16 @@ def table_of(rows):
     return "\n".join(lines)
 
 
-def figures(folder, output):
+def figures(run, output):
     """Runs the decks; a row of each: how it ended, and what its energies miss."""
     rows = []
     for name in decks.DECKS:
-        done = study.measured(output / f"{name}.yaml", folder / name)
-        if done.exit_code != 0:
-            raise SystemExit(f"{name}: exit code {done.exit_code}: {done.said}")
-        shutil.copy(folder / name / "motion" / "end.svg", output / f"{name}.svg")
-        motion = done.run.summary["motion"]
+        done = run(name, output / f"{name}.yaml")
+        shutil.copy(done.folder / "motion" / "end.svg", output / f"{name}.svg")
+        motion = done.summary["motion"]
         missed = abs(motion["energy_error"]) / motion["external_work"]
         rows.append({"deck": name, "ended": motion["reason"].removeprefix("motion: "), "steps": motion["steps"],
-                     "missed": missed, "seconds": done.seconds})
+                     "missed": missed})
     return rows
 
 
@@ -81,11 +61,11 @@ def main():
     os.environ["DDA"] = asked.program
     decks.write(asked.output)
     with tempfile.TemporaryDirectory(prefix="ddapath-") as scratch:
-        run = Runner(Path(scratch))
+        run = study.Runs(scratch)
         rows = limits(asked, run)
         if not asked.quick:
             opened, expected = arches.hinges_of_spreading(run)
-            ends = figures(Path(scratch), asked.output)
+            ends = figures(run, asked.output)
             study.write_region(asked.output / "README.md", table_of_decks(ends), "decks")
             study.write_region(asked.output / "README.md", f"Joints open in the run at nine tenths of that spread: {opened}; "
                                                            f"by statics: {expected}.", "hinges")

@@ -54,7 +54,7 @@ def starts_to_rock(run, ramp=4.0):
     """The ground's acceleration grows evenly to twice g b/h. The lift grows with the cube of the time since its start."""
     exact = GRAVITY * LEAF["breadth"] / LEAF["height"]
     moves = record(run, "ramp", lambda t: 2 * exact * t / ramp, np.linspace(0, ramp, 3))
-    curve = run("leaf-ramp", leaf(moves, ramp)).curve
+    curve = run("leaf-ramp", leaf(moves, ramp)).motion.curve
     lift, time = np.asarray(curve.heel), np.asarray(curve.time)
     early, late = (int(np.argmax(lift > share * LEAF["breadth"])) for share in (1e-3, 8e-3))
     growth = (lift[early] / lift[late]) ** (1 / 3)
@@ -85,7 +85,7 @@ def starts_to_slide(run, ramp=4.0):
     """The way behind the ground grows with the cube of the time since its start."""
     exact = COURSE * GRAVITY
     moves = record(run, "slide", lambda t: 2 * exact * t / ramp, np.linspace(0, ramp, 3))
-    curve = run("wall-ramp", wall(moves, 0.75 * ramp)).curve
+    curve = run("wall-ramp", wall(moves, 0.75 * ramp)).motion.curve
     time = np.asarray(curve.time)
     behind = exact / (3 * ramp) * time**3 - np.asarray(curve.wall)
     early, late = (int(np.argmax(behind > share)) for share in (1e-3, 8e-3))
@@ -102,7 +102,7 @@ def earthquake(t):
 
 def slides_under_a_record(run, time=3.0):
     moves = record(run, "earthquake", earthquake, RECORD["times"], RECORD["factor"])
-    found = run("wall-record", wall(moves, time)).curve.wall.iloc[-1]
+    found = run("wall-record", wall(moves, time)).motion.curve.wall.iloc[-1]
     way, ground = ways(lambda t: GRAVITY * np.interp(t, RECORD["times"], RECORD["values"]), time, COURSE)
     return row("the same under a record of 0.6 g", "way on the ground in 3 s [m]", way - ground, found - ground, 0.03)
 
@@ -111,7 +111,7 @@ def slides_in_harmonic_motion(run, amplitude=0.05, frequency=2.0, time=1.5):
     """A sin(ω t): the ground sets out at its full speed."""
     omega = 2 * math.pi * frequency
     moves = {"type": "harmonic", "amplitude": amplitude, "frequency": frequency}
-    found = run("wall-harmonic", wall(moves, time)).curve.wall.iloc[-1]
+    found = run("wall-harmonic", wall(moves, time)).motion.curve.wall.iloc[-1]
     way, _ = ways(lambda t: -amplitude * omega**2 * math.sin(omega * t), time, COURSE, amplitude * omega)
     return row("the same in harmonic motion of 0.05 m, 2 Hz", "way in 1.5 s [m]", way, found, 0.03)
 

@@ -26,15 +26,6 @@ BOUND = 0.03
 MISSED = 1e-6  # by the energies, of the external work
 
 
-def runner(folder):
-    def run(name, deck, settings=None):
-        done = study.measured(deck, folder / name, settings)
-        if done.exit_code != 0:
-            raise SystemExit(f"{name}: exit code {done.exit_code}: {done.said}")
-        return done.run
-    return run
-
-
 def toppling(run, precise):
     exact = Slope().limiting_angle()
     ends = {"precise": precise} if precise < 0.5 else {"low": exact - 1.2, "high": exact + 1.2, "precise": precise}
@@ -89,7 +80,7 @@ def main():
     asked = study.arguments(study.parser(__doc__), HERE)
     os.environ["DDA"] = asked.program
     with tempfile.TemporaryDirectory(prefix="ddapath-") as scratch:
-        run = runner(Path(scratch))
+        run = study.Runs(scratch)
         row = toppling(run, 0.7 if asked.quick else 0.05)
         quick = {"scene.subdivision.size": 3, "motion.time": 1}
         slope = failing(run, asked.output, quick if asked.quick else None)

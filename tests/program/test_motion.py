@@ -15,7 +15,7 @@ from pathlib import Path
 import numpy as np
 
 import ddapath
-from ddapath.verify import verify
+from ddapath.verify import motion_checks, verify
 
 STUDY = Path(__file__).resolve().parents[2] / "studies" / "falling-beam"
 DECK = ddapath.read_deck(STUDY / "deck.yaml")
@@ -111,6 +111,9 @@ class ThroughBlocks(unittest.TestCase):
                                    delta=1e-4)
             self.assertLess(abs(motion["energy_error"]), 1e-6 * motion["external_work"])
             self.assertEqual([str(finding) for finding in verify(run.folder) if not finding.holds], [])
+            whole, parts = (some.fields(some.steps[0]).mesh.areas.min() for some in (run, run.motion))
+            self.assertLess(parts, whole)
+            self.assertAlmostEqual(motion_checks.offset_of(run), run.deck["motion"]["contact"]["offset"] * whole**0.5)
             blocks = run.motion.fields().blocks
             self.assertGreater(len(blocks), run.summary["blocks"])
             moved = blocks[blocks.region == blocks.region.iloc[-1]]

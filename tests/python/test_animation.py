@@ -74,23 +74,23 @@ class Films(Runs):
     def test_in_the_folder_of_the_run_by_default(self):
         self.assertEqual(self.thrown.animate(fps=2, speed=0.5), self.thrown.folder / "motion.gif")
 
-    def test_mp4_is_fed_to_ffmpeg(self):
-        tool = self.folder / "bin" / "ffmpeg"
+    def stand_in(self, folder, script):
+        """A program that is found as ffmpeg while the context lasts; its folder is in the one of the runs."""
+        tool = self.folder / folder / "ffmpeg"
         tool.parent.mkdir()
-        tool.write_text('#!/bin/sh\nfor file; do :; done\necho "$@" > "$0.arguments"\nexec cat > "$file"\n')
+        tool.write_text("#!/bin/sh\n" + script)
         tool.chmod(0o755)
-        with mock.patch.dict(os.environ, PATH=f"{tool.parent}:{os.environ['PATH']}"):
+        return mock.patch.dict(os.environ, PATH=f"{tool.parent}:{os.environ['PATH']}")
+
+    def test_mp4_is_fed_to_ffmpeg(self):
+        with self.stand_in("bin", 'for file; do :; done\necho "$@" > "$0.arguments"\nexec cat > "$file"\n'):
             file = self.thrown.animate(self.folder / "thrown.mp4", fps=10, speed=0.25)
-        words = (tool.parent / "ffmpeg.arguments").read_text().split()
+        words = (self.folder / "bin" / "ffmpeg.arguments").read_text().split()
         width, height = map(int, words[words.index("-s") + 1].split("x"))
         self.assertEqual(file.stat().st_size, width * height * 3 * (21 + 15))
 
     def test_ffmpeg_that_fails_leaves_nothing(self):
-        tool = self.folder / "broken" / "ffmpeg"
-        tool.parent.mkdir()
-        tool.write_text("#!/bin/sh\ncat > /dev/null\necho no such encoder >&2\nexit 1\n")
-        tool.chmod(0o755)
-        with mock.patch.dict(os.environ, PATH=f"{tool.parent}:{os.environ['PATH']}"):
+        with self.stand_in("broken", "cat > /dev/null\necho no such encoder >&2\nexit 1\n"):
             with self.assertRaisesRegex(ddapath.DdapathError, "no such encoder"):
                 self.thrown.animate(self.folder / "no.mp4", fps=2, speed=0.5)
         self.assertEqual(sorted(self.folder.glob("no*")), [])

@@ -89,13 +89,10 @@ def nothing_crosses(motion, offset):
     return worst_of("motion: nothing crosses", found, 1 + ROUNDING)
 
 
-def offset_of(motion, deck):
-    """s of the deck, of the smallest block's size [L]."""
-    def area(p):
-        after = np.roll(p, -1, axis=0)
-        return abs((p[:, 0] * after[:, 1] - p[:, 1] * after[:, 0]).sum()) / 2
-
-    return deck["motion"]["contact"]["offset"] * np.sqrt(min(map(area, outlines(motion.fields(motion.steps[0])))))
+def offset_of(run):
+    """s of the deck, a share of the size of the smallest block before any was cut [L]."""
+    whole = run if run.deck.get("stages") else run.motion
+    return run.deck["motion"]["contact"]["offset"] * np.sqrt(whole.fields(whole.steps[0]).mesh.areas.min())
 
 
 def all_checks(run):
@@ -104,4 +101,4 @@ def all_checks(run):
     out = [finite(curve)] if len(curve) else []
     if len(curve):
         out += [*books(curve), spent_never_falls(curve), *rest(curve, summary)]
-    return [*out, nothing_crosses(motion, offset_of(motion, run.deck))]
+    return [*out, nothing_crosses(motion, offset_of(run))]
