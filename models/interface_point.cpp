@@ -57,6 +57,8 @@ class PointMaker {
     out.num_active = static_cast<std::size_t>(middle.begin() - out.points.begin());
     for (Interface& interface : book_.interfaces()) {
       out.names.push_back(interface.name);
+      if (interface.law->can_crack() && interface.points == PointRule::gauss)
+        out.gauss_names.push_back(interface.name);
       out.laws.push_back(interface.law);
       report(interface, out.notices);
     }

@@ -84,6 +84,7 @@ struct InterfacePoint {
 /// All interface points with the laws they use. Points that are asked at run time come first.
 struct InterfaceSet {
   std::vector<std::string> names;
+  std::vector<std::string> gauss_names;  ///< of those that can crack and have Gauss points
   std::vector<std::shared_ptr<const InterfaceLaw>> laws;
   std::vector<InterfacePoint> points;
   std::size_t num_active = 0;

@@ -13,42 +13,6 @@ void add_scaled(double scale, const Vector& from, Vector& to) {
   for (std::size_t i = 0; i < from.size(); ++i) to[i] += scale * from[i];
 }
 
-/// Offsets P⁻¹{σ0}n of the active points, and the force Sᵀ W P⁻¹ {σ0}n they exert through the subtracted
-/// energy.
-struct StressOffset {
-  Vector openings, force;
-};
-
-StressOffset stress_offset(const Body& body, const InterfaceSet& set, const std::vector<Vec3>& stress) {
-  StressOffset out{Vector(2 * set.num_active, 0.0), Vector(block_unknowns * body.num_nodes(), 0.0)};
-  for (std::size_t p = 0; p < set.points.size(); ++p) {
-    const InterfacePoint& point = set.points[p];
-    if (point.rows.first_stress.isZero() && point.rows.second_stress.isZero()) continue;
-    // The weights of {σ}n are those of the rows: S_i = w_i N C_i E.
-    const auto traction = [&](const Mat26& rows, BlockId id) -> Vec2 {
-      return rows.rightCols<3>() * body.material(id).stiffness().inverse() * stress[id.value()];
-    };
-    const Vec2 mean =
-        traction(point.rows.first_stress, point.first) + traction(point.rows.second_stress, point.second);
-    const Vec2 offset = mean.cwiseQuotient(point.trial_stiffness());
-    // ψ(B d + q0) − ½ {σ}n P⁻¹ {σ}n: a bond contributes −Bᵀ W D0 q0, every point +Sᵀ W P⁻¹ {σ0}n.
-    Eigen::Map<Vec6> f_first(out.force.data() + 6 * point.first.value());
-    Eigen::Map<Vec6> f_second(out.force.data() + 6 * point.second.value());
-    f_first += point.weight * point.rows.first_stress.transpose() * offset;
-    f_second += point.weight * point.rows.second_stress.transpose() * offset;
-    if (p < set.num_active) {
-      Eigen::Map<Vec2>(out.openings.data() + 2 * p) = offset;
-    } else {
-      const Vec2 traction_of_offset = point.intact_stiffness().cwiseProduct(offset);
-      point.for_each_part([&](BlockId node, const Mat26& rows) {
-        Eigen::Map<Vec6>(out.force.data() + 6 * node.value()) -=
-            point.weight * rows.transpose() * traction_of_offset;
-      });
-    }
-  }
-  return out;
-}
-
 /// Force of a driven spring, r = p̄ (δ_dead + δ_ref λ − l·u).
 Functional driven_reaction(const Spring& spring, double dead, double reference) {
   Functional out;
@@ -174,6 +138,36 @@ class StageMaker {
 };
 
 }  // namespace
+
+StressOffset stress_offset(const Body& body, const InterfaceSet& set, const std::vector<Vec3>& stress) {
+  StressOffset out{Vector(2 * set.num_active, 0.0), Vector(block_unknowns * body.num_nodes(), 0.0)};
+  for (std::size_t p = 0; p < set.points.size(); ++p) {
+    const InterfacePoint& point = set.points[p];
+    if (point.rows.first_stress.isZero() && point.rows.second_stress.isZero()) continue;
+    // The weights of {σ}n are those of the rows: S_i = w_i N C_i E.
+    const auto traction = [&](const Mat26& rows, BlockId id) -> Vec2 {
+      return rows.rightCols<3>() * body.material(id).stiffness().inverse() * stress[id.value()];
+    };
+    const Vec2 mean =
+        traction(point.rows.first_stress, point.first) + traction(point.rows.second_stress, point.second);
+    const Vec2 offset = mean.cwiseQuotient(point.trial_stiffness());
+    // ψ(B d + q0) − ½ {σ}n P⁻¹ {σ}n: a bond contributes −Bᵀ W D0 q0, every point +Sᵀ W P⁻¹ {σ0}n.
+    Eigen::Map<Vec6> f_first(out.force.data() + 6 * point.first.value());
+    Eigen::Map<Vec6> f_second(out.force.data() + 6 * point.second.value());
+    f_first += point.weight * point.rows.first_stress.transpose() * offset;
+    f_second += point.weight * point.rows.second_stress.transpose() * offset;
+    if (p < set.num_active) {
+      Eigen::Map<Vec2>(out.openings.data() + 2 * p) = offset;
+    } else {
+      const Vec2 traction_of_offset = point.intact_stiffness().cwiseProduct(offset);
+      point.for_each_part([&](BlockId node, const Mat26& rows) {
+        Eigen::Map<Vec6>(out.force.data() + 6 * node.value()) -=
+            point.weight * rows.transpose() * traction_of_offset;
+      });
+    }
+  }
+  return out;
+}
 
 LoadProgramme make_loads(const Body& body, const ModelParameters& model, Findings& findings) {
   LoadProgramme out;

@@ -10,6 +10,13 @@ struct LoadProgramme {
   std::vector<Spring> driven;  ///< every driven spring of every stage
 };
 
+/// What a stress that is there without strain does in joints: openings P⁻¹{σ0}n of the active points, and the force
+/// Sᵀ W P⁻¹ {σ0}n that the subtracted energy exerts. `stress` is by block.
+struct StressOffset {
+  std::vector<double> openings, force;
+};
+StressOffset stress_offset(const Body& body, const InterfaceSet& set, const std::vector<Vec3>& stress);
+
 /// Asks the loads of every stage for their forces; places outside the structure are findings.
 LoadProgramme make_loads(const Body& body, const ModelParameters& model, Findings& findings);
 

@@ -1,5 +1,6 @@
 #include "continuation/bodies/bonds.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace dda {
@@ -16,14 +17,43 @@ BondState state_of(const Bond& bond, const Mat2& local, const Poses& at) {
   BondState out;
   out.opening_rows = {-local * affine_rows(bond.at_first), local * affine_rows(bond.at_second)};
   out.opening = local * (place_of(at[bond.second], bond.at_second) - place_of(at[bond.first], bond.at_first));
-  out.stress =
-      bond.stress_first * green_strain(at[bond.first]) + bond.stress_second * green_strain(at[bond.second]);
+  out.stress = bond.stress_first * green_strain(at[bond.first]) +
+               bond.stress_second * green_strain(at[bond.second]) + bond.initial_stress;
   out.stress_rows = {bond.stress_first * green_strain_rows(at[bond.first]),
                      bond.stress_second * green_strain_rows(at[bond.second])};
   const Vec2 compliance = bond.trial_stiffness().cwiseInverse();
   out.opening += compliance.cwiseProduct(out.stress) + bond.multiplier;
   for (std::size_t i = 0; i < 2; ++i) out.opening_rows[i] += compliance.asDiagonal() * out.stress_rows[i];
   return out;
+}
+
+std::array<Vec6, 2> forces_of(const Bond& bond, const BondState& at, const Vec2& traction,
+                              const Vec2& stress) {
+  const Vec2 less = stress.cwiseQuotient(bond.trial_stiffness());
+  std::array<Vec6, 2> out;
+  for (std::size_t i = 0; i < 2; ++i)
+    out[i] = bond.weight * (at.opening_rows[i].transpose() * traction - at.stress_rows[i].transpose() * less);
+  return out;
+}
+
+Response frozen_response(const Bond& bond, const Vec2& opening, const Vec2& bounding) {
+  const auto contact = bond.law->contact(bond.history, bond.stiffness);
+  if (!contact) return bond.law->respond_frozen(opening, bond.history, bond.stiffness);
+  const bool is_closed = opening.x() <= 0;
+  const double normal = is_closed ? contact->closed : contact->open,
+               bound = contact->coefficient * std::max(0.0, -bounding.x()),
+               slip = opening.y() - contact->slip;
+  Response out;
+  out.traction = {normal * opening.x(),
+                  contact->shear * opening.y() + contact->friction * std::clamp(slip, -bound, bound)};
+  out.tangent.diagonal() << normal, contact->shear + (std::abs(slip) < bound ? contact->friction : 0);
+  return out;
+}
+
+Mat2 secant_of(const Bond& bond, const Vec2& opening) {
+  const History then = bond.law->accept(opening, bond.history, bond.stiffness);
+  const Mat2 out = bond.law->respond_frozen(opening, then, bond.stiffness).tangent;
+  return (out + out.transpose()) / 2;
 }
 
 double stored_energy(const Bond& bond, const BondState& state) {

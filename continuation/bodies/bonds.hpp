@@ -10,11 +10,11 @@ namespace dda {
 
 /// An interface point between bodies that still holds, under any rotation.
 ///
-///     q = [n s]ᵀ (x_second − x_first) + P⁻¹ τ + m,      τ = A_first E_first + A_second E_second
+///     q = [n s]ᵀ (x_second − x_first) + P⁻¹ τ + m,      τ = A_first E_first + A_second E_second + τ₀
 ///     Π = W ψ(q; h) − ½ W τ·P⁻¹ τ
 ///
 /// (n, s) turns with the mean rotation of the two sides, that of the step's start; τ is there in consistent joints, E
-/// being Green's strains, so that for small displacements q and Π are those of the path.
+/// being Green's strains and τ₀ of what is there without strain, so that for small displacements q and Π are those of the path.
 struct Bond {
   std::size_t first = 0, second = 0;                        ///< bodies
   Vec2 at_first, at_second;                                 ///< places, from the undeformed centroids [L]
@@ -24,7 +24,9 @@ struct Bond {
   double stiffness = 0;                                     ///< k [F/L³]
   const InterfaceLaw* law = nullptr;
   History history = {};
-  Vec2 multiplier = Vec2::Zero();  ///< m, which stays [L]
+  int interface = -1;                  ///< by its number in the deck; −1 for none with a name
+  Vec2 multiplier = Vec2::Zero();      ///< m, which stays [L]
+  Vec2 initial_stress = Vec2::Zero();  ///< τ₀ [F/L²]
 
   Vec2 trial_stiffness() const {
     const double beta = law->shear_weight();
@@ -44,6 +46,15 @@ struct BondState {
 BondState state_of(const Bond& bond, const Mat2& frame, const Poses& at);
 /// Rows n and s of the frame that has turned with both sides.
 Mat2 frame_of(const Bond& bond, const Poses& at);
+
+/// Forces on both bodies of a traction t on q and of what P⁻¹ τ takes off: W (∂q/∂yᵀ t − ∂τ/∂yᵀ P⁻¹ τ).
+std::array<Vec6, 2> forces_of(const Bond& bond, const BondState& at, const Vec2& traction,
+                              const Vec2& stress);
+/// The response at q with all damage as it is, and friction bounded by the closing ⟨−q_n⟩ of another opening: the gradient
+/// of a potential, as no law is whose friction follows its pressure.
+Response frozen_response(const Bond& bond, const Vec2& opening, const Vec2& bounding);
+/// The secant of its law at q, with the damage that q leaves: never negative.
+Mat2 secant_of(const Bond& bond, const Vec2& opening);
 
 /// What it stores, Π, and what accepting q would spend [F L].
 double stored_energy(const Bond& bond, const BondState& state);

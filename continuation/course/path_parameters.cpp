@@ -187,6 +187,10 @@ Schema<PathParameters> path_schema() {
                .text =
                    "At a bifurcation go on along the same branch, or switch to the one on which the load "
                    "falls fastest; the branch not taken is then followed as well, in a folder of its own."})
+          .one_of(
+              "then", &P::then, {{"end", AfterPath::end}, {"motion", AfterPath::motion}},
+              {.text = "What comes after the path: nothing, or the `motion` of what is left, as that section "
+                       "says or by its defaults. If not given, a motion where the deck has that section."})
           .text(
               "load_gauge", &P::load_gauge,
               {.fallback = "",

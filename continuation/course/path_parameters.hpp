@@ -57,12 +57,19 @@ enum class Branching {
   to_lowest  ///< takes the branch on which the load falls fastest
 };
 
+/// What comes after the path.
+enum class AfterPath {
+  end,    ///< nothing
+  motion  ///< what is left is let go
+};
+
 /// The deck's `path` section.
 struct PathParameters : StepperParameters {
   ControlChoice control;
   StepSizes step;
   StopRules stop;
   Branching branch = Branching::follow;
+  std::optional<AfterPath> then;  ///< none: `motion` where the deck has such a section
   std::string load_gauge;
   double peak_tolerance = 1e-4;
   DirectSolverChoice linear;

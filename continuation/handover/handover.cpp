@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -11,6 +12,7 @@
 
 #include "continuation/handover/regions.hpp"
 #include "meshing/contact/outline.hpp"
+#include "models/loading.hpp"
 
 namespace dda {
 namespace {
@@ -44,7 +46,7 @@ class Maker {
     MovingBody out;
     const double density = material.density() * body_.thickness;
     out.block = {density * block.moments.area, density * block.moments.second, body_.volume(id),
-                 material.stiffness()};
+                 material.stiffness(), initial_stress(pieces_.equilibrium(), id)};
     out.centroid = block.moments.centroid;
     out.size = std::sqrt(block.moments.area);
     out.modulus = material.modulus();
@@ -53,6 +55,13 @@ class Maker {
     const Vec6 d = pieces_.displacements(id.value(), end_.state.d.all());
     out_.poses.push_back(finite_pose(out.centroid, d));
     out_.scene.bodies.push_back(std::move(out));
+  }
+
+  /// λ in the motion.
+  double load_factor() const { return parameters_.loads == KeptLoads::dead ? 0 : end_.state.load_factor; }
+
+  Vec3 initial_stress(const Equilibrium& of, BlockId block) const {
+    return of.stages().back().initial_stress(block.value(), load_factor());
   }
 
   void add_rules() {
@@ -138,8 +147,8 @@ class Maker {
     std::map<std::pair<std::string, std::string>, double> by_materials = of_pairs(&PairParameters::friction);
     for (const auto& [pair, values] : of_materials)
       if (values.size() == 1) by_materials.emplace(pair, *values.begin());
-    return [of_blocks, by_materials, names = materials_of_blocks(), otherwise = parameters_.contact.friction](
-               std::size_t a, std::size_t b) {
+    const double otherwise = friction_of_others(end_.equilibrium.interfaces(), parameters_).value();
+    return [of_blocks, by_materials, names = materials_of_blocks(), otherwise](std::size_t a, std::size_t b) {
       if (const auto found = of_blocks.find(std::minmax(a, b)); found != of_blocks.end())
         return found->second;
       const auto found = by_materials.find(std::minmax(names[a], names[b]));
@@ -166,18 +175,34 @@ class Maker {
       out_.scene.springs.push_back(spring_of(spring));
   }
 
+  /// Dead forces; what initial stress does among them is in blocks and joints, with which it turns.
   void add_loads() {
     const Loading& loading = pieces_.equilibrium().stages().back();
-    const double reached = end_.state.load_factor;
+    const Forces dead = stress_forces(loading.dead_stress),
+                 reference = stress_forces(loading.reference_stress);
     out_.is_pushed = end_.has_fallen && parameters_.push > 0 && parameters_.loads == KeptLoads::all;
-    const double factor = parameters_.loads == KeptLoads::dead ? 0
-                          : out_.is_pushed                     ? reached * (1 + parameters_.push)
-                                                               : reached;
+    const double pushed = out_.is_pushed ? parameters_.push * load_factor() : 0;
     for (std::size_t b = 0; b < body_.assembly.num_blocks(); ++b) {
-      const Vec6 force = Eigen::Map<const Vec6>(loading.dead.data() + block_unknowns * b) +
-                         factor * Eigen::Map<const Vec6>(loading.reference.data() + block_unknowns * b);
+      const Vec6 of_reference = part(loading.reference, b) - part(reference, b);
+      const Vec6 force = part(loading.dead, b) - part(dead, b) + load_factor() * of_reference;
       out_.scene.forces.push_back(finite_row(force));
+      if (out_.is_pushed) out_.push.push_back(finite_row(pushed * of_reference));
     }
+  }
+
+  using Forces = std::vector<double>;
+  static Vec6 part(const Forces& all, std::size_t block) {
+    return all.empty() ? Vec6(Vec6::Zero())
+                       : Vec6(Eigen::Map<const Vec6>(all.data() + block_unknowns * block));
+  }
+
+  /// The forces that a stress without strain is on the path; none where there is none.
+  Forces stress_forces(const std::vector<Vec3>& stress) const {
+    if (stress.empty()) return {};
+    Forces out = stress_offset(body_, pieces_.equilibrium().interfaces(), stress).force;
+    for (std::size_t b = 0; b < body_.assembly.num_blocks(); ++b)
+      Eigen::Map<Vec6>(out.data() + block_unknowns * b).tail<3>() -= body_.volume(BlockId(b)) * stress[b];
+    return out;
   }
 
   void add_bonds() {
@@ -201,10 +226,21 @@ class Maker {
       bond.stiffness = point.stiffness;
       bond.law = point.law;
       bond.history = history;
+      bond.interface = point.interface;
       bond.multiplier = multiplier_of(point, p);
+      bond.initial_stress = initial_traction(point);
       if (pieces_.is_cut(point.first) || pieces_.is_cut(point.second)) fix_stress(point, bond);
       out_.bonds.push_back(bond);
     }
+  }
+
+  /// {σ0}n of a consistent joint: the weights of {σ}n are those of its rows, A = w n C.
+  Vec2 initial_traction(const InterfacePoint& point) const {
+    const auto of = [&](const Mat26& rows, BlockId block) -> Vec2 {
+      return rows.rightCols<3>() * pieces_.whole().material(block).stiffness().inverse() *
+             initial_stress(end_.equilibrium, block);
+    };
+    return of(point.rows.first_stress, point.first) + of(point.rows.second_stress, point.second);
   }
 
   /// A part may be too small for the energy that a consistent joint takes off: what its stress adds to the opening stays
@@ -213,8 +249,10 @@ class Maker {
     const auto strain = [&](BlockId block) {
       return Eigen::Map<const Vec3>(end_.state.d.data() + block_unknowns * block.value() + 3);
     };
-    const Vec2 stress = bond.stress_first * strain(point.first) + bond.stress_second * strain(point.second);
+    const Vec2 stress = bond.stress_first * strain(point.first) + bond.stress_second * strain(point.second) +
+                        bond.initial_stress;
     bond.multiplier += stress.cwiseQuotient(bond.trial_stiffness());
+    bond.initial_stress.setZero();
     bond.stress_first.setZero();
     bond.stress_second.setZero();
   }

@@ -22,11 +22,12 @@ struct Handover {
   std::vector<Bond> bonds;
   Poses poses, velocities;
   bool is_pushed = false;
+  std::vector<Vec6>
+      push;  ///< forces by which the load grows at the beginning, by body; empty when it is not pushed
   double offset = 0;  ///< s [L]
 };
 
-/// Throws InputError for what could not be handed over: materials without density, blocks narrower than their offset,
-/// cracks through blocks, initial stress.
+/// Throws InputError for what could not be handed over: materials without density, blocks narrower than their offset.
 void require_handover(const Body& body, const Equilibrium& equilibrium, const MotionParameters& parameters);
 
 /// Where a path has ended; without a path the undeformed structure, under no load.
@@ -34,7 +35,8 @@ struct PathEnd {
   const Equilibrium& equilibrium;
   const State& state;
   std::span<const History> history;  ///< of every active point
-  bool has_fallen = false;           ///< the load was falling
+  bool is_of_path = false;           ///< else the undeformed structure
+  bool has_fallen = false;           ///< the load was falling, or could not grow
 
   const Loading& loading() const { return equilibrium.stages().back(); }
 };

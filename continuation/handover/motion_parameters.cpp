@@ -62,7 +62,7 @@ Schema<MeetingParameters> meeting_schema() {
       .number("friction", &P::friction,
               {.bounds = at_least(0),
                .text = "Coefficient of friction, tan φ, of bodies for which neither an interface nor `pairs` "
-                       "have one."})
+                       "have one. If not given that of the interfaces, where all have the same."})
       .number("restitution", &P::restitution,
               {.fallback = 0,
                .bounds = between(0, 1),
@@ -70,6 +70,22 @@ Schema<MeetingParameters> meeting_schema() {
                        "stay together."})
       .list("pairs", &P::pairs, pair_kind(),
             {.at_least = 0, .text = "Friction and restitution of some pairs of materials."});
+}
+
+Schema<DampingRates> damping_schema() {
+  using P = DampingRates;
+  return Schema<P>(
+             "Rayleigh's damping C = a M + b K of what moves; a vibration of circular frequency w has "
+             "the damping ratio (a/w + b w)/2.")
+      .number("mass", &P::mass,
+              {.fallback = 0,
+               .bounds = at_least(0),
+               .text = "a [1/s]: it slows every motion down, that of fragments in flight too."})
+      .number("stiffness", &P::stiffness,
+              {.fallback = 0,
+               .bounds = at_least(0),
+               .text = "b [s]: of strains, joints that hold, and springs of supports, at their own rates; "
+                       "rotations and contacts have none."});
 }
 
 /// What acts on the structure once it is let go.
@@ -111,12 +127,18 @@ Schema<MotionParameters> motion_schema() {
              Schema<P>("What happens from the end of the path on: pieces move, part, meet, slide and come "
                        "to rest; in a deck without `stages` from the undeformed structure on. Needs the "
                        "`density` of every material that moves. Times are in seconds."))
-      .number("time", &P::time,
-              {.bounds = above(0), .text = "The motion ends after so long at the latest [s]."})
+      .number(
+          "time", &P::time,
+          {.fallback = 0,
+           .bounds = at_least(0),
+           .text = "The motion ends after so long at the latest [s]; 0: 40 √(D/g), D the size of the "
+                   "structure and g the acceleration of all by their loads, and what has not come to rest "
+                   "by then is stopped early."})
       .boolean("stop_at_rest", &P::stops_at_rest,
                {.fallback = true, .text = "It ends before where everything has come to rest."})
       .choice("integrator", &P::integrator, integrators(),
               {.fallback = "free_flight", .text = "How the motion goes from one instant to the next."})
+      .section("damping", &P::damping, damping_schema())
       .section("contact", &P::contact, meeting_schema())
       .number("step", &P::step,
               {.fallback = 0.01,

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "continuation/integrator/integrator.hpp"
+#include "continuation/motion/damping.hpp"
 #include "framework/deck/schema.hpp"
 #include "models/contact/contact_law.hpp"
 #include "models/time_function/time_function.hpp"
@@ -42,14 +43,15 @@ struct MeetingParameters {
   ContactLawChoice law;
   double stiffness = 10;
   double offset = 1e-3;  ///< s over √area of the smallest block
-  double friction = 0;   ///< tan φ where no interface and no pair says anything else
+  /// tan φ where no interface and no pair says anything else; none: that of all interfaces.
+  std::optional<double> friction;
   double restitution = 0;
   std::vector<PairParameters> pairs;
 };
 
 /// The deck's `motion` section: what happens where the path has ended, or from the undeformed structure on.
 struct MotionParameters {
-  double time = 0;  ///< at most so long [T]
+  double time = 0;  ///< at most so long [T]; 0: as long as it takes
   bool stops_at_rest = true;
   KeptLoads loads = KeptLoads::all;
   bool keeps_supports = true;
@@ -59,6 +61,7 @@ struct MotionParameters {
   std::vector<DriveParameters> driven;
   std::vector<VelocityParameters> velocities;
   IntegratorChoice integrator;
+  DampingRates damping;
   MeetingParameters contact;
   double step = 0.01;      ///< in √(L/g)
   double frame_every = 0;  ///< [T]; 0: a hundredth of `time`

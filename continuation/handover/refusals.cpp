@@ -71,12 +71,19 @@ void check_offset(const Body& body, const MotionParameters& parameters, Findings
 
 void require_handover(const Body& body, const Equilibrium& equilibrium, const MotionParameters& parameters) {
   const Position& where = parameters.where;
-  const Loading& loading = equilibrium.stages().back();
   Findings findings;
-  if (!loading.dead_stress.empty() || !loading.reference_stress.empty())
-    findings.add(where, "motion: initial stress cannot be handed over");
+  if (!friction_of_others(equilibrium.interfaces(), parameters))
+    findings.add(
+        where,
+        "motion.contact.friction: no interface tells, or not all of them the same; give that of bodies "
+        "which meet");
+  if (parameters.time == 0 && !parameters.stops_at_rest)
+    findings.add(where, "motion.time: without `stop_at_rest` a motion needs to be told how long it is");
   if (parameters.loads == KeptLoads::dead && !equilibrium.driven_springs().empty())
     findings.add(where, "motion.loads: what is driven stays where it is, `keep`");
+  if (parameters.damping.is_any() && !parameters.integrator.make()->has_inertia())
+    findings.add(
+        where, "motion.damping: '" + parameters.integrator.name() + "' has no velocities that it could damp");
   if (!parameters.velocities.empty() && !parameters.integrator.make()->has_inertia())
     findings.add(where, "motion.velocities: '" + parameters.integrator.name() + "' knows of no velocities");
   if (std::ranges::all_of(body.assembly.blocks,

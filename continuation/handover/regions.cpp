@@ -23,6 +23,17 @@ bool is_held(const Body& body, const MotionParameters& parameters, int region) {
          });
 }
 
+std::optional<double> friction_of_others(const InterfaceSet& interfaces, const MotionParameters& parameters) {
+  if (parameters.contact.friction) return parameters.contact.friction;
+  std::optional<double> out;
+  for (const InterfacePoint& point : interfaces.points)
+    if (const auto residual = point.law->residual_friction()) {
+      if (out && *out != *residual) return {};
+      out = residual;
+    }
+  return out;
+}
+
 double smallest_size(const Assembly& assembly) {
   double out = std::numeric_limits<double>::infinity();
   for (const Block& block : assembly.blocks) out = std::min(out, std::sqrt(block.moments.area));

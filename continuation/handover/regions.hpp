@@ -6,6 +6,7 @@
 
 #include "continuation/handover/motion_parameters.hpp"
 #include "models/body/body.hpp"
+#include "models/interface_point.hpp"
 
 namespace dda {
 
@@ -14,6 +15,10 @@ bool is_named(const std::vector<std::string>& regions, const Body& body, int reg
 
 /// Whether the blocks of a region are held, or driven.
 bool is_held(const Body& body, const MotionParameters& parameters, int region);
+
+/// tan φ of bodies for which neither an interface nor a pair of materials has one: the deck's, else that of the
+/// interfaces where all have the same, else none.
+std::optional<double> friction_of_others(const InterfaceSet& interfaces, const MotionParameters& parameters);
 
 /// √area of the smallest block [L].
 double smallest_size(const Assembly& assembly);

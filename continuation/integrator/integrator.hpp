@@ -49,6 +49,8 @@ class Integrator {
   virtual double per_square_time(const Interval& dt) const = 0;
   /// ŷ.
   virtual Pose flight(const BodyCourse& at, const Interval& dt) const = 0;
+  /// s of the velocity at the end of a step: ẏ₁ = s (y₁ − y₀)/dt − (s − 1) ẏ₀.
+  virtual double end_rate() const { return 1; }
   /// The course with y₁ as its now.
   virtual BodyCourse arrive(const BodyStep& step) const = 0;
   virtual BodyWork work(const AffineBlock& block, const BodyStep& step) const = 0;

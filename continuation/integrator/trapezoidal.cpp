@@ -18,6 +18,7 @@ class Trapezoidal final : public Integrator {
   Pose flight(const BodyCourse& at, const Interval& dt) const override {
     return at.now + dt.now * at.velocity + dt.now * dt.now / 4 * at.acceleration;
   }
+  double end_rate() const override { return 2; }
   BodyCourse arrive(const BodyStep& step) const override {
     return {step.start.now, step.reached,
             2 / step.dt.now * (step.reached - step.start.now) - step.start.velocity,

@@ -1,19 +1,23 @@
 #pragma once
 
+#include <vector>
+
 #include "continuation/motion/potential.hpp"
 
 namespace dda {
 
 /// Where the energy of a motion has gone [F L].
 ///
-///     external = Δkinetic + Δstored + friction + fracture + numerical + error
+///     external = Δkinetic + Δstored + friction + fracture + damping + numerical + error
 ///
 /// What is numerical, impacts and vibrations that a step damps, is measured: a step is a minimum, so that it satisfies
 /// K₁ − K̂ = −∇Π · way + of_start (BodyWork). What that is missed by is the error. What impacts give back is taken off what
 /// is numerical. Velocities that are means over a step are half a step behind what is spent by then.
 struct MotionLedger {
-  double external = 0, kinetic = 0, friction = 0, fracture = 0, numerical = 0, error = 0;
+  double external = 0, kinetic = 0, friction = 0, fracture = 0, damping = 0, numerical = 0, error = 0;
   StoredEnergies stored;
+  std::vector<double>
+      fracture_of;  ///< the part of `fracture` of each interface, by number; none where none can tear
 };
 
 }  // namespace dda

@@ -18,6 +18,27 @@ constexpr double inf = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
+double pull_on(const MovingScene& scene, const Poses& velocities) {
+  double mass = 0, thrown = 0;
+  Vec2 load = Vec2::Zero();
+  for (std::size_t b = 0; b < scene.num_bodies(); ++b) {
+    const MovingBody& body = scene.bodies[b];
+    if (body.is_held) continue;
+    mass += body.block.mass;
+    load += scene.load_on(b).head<2>();
+    thrown = std::max(thrown, centre_of(velocities[b]).squaredNorm() / body.size);
+  }
+  const double out = std::max(scene.gravity.norm(), load.norm() / mass);
+  return out > 0 ? out : thrown;
+}
+
+double pace_of(const MovingScene& scene, double pull) {
+  double size = inf;
+  for (const MovingBody& body : scene.bodies)
+    if (!body.is_held) size = std::min(size, body.size);
+  return std::sqrt((scene.smallest > 0 ? scene.smallest : size) / pull);
+}
+
 /// A step that was tried: how it was found, what it has come to, and where its energy has gone.
 struct Motion::Try {
   Inertia inertia;
@@ -30,34 +51,39 @@ Motion::Motion(const MovingScene& scene, std::vector<Bond> bonds, Poses poses, P
                const MotionCourse& course)
     : scene_(scene), bonds_(std::move(bonds)), course_(course), now_(std::move(poses)), start_(now_) {
   if (!course_.integrator) course_.integrator = integrators().choose(Node::scalar("free_flight")).make();
-  double size = inf, mass = 0, thrown = 0;
-  Vec2 load = Vec2::Zero();
-  for (std::size_t b = 0; b < scene.num_bodies(); ++b) {
-    if (scene.bodies[b].is_held) continue;
-    size = std::min(size, scene.bodies[b].size);
-    mass += scene.bodies[b].block.mass;
-    load += scene.load_on(b).head<2>();
-    thrown = std::max(thrown, centre_of(velocities[b]).squaredNorm() / scene.bodies[b].size);
-  }
-  pull_ = std::max(scene.gravity.norm(), load.norm() / mass);
-  if (pull_ == 0) pull_ = thrown;
-  natural_ = course_.step * std::sqrt((scene.smallest > 0 ? scene.smallest : size) / pull_);
+  pull_ = pull_on(scene, velocities);
+  natural_ = course_.step * pace_of(scene, pull_);
   if (!std::isfinite(natural_)) natural_ = course_.time > 0 ? course_.time / 1000 : 1;
   m_.dt = {natural_, natural_, true};
   m_.tears =
       std::ranges::any_of(bonds_, [](const Bond& bond) { return bond.can_tear() && !bond.is_spent(); });
   for (std::size_t b = 0; b < now_.size(); ++b)
     m_.courses.push_back(course_.integrator->begin(now_[b], velocities[b], natural_));
+  for (const Bond& bond : bonds_)
+    if (const auto number = static_cast<std::size_t>(bond.interface + 1);
+        number > m_.ledger.fracture_of.size())
+      m_.ledger.fracture_of.resize(number);
   m_.bonds.resize(bonds_.size());
   std::iota(m_.bonds.begin(), m_.bonds.end(), std::size_t{0});
   search_ = std::make_unique<MeetingSearch>(scene_, m_.joined);
   release();
+  begin_energies();
+}
+
+/// Energies and accelerations at the beginning, damped as if a step had led there.
+void Motion::begin_energies() {
+  Poses before;
+  for (const BodyCourse& course : m_.courses) before.push_back(course.before);
+  potential_->set_damped({velocities(), natural_, 1});
+  potential_->begin(before);
   const Eigen::VectorXd forces = potential_->gradient(now_);
   for (std::size_t b = 0; b < now_.size(); ++b) {
-    if (scene_.bodies[b].is_held) continue;
-    m_.courses[b].acceleration = scene_.bodies[b].block.over_mass(-of_body(forces, b));
-    m_.ledger.kinetic += kinetic_energy(scene_.bodies[b].block, m_.courses[b].velocity);
+    const MovingBody& body = scene_.bodies[b];
+    if (body.is_held) continue;
+    m_.courses[b].acceleration = body.block.over_mass(-of_body(forces, b));
+    m_.ledger.kinetic += kinetic_energy(body.block, m_.courses[b].velocity);
   }
+  potential_->begin(now_);
   m_.ledger.stored = potential_->stored(now_);
 }
 
@@ -77,7 +103,7 @@ void Motion::restore(MotionMemory memory, const std::vector<Bond>& bonds) {
 /// For what is bonded and joined now.
 void Motion::make_solver() {
   search_ = std::make_unique<MeetingSearch>(scene_, m_.joined);
-  potential_ = std::make_unique<Potential>(scene_, *search_, bonds_);
+  potential_ = std::make_unique<Potential>(scene_, *search_, bonds_, course_.damping);
   solver_ = std::make_unique<StepSolver>(scene_, *potential_, course_.tolerances);
   potential_->begin(now_);
 }
@@ -142,6 +168,7 @@ void Motion::set_step() {
 
 Motion::Try Motion::try_step() {
   Try out{aim(), {}};
+  potential_->set_damped({velocities(), m_.dt.now, course_.integrator->end_rate()});
   out.found = solver_->solve(now_, out.inertia, m_.sliders);
   m_.iterations += out.found.iterations;
   if (!out.found.converged()) return out;
@@ -206,11 +233,16 @@ void Motion::book(Try& step) const {
     out.kinetic += kinetic_energy(body.block, step.courses[b].velocity);
   }
   for (const Slider& slider : step.found.sliders) out.friction += slider.spent(slider.reached(now_, reached));
-  for (std::size_t i = 0; i < bonds_.size(); ++i)
-    out.fracture += spending(bonds_[i], potential_->state_of(i, reached));
+  out.fracture_of.assign(m_.ledger.fracture_of.size(), 0);
+  for (std::size_t i = 0; i < bonds_.size(); ++i) {
+    const double spent = spending(bonds_[i], potential_->state_of(i, reached));
+    out.fracture += spent;
+    if (bonds_[i].interface >= 0) out.fracture_of[static_cast<std::size_t>(bonds_[i].interface)] += spent;
+  }
+  out.damping = potential_->spent_by_damping(reached);
   out.stored = potential_->stored(reached);
   out.numerical = inner - of_start - (out.stored.sum() - m_.ledger.stored.sum()) - out.friction -
-                  out.fracture + (m_.ledger.kinetic - flown);
+                  out.fracture - out.damping + (m_.ledger.kinetic - flown);
   out.error = out.external - inner + of_start - (out.kinetic - flown);
 }
 
@@ -222,30 +254,23 @@ bool Motion::creates_energy(const MotionLedger& step) const {
     if (!scene_.bodies[b].is_held)
       given += m_.dt.now * m_.dt.now * scene_.load_on(b).head<2>().squaredNorm() /
                (2 * scene_.bodies[b].block.mass);
-  const double all =
-      m_.ledger.kinetic + step.kinetic + m_.ledger.stored.sum() + step.stored.sum() + std::abs(step.external);
+  const double all = m_.ledger.kinetic + step.kinetic + std::abs(m_.ledger.stored.sum()) +
+                     std::abs(step.stored.sum()) + std::abs(step.external);
   const double ahead =
-      step.friction + step.fracture;  // booked up to half a step before the work that is spent
+      step.friction + step.fracture + step.damping;  // booked up to half a step before that work
   return -step.numerical > given + ahead + bearable * all + hardly * m_.most_kinetic;
 }
 
 /// What the sliders keep, and whether any has slid.
 void Motion::slide(const MotionStep& step) {
   m_.slid = false;
-  SliderMemory memory;
   for (const Slider& slider : step.sliders) {
     const double u = slider.reached(now_, step.poses);
     m_.slid = m_.slid || std::abs(u) > (1 + 1e-9) * std::abs(slider.kept(u));
-    memory.set(slider.meeting.key, {slider.kept(u), 0});
   }
   const std::vector<Meeting> meetings = potential_->meetings(step.poses);
   num_meetings_ = meetings.size();
-  for (const Meeting& meeting : meetings) {
-    SliderMemory::Kept kept = memory.of(meeting.key);
-    kept.force = response_of(scene_.meeting, meeting).force;
-    memory.set(meeting.key, kept);
-  }
-  m_.sliders = std::move(memory);
+  m_.sliders = kept_behind({now_, step.poses}, step.sliders, meetings, scene_.meeting);
 }
 
 /// What the bonds remember; whether one has been spent.
@@ -307,6 +332,8 @@ void Motion::accept(Try step) {
   m_.ledger.external += entry.external;
   m_.ledger.friction += entry.friction;
   m_.ledger.fracture += entry.fracture;
+  for (std::size_t i = 0; i < entry.fracture_of.size(); ++i) m_.ledger.fracture_of[i] += entry.fracture_of[i];
+  m_.ledger.damping += entry.damping;
   m_.ledger.numerical += entry.numerical;
   m_.ledger.error += entry.error;
   m_.ledger.kinetic = entry.kinetic;

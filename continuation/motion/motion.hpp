@@ -16,8 +16,14 @@ struct MotionCourse {
   bool stops_at_rest = true;
   double step = 0.01;  ///< in √(L/g), L the size of the smallest body that moves
   std::shared_ptr<const Integrator> integrator = {};  ///< none: `free_flight`
+  DampingRates damping = {};
   MotionTolerances tolerances = {};
 };
+
+/// The acceleration of all that moves by its loads; without loads v²/L of the fastest body [L/T²].
+double pull_on(const MovingScene& scene, const Poses& velocities);
+/// √(L/g) of a pull g, L the size of the smallest body that moves [T]; infinite where nothing pulls.
+double pace_of(const MovingScene& scene, double pull);
 
 /// What the next step of a motion depends on beside its scene.
 struct MotionMemory {
@@ -42,6 +48,9 @@ class Motion {
   /// Bodies start at `poses` with `velocities` ẏ.
   Motion(const MovingScene& scene, std::vector<Bond> bonds, Poses poses, Poses velocities,
          const MotionCourse& course);
+
+  /// What contacts bear already at the beginning.
+  void set_contacts(SliderMemory contacts) { m_.sliders = std::move(contacts); }
 
   /// Where an earlier motion of the same scene, bonds and beginning stood: it goes on with the same bits.
   void restore(MotionMemory memory, const std::vector<Bond>& bonds);
@@ -69,6 +78,7 @@ class Motion {
   struct Try;
   void release();
   void make_solver();
+  void begin_energies();
   bool has_left(const Bond& bond) const;
   Inertia aim() const;
   void set_step();

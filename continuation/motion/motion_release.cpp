@@ -1,39 +1,14 @@
 // Which bodies of a motion may meet: those that nothing joins any more.
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "continuation/bodies/joined.hpp"
 #include "continuation/motion/motion.hpp"
 
 namespace dda {
 namespace {
 
 using Pairs = std::vector<MeetingSearch::Pair>;
-
-/// Adds to `joined` all pairs of some bodies that a chain of bonded ones, in order, connects.
-void join_chains(const std::vector<std::uint32_t>& bodies, const Pairs& bonded, Pairs& joined) {
-  std::vector<std::size_t> chain(bodies.size());
-  std::iota(chain.begin(), chain.end(), std::size_t{0});
-  for (std::size_t a = 0; a < bodies.size(); ++a)
-    for (std::size_t b = a + 1; b < bodies.size(); ++b) {
-      const auto pair = std::minmax(bodies[a], bodies[b]);
-      if (!std::ranges::binary_search(bonded, MeetingSearch::Pair(pair))) continue;
-      const std::size_t from = chain[b], to = chain[a];
-      std::ranges::replace(chain, from, to);
-    }
-  for (std::size_t a = 0; a < bodies.size(); ++a)
-    for (std::size_t b = a + 1; b < bodies.size(); ++b)
-      if (chain[a] == chain[b]) joined.push_back(std::minmax(bodies[a], bodies[b]));
-}
-
-MeetingSearch::Pair pair_of(const Bond& bond) {
-  return std::minmax(static_cast<std::uint32_t>(bond.first), static_cast<std::uint32_t>(bond.second));
-}
-
-void sort(Pairs& pairs) {
-  std::ranges::sort(pairs);
-  pairs.erase(std::ranges::unique(pairs).begin(), pairs.end());
-}
 
 }  // namespace
 
@@ -52,18 +27,12 @@ bool Motion::has_left(const Bond& bond) const {
 /// to bear pressure as long as its sides face each other, and until they are apart they do not meet: outlines that have
 /// overlapped as bonded bodies may tell no outside.
 void Motion::release() {
-  Pairs bonded;
-  for (const Bond& bond : bonds_)
-    if (!bond.is_spent()) bonded.push_back(pair_of(bond));
-  sort(bonded);
-  Pairs joined = bonded;
-  for (const auto& blocks : scene_.around) join_chains(blocks, bonded, joined);
-  sort(joined);
+  Pairs joined = joined_by(bonds_, scene_.around);
   Pairs waiting;
   for (const MeetingSearch::Pair& pair : m_.joined)
     if (!std::ranges::binary_search(joined, pair) && !search_->are_apart(pair, now_)) waiting.push_back(pair);
   joined.insert(joined.end(), waiting.begin(), waiting.end());
-  sort(joined);
+  std::ranges::sort(joined);
   const auto is_gone = [&](const Bond& bond) {
     return !std::ranges::binary_search(joined, pair_of(bond)) || has_left(bond);
   };

@@ -16,18 +16,6 @@ std::array<Vec6, 2> rows_along(const Meeting& meeting, const Vec2& direction) {
 
 std::array<std::size_t, 2> bodies_of(const Meeting& meeting) { return {meeting.key.body, meeting.key.other}; }
 
-/// The secant of a joint at q: its damage once q has been accepted.
-Mat2 secant(const Bond& bond, const Vec2& q) {
-  const History then = bond.law->accept(q, bond.history, bond.stiffness);
-  const Mat2 out = bond.law->respond_frozen(q, then, bond.stiffness).tangent;
-  return (out + out.transpose()) / 2;
-}
-
-Mat2 tangent(const Bond& bond, const Vec2& q) {
-  const Mat2 out = bond.law->respond(q, bond.history, bond.stiffness).tangent;
-  return (out + out.transpose()) / 2;
-}
-
 using BlockPairs = std::vector<BlockSum::Pair>;
 
 /// Two bodies as a place below the diagonal, unless one is held.
@@ -38,44 +26,10 @@ void add_pair(int i, int j, BlockPairs& out) {
 
 }  // namespace
 
-/// Puts matrices of pairs of bodies together; what belongs to held ones pulls at others where these go ways.
-class Curvatures {
- public:
-  Curvatures(const std::vector<int>& rows, const Poses& ways, BlockSum& sum)
-      : rows_(rows),
-        ways_(ways),
-        sum_(sum),
-        pull_(Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(sum.num_rows()))) {
-    sum_.set_zero();
-  }
-
-  bool wants(std::size_t i, std::size_t j) const {
-    return rows_[i] >= 0 && (rows_[j] >= 0 ? rows_[i] >= rows_[j] : !ways_.empty());
-  }
-  void add(std::size_t i, std::size_t j, const Mat6& m) {
-    if (rows_[j] < 0)
-      pull_.segment<6>(6 * rows_[i]) += m * ways_[j];
-    else
-      sum_.add(static_cast<std::size_t>(rows_[i]), static_cast<std::size_t>(rows_[j]), m);
-  }
-  /// factor g gᵀ of what counts on two bodies.
-  void add(const std::array<std::size_t, 2>& bodies, const std::array<Vec6, 2>& g, double factor) {
-    if (factor == 0) return;
-    for (std::size_t a = 0; a < 2; ++a)
-      for (std::size_t b = 0; b < 2; ++b)
-        if (wants(bodies[a], bodies[b])) add(bodies[a], bodies[b], factor * g[a] * g[b].transpose());
-  }
-  Eigen::VectorXd take_pull() { return std::move(pull_); }
-
- private:
-  const std::vector<int>& rows_;
-  const Poses& ways_;
-  BlockSum& sum_;
-  Eigen::VectorXd pull_;
-};
-
-Potential::Potential(const MovingScene& scene, const MeetingSearch& search, const std::vector<Bond>& bonds)
+Potential::Potential(const MovingScene& scene, const MeetingSearch& search, const std::vector<Bond>& bonds,
+                     const DampingRates& damping)
     : scene_(scene), search_(search), bonds_(bonds) {
+  if (damping.is_any()) damping_.emplace(scene_, bonds_, damping);
   for (const MovingBody& body : scene.bodies)
     rows_.push_back(body.is_held ? -1 : static_cast<int>(num_moving_++));
   for (const Bond& bond : bonds) add_pair(rows_[bond.first], rows_[bond.second], lasting_);
@@ -104,6 +58,10 @@ void Potential::begin(const Poses& start) {
   pairs_ = search_.candidates(start, start);
   frames_.clear();
   for (const Bond& bond : bonds_) frames_.push_back(frame_of(bond, start));
+  if (damping_) damping_->begin(start, frames_, damped_);
+  if (histories_ == Histories::grow) return;
+  openings_.clear();
+  for (std::size_t i = 0; i < bonds_.size(); ++i) openings_.push_back(state_of(i, start).opening);
 }
 
 Potential::Vector Potential::gradient(const Poses& at) const {
@@ -118,13 +76,11 @@ Potential::Vector Potential::gradient(const Poses& at) const {
   for (std::size_t i = 0; i < bonds_.size(); ++i) {
     const Bond& bond = bonds_[i];
     const BondState now = state_of(i, at);
-    const Vec2 t = bond.law->respond(now.opening, bond.history, bond.stiffness).traction,
-               less = now.stress.cwiseQuotient(bond.trial_stiffness());
-    for (const auto& [side, b] :
-         {std::pair(std::size_t{0}, bond.first), std::pair(std::size_t{1}, bond.second)})
-      of_body(out, b) +=
-          bond.weight * (now.opening_rows[side].transpose() * t - now.stress_rows[side].transpose() * less);
+    const auto forces = forces_of(bond, now, bond_response(i, now.opening).traction, now.stress);
+    of_body(out, bond.first) += forces[0];
+    of_body(out, bond.second) += forces[1];
   }
+  if (damping_) damping_->add_forces(at, out);
   const auto push = [&](const Meeting& meeting, const Vec2& direction, double force) {
     const auto rows = rows_along(meeting, direction);
     of_body(out, meeting.key.body) += force * rows[0];
@@ -137,19 +93,22 @@ Potential::Vector Potential::gradient(const Poses& at) const {
   return out;
 }
 
+Response Potential::bond_response(std::size_t i, const Vec2& opening) const {
+  const Bond& bond = bonds_[i];
+  return histories_ == Histories::frozen ? frozen_response(bond, opening, openings_[i])
+                                         : bond.law->respond(opening, bond.history, bond.stiffness);
+}
+
 void Potential::add_bonds(const Poses& at, Softening softening, Curvatures& out) const {
   for (std::size_t i = 0; i < bonds_.size(); ++i) {
     const Bond& bond = bonds_[i];
     const BondState now = state_of(i, at);
-    const Mat2 d = softening == Softening::secant ? secant(bond, now.opening) : tangent(bond, now.opening);
-    const Vec2 less = bond.trial_stiffness().cwiseInverse();
-    const std::array<std::size_t, 2> bodies{bond.first, bond.second};
-    for (std::size_t a = 0; a < 2; ++a)
-      for (std::size_t b = 0; b < 2; ++b)
-        if (out.wants(bodies[a], bodies[b]))
-          out.add(bodies[a], bodies[b],
-                  bond.weight * (now.opening_rows[a].transpose() * d * now.opening_rows[b] -
-                                 now.stress_rows[a].transpose() * less.asDiagonal() * now.stress_rows[b]));
+    if (softening == Softening::secant) {
+      out.add(bond, now, secant_of(bond, now.opening));
+    } else {
+      const Mat2 d = bond_response(i, now.opening).tangent;
+      out.add(bond, now, (d + d.transpose()) / 2);
+    }
   }
 }
 
@@ -191,11 +150,9 @@ Potential::Curvature Potential::curvature(const Poses& at, double per_square_tim
       out.add(b, b,
               per_square_time * scene_.bodies[b].block.mass_matrix() +
                   strain_energy(scene_.bodies[b].block, at[b]).curvature);
-  for (const MotionSpring& spring : scene_.springs)
-    for (const auto& [i, row_i] : spring.rows)
-      for (const auto& [j, row_j] : spring.rows)
-        if (out.wants(i, j)) out.add(i, j, spring.stiffness * row_i * row_j.transpose());
+  for (const MotionSpring& spring : scene_.springs) out.add(spring);
   add_bonds(at, softening, out);
+  if (damping_) damping_->add_curvature(at, out);
   std::vector<ClampedSpring> springs = add_clamped(at, out);
   return {sum_.matrix(), std::move(springs), out.take_pull(), has_new_pattern};
 }
@@ -231,6 +188,7 @@ double Potential::value(const Poses& at) const {
     if (rows_[b] >= 0) out -= scene_.load_on(b).dot(at[b]);
   for (const Slider& slider : sliders_) out += slider.spent(slider.reached(start_, at));
   for (std::size_t i = 0; i < bonds_.size(); ++i) out += spending(bonds_[i], state_of(i, at));
+  if (damping_) out += damping_->value(at);
   return out;
 }
 

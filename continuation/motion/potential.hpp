@@ -1,12 +1,14 @@
 #pragma once
 
 #include <Eigen/SparseCore>
+#include <optional>
 #include <vector>
 
 #include "continuation/bodies/bonds.hpp"
 #include "continuation/bodies/sliders.hpp"
 #include "continuation/motion/block_sum.hpp"
 #include "continuation/motion/clamped_springs.hpp"
+#include "continuation/motion/damping.hpp"
 
 namespace dda {
 
@@ -17,7 +19,7 @@ struct StoredEnergies {
   double sum() const { return strain + springs + bonds + contact + friction; }
 };
 
-/// What the step minimises beside inertia: Π(z) = strain + springs + bonds + contact + friction − f·z.
+/// What the step minimises beside inertia: Π(z) = strain + springs + bonds + contact + friction + damping − f·z.
 ///
 /// Forces are a vector of 6 per body, and curvatures a symmetric matrix over the bodies that are not held: of every part
 /// its semidefinite share, so that Newton's directions lead down; joints that soften as they do, or by their secant.
@@ -26,10 +28,17 @@ class Potential {
   using Vector = Eigen::VectorXd;
   using Matrix = Eigen::SparseMatrix<double>;
 
-  Potential(const MovingScene& scene, const MeetingSearch& search, const std::vector<Bond>& bonds);
+  /// Whether joints remember what a step has done to them, or stay as damaged as they are.
+  enum class Histories { grow, frozen };
+
+  Potential(const MovingScene& scene, const MeetingSearch& search, const std::vector<Bond>& bonds,
+            const DampingRates& damping = {});
+  void set_histories(Histories histories) { histories_ = histories; }
 
   /// Where the step begins: frames of bonds, and motions of sliders, are from there; what may meet is what does there.
   void begin(const Poses& start);
+  /// How the steps that begin from now on are damped, if they are.
+  void set_damped(Damping::Step step) { damped_ = std::move(step); }
   void set_sliders(std::vector<Slider> sliders) { sliders_ = std::move(sliders); }
   const std::vector<Slider>& sliders() const { return sliders_; }
   BondState state_of(std::size_t bond, const Poses& at) const {
@@ -52,6 +61,8 @@ class Potential {
   };
   Curvature curvature(const Poses& at, double per_square_time, Softening softening, const Poses& ways);
   StoredEnergies stored(const Poses& at) const;
+  /// What damping spends on the way there [F L].
+  double spent_by_damping(const Poses& at) const { return damping_ ? damping_->spent(at) : 0; }
   /// Π, what joints and sliders would spend on the way included [F L].
   double value(const Poses& at) const;
   /// What rounding of places may leave of the forces on each body, those of inertia c M included: stiffness times
@@ -72,9 +83,10 @@ class Potential {
   Eigen::Index num_moving() const { return num_moving_; }
 
  private:
-  void add_bonds(const Poses& at, Softening softening, class Curvatures& out) const;
+  Response bond_response(std::size_t bond, const Vec2& opening) const;
+  void add_bonds(const Poses& at, Softening softening, Curvatures& out) const;
   bool prepare_pattern();
-  std::vector<ClampedSpring> add_clamped(const Poses& at, class Curvatures& sum) const;
+  std::vector<ClampedSpring> add_clamped(const Poses& at, Curvatures& sum) const;
 
   const MovingScene& scene_;
   const MeetingSearch& search_;
@@ -82,7 +94,11 @@ class Potential {
   std::vector<int> rows_;
   Eigen::Index num_moving_ = 0;
   Poses start_;
-  std::vector<Mat2> frames_;  ///< of the bonds
+  std::vector<Mat2> frames_;    ///< of the bonds
+  std::vector<Vec2> openings_;  ///< q of the bonds at the start, where histories are frozen
+  Histories histories_ = Histories::grow;
+  std::optional<Damping> damping_;
+  Damping::Step damped_;
   std::vector<Slider> sliders_;
   std::vector<MeetingSearch::Pair> pairs_;
   std::vector<BlockSum::Pair> lasting_;  ///< of bonds and springs, as rows

@@ -78,9 +78,23 @@ Cells cells_of(const Scene& scene, const Layout& layout) {
   return subdivision->divide(layout);
 }
 
+/// Regions that stay one block come behind the others, in their order.
+Cells with_undivided(const Scene& scene, Layout layout) {
+  std::vector<Cell> whole;
+  std::erase_if(layout.shapes, [&](const Shape& shape) {
+    const bool stays = !layout.model && scene.regions[static_cast<std::size_t>(shape.region)].is_undivided;
+    if (stays) whole.push_back({shape.figure.outline, shape.region});
+    return stays;
+  });
+  Cells out{{}, layout.lines};
+  if (!layout.shapes.empty()) out = cells_of(scene, layout);
+  std::ranges::move(whole, std::back_inserter(out.cells));
+  return out;
+}
+
 Assembly meshed(const Scene& scene) {
   const Layout layout = layout_of(scene);
-  const Cells cells = cells_of(scene, layout);
+  const Cells cells = with_undivided(scene, layout);
   Findings findings;
   if (layout.model) check_cells(cells.cells, scene.where, findings);
   findings.throw_if_any();

@@ -11,7 +11,12 @@ Schema<RegionInput> region_schema() {
             {.fallback = "", .text = "Name of the region; the material's when not given."})
       .text("material", &RegionInput::material, {.text = "Name of a material of the deck."})
       .points("vertices", &RegionInput::vertices,
-              {.at_least = 3, .text = "Corners in order, first not repeated."});
+              {.at_least = 3, .text = "Corners in order, first not repeated."})
+      .boolean(
+          "undivided", &RegionInput::is_undivided,
+          {.fallback = false,
+           .text = "The polygon is one block whatever the `subdivision`, such as a ground, a plate or a pier "
+                   "beside what cracks."});
 }
 
 Kind<std::vector<Vec2>> polyline() { return list_of(point_kind(), 2); }

@@ -20,6 +20,7 @@ struct RegionInput {
   std::string name;  ///< the material's name when empty
   std::string material;
   std::vector<Vec2> vertices;  ///< [L], either direction
+  bool is_undivided = false;   ///< one block, whatever the subdivision
   Position where;
 };
 

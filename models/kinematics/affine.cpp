@@ -74,14 +74,15 @@ Mat36 green_strain_rows(const Pose& y) {
 }
 
 Vec6 strain_forces(const AffineBlock& block, const Pose& y) {
-  return block.volume * green_strain_rows(y).transpose() * (block.stiffness * green_strain(y));
+  return block.volume * green_strain_rows(y).transpose() *
+         (block.stiffness * green_strain(y) + block.initial_stress);
 }
 
 StrainEnergy strain_energy(const AffineBlock& block, const Pose& y) {
-  const Vec3 strain = green_strain(y), stress = block.stiffness * strain;
+  const Vec3 strain = green_strain(y), stress = block.stiffness * strain + block.initial_stress;
   const Mat36 rows = green_strain_rows(y);
   StrainEnergy out;
-  out.value = block.volume / 2 * strain.dot(stress);
+  out.value = block.volume / 2 * strain.dot(stress + block.initial_stress);
   out.gradient = block.volume * rows.transpose() * stress;
   out.curvature = block.volume * rows.transpose() * block.stiffness * rows;
   Mat2 tensor;

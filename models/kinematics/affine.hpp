@@ -53,10 +53,11 @@ Mat2 rotation(double angle);
 
 /// The inertia and the stiffness of a block.
 struct AffineBlock {
-  double mass = 0;                ///< m [M]
-  Mat2 inertia = Mat2::Zero();    ///< J = ∫ X Xᵀ dm [M L²]
-  double volume = 0;              ///< [L³]
-  Mat3 stiffness = Mat3::Zero();  ///< C [F/L²]
+  double mass = 0;                     ///< m [M]
+  Mat2 inertia = Mat2::Zero();         ///< J = ∫ X Xᵀ dm [M L²]
+  double volume = 0;                   ///< [L³]
+  Mat3 stiffness = Mat3::Zero();       ///< C [F/L²]
+  Vec3 initial_stress = Vec3::Zero();  ///< S₀, there without strain, turning with the block [F/L²]
 
   /// M y: m c, and J F by rows.
   Vec6 times_mass(const Vec6& y) const;
@@ -69,7 +70,7 @@ struct AffineBlock {
 Vec3 green_strain(const Pose& y);
 Mat36 green_strain_rows(const Pose& y);
 
-/// V = ½ V_block E:C:E: the energy of small strains, the same at any rotation.
+/// V = V_block (½ E:C:E + S₀:E): the energy of small strains, the same at any rotation.
 struct StrainEnergy {
   double value = 0;               ///< [F L]
   Vec6 gradient = Vec6::Zero();   ///< ∂V/∂y

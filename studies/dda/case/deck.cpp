@@ -162,10 +162,16 @@ DeckFile read_deck(DeckSource source, const std::vector<std::string>& overrides)
   refuse_sweep(source.root);
   std::vector<std::string> resolved = resolve_parameter_lists(source.root, source.path.parent_path());
   resolved.insert(resolved.begin(), overrides.begin(), overrides.end());
-  return {.path = std::move(source.path),
-          .text = std::move(source.text),
-          .overrides = std::move(resolved),
-          .deck = deck_schema().read(source.root)};
+  DeckFile out{.path = std::move(source.path),
+               .text = std::move(source.text),
+               .overrides = std::move(resolved),
+               .deck = deck_schema().read(source.root)};
+  Deck& deck = out.deck;
+  if (deck.path.then == AfterPath::motion && !deck.motion) {
+    deck.motion = motion_schema().read(Node::map());
+    deck.motion->where = deck.path.where;
+  }
+  return out;
 }
 
 DeckFile read_deck(const std::filesystem::path& path, const std::vector<std::string>& overrides) {

@@ -66,6 +66,8 @@ struct Deck : ModelParameters {
 
   /// Without loads there is nothing to follow, only a motion.
   bool has_path() const { return !stages.empty(); }
+  /// Whether what is left in the end is let go.
+  bool moves() const { return motion && path.then != AfterPath::end; }
 };
 
 /// The one declaration of a deck: reading, explain, JSON schema and effective deck come from it.

@@ -9,13 +9,14 @@
 namespace dda::motion_column {
 
 inline constexpr const char *work = "external_work", *kinetic = "kinetic_energy", *stored = "stored_energy",
-                            *friction = "friction", *fracture = "fracture", *numerical = "impact_and_damping",
-                            *error = "energy_error";
+                            *friction = "friction", *fracture = "fracture", *damping = "damping",
+                            *numerical = "impact_and_damping", *error = "energy_error";
 
-/// The columns of motion.csv that every motion has; gauges stand behind them.
-std::vector<Column> all(const Units& units);
+/// The columns of motion.csv but for the gauges, which stand behind them: those of the energy book, and what fracture has
+/// taken on every interface.
+std::vector<Column> all(const Units& units, const std::vector<std::string>& interfaces);
 
 /// Throws InputError for a gauge that is called like one of them.
-void require_free(const Deck& deck);
+void require_free(const Deck& deck, const std::vector<std::string>& interfaces);
 
 }  // namespace dda::motion_column

@@ -67,8 +67,8 @@ Simulation::Simulation(const Deck& deck, Timings& timings) : deck_(deck), timing
                                  "written by contribution",
                                  equilibrium_->num_blocks(), RecordParameters::most_stiffness_blocks));
   if (deck.has_path()) require_control();
-  if (deck.motion) {
-    motion_column::require_free(deck);
+  if (deck.moves()) {
+    motion_column::require_free(deck, equilibrium_->interfaces().names);
     require_handover(*body_, *equilibrium_, *deck.motion);
   }
   landings();
@@ -149,6 +149,7 @@ void Simulation::prepare() {
   if (front_ && front_->is_automatic()) begin_cracks();
   notices_ = equilibrium_->interfaces().notices;
   if (front_) note_coarse_cracks();
+  if (deck_.moves()) note_hinges();
   if (const std::size_t multipliers = equilibrium_->num_unknown_multipliers(); multipliers > 0)
     if (const int redundant = num_redundant(equilibrium_->unperturbed()); redundant > 0)
       notices_.push_back(fmt::format(
@@ -216,6 +217,17 @@ void Simulation::require_cracks() const {
   if (deck_.path.branch == Branching::to_lowest)
     findings.add(where, "cracks through blocks follow one branch: `path.branch: follow`");
   findings.throw_if_any();
+}
+
+void Simulation::note_hinges() {
+  const std::vector<std::string>& names = equilibrium_->interfaces().gauss_names;
+  if (names.empty()) return;
+  std::string all;
+  for (const std::string& name : names) all += (all.empty() ? "'" : ", '") + name + "'";
+  notices_.push_back(fmt::format(
+      "motion: sides of {} have Gauss points and turn about these until they are spent, so that their "
+      "corners sink into what is beside them; `points: vertices` has them turn about their ends",
+      all));
 }
 
 void Simulation::note_coarse_cracks() {

@@ -91,13 +91,15 @@ void print_motion(const Simulation& simulation) {
   std::size_t held = 0;
   for (const Block& block : simulation.assembly().blocks)
     held += is_held(simulation.body(), parameters, block.region);
-  line("motion", fmt::format("{} of {} blocks, {}, {:g} s at most{}", blocks - held, blocks,
+  line("motion", fmt::format("{} of {} blocks, {}, {} at most{}", blocks - held, blocks,
                              simulation.deck().has_path() ? "from the end of the path on"
                                                           : "from the undeformed structure on",
-                             parameters.time, parameters.stops_at_rest ? " or until rest" : ""));
+                             parameters.time > 0 ? fmt::format("{:g} s", parameters.time) : "40 √(size/g)",
+                             parameters.stops_at_rest ? " or until rest" : ""));
   line("integrator", parameters.integrator.name());
   line("contact", fmt::format("{}, friction {:g}, restitution {:g}, {} pairs of their own",
-                              parameters.contact.law.name(), parameters.contact.friction,
+                              parameters.contact.law.name(),
+                              friction_of_others(simulation.equilibrium().interfaces(), parameters).value(),
                               parameters.contact.restitution, parameters.contact.pairs.size()));
 }
 
@@ -157,7 +159,7 @@ int command_check(const CommandLine& command) {
   } else {
     print_gauges(simulation);
   }
-  if (file.deck.motion) print_motion(simulation);
+  if (file.deck.moves()) print_motion(simulation);
   return 0;
 }
 

@@ -38,6 +38,7 @@ struct Scalars {
     visit("kinetic", ledger.kinetic);
     visit("friction", ledger.friction);
     visit("fracture", ledger.fracture);
+    visit("damping", ledger.damping);
     visit("numerical", ledger.numerical);
     visit("error", ledger.error);
     visit("stored_strain", ledger.stored.strain);
@@ -55,6 +56,7 @@ void put_lists(const MotionMemory& m, RestartData& out) {
   for (const BodyCourse& course : m.courses)
     for (const Pose* part : {&course.before, &course.now, &course.velocity, &course.acceleration})
       courses.insert(courses.end(), part->begin(), part->end());
+  out.numbers["fracture_of"] = m.ledger.fracture_of;
   out.integers["bonds"] = {m.bonds.begin(), m.bonds.end()};
   put_all(out, "histories", m.histories);
   for (const auto& [first, second] : m.joined) {
@@ -84,6 +86,7 @@ void take_lists(const RestartData& data, MotionMemory& m) {
     };
     m.courses.push_back({pose(0), pose(1), pose(2), pose(3)});
   }
+  m.ledger.fracture_of = list(data.numbers, "fracture_of");
   for (const std::int64_t bond : list(data.integers, "bonds"))
     m.bonds.push_back(static_cast<std::size_t>(bond));
   if (!m.bonds.empty()) m.histories = take_all<History>(data, "histories");

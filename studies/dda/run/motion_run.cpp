@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "continuation/handover/beginning.hpp"
 #include "continuation/motion/motion.hpp"
 #include "framework/figure/drawing.hpp"
 #include "framework/figure/plot.hpp"
@@ -36,8 +37,10 @@ struct Moved {
   const Pieces& pieces;
   const Motion& motion;
   double load_factor;  ///< at which the path has ended
+  double time;         ///< that it may take [T]
 
   const std::vector<Block>& blocks() const { return pieces.body().assembly.blocks; }
+  const std::vector<std::string>& interfaces() const { return pieces.equilibrium().interfaces().names; }
   const std::vector<NamedGauge>& gauges() const { return pieces.equilibrium().stages().back().gauges; }
 };
 
@@ -88,12 +91,14 @@ class MotionRecorder {
                                ledger.stored.sum(),
                                ledger.friction,
                                ledger.fracture,
+                               ledger.damping,
                                ledger.numerical,
                                ledger.error};
+    for (std::size_t i = 0; i < moved_.interfaces().size(); ++i)
+      row.emplace_back(i < ledger.fracture_of.size() ? ledger.fracture_of[i] : 0.0);
     for (const NamedGauge& gauge : moved_.gauges()) row.emplace_back(value(gauge.functional));
     table_.append(row);
-    const MotionParameters& parameters = *moved_.deck.motion;
-    const double every = parameters.frame_every > 0 ? parameters.frame_every : parameters.time / 100;
+    const double wanted = moved_.deck.motion->frame_every, every = wanted > 0 ? wanted : moved_.time / 100;
     if (motion_.time() >= (at_.frames + 1) * every) {
       at_.frames = static_cast<int>(motion_.time() / every);
       store();
@@ -122,7 +127,7 @@ class MotionRecorder {
 
   static std::vector<Column> columns(const Moved& moved) {
     const Units& units = moved.deck.units;
-    std::vector<Column> out = all(units);
+    std::vector<Column> out = all(units, moved.interfaces());
     for (const NamedGauge& gauge : moved.gauges()) out.push_back({gauge.name, label(gauge.dimension, units)});
     return out;
   }
@@ -186,7 +191,7 @@ class MotionRecorder {
     const CsvTable table = read_csv(folder_ / "motion.csv");
     svg::Panel panel{.x_label = "time [s]",
                      .y_label = fmt::format("energy [{}]", label(dimension::energy, moved_.deck.units))};
-    for (const char* name : {work, kinetic, stored, friction, fracture, numerical}) {
+    for (const char* name : {work, kinetic, stored, friction, fracture, damping, numerical}) {
       std::string text = name;
       std::ranges::replace(text, '_', ' ');
       panel.series.push_back({.name = text, .x = table.numbers("time"), .y = table.numbers(name)});
@@ -222,7 +227,15 @@ class MotionRecorder {
   Clock::time_point written_ = Clock::now();
 };
 
-nlohmann::ordered_json summary_of(const Motion& motion, const Ending& ending, int steps, bool is_pushed) {
+nlohmann::ordered_json summary_of(const Beginning& from) {
+  nlohmann::ordered_json out{{"is_pushed", from.handover.is_pushed},
+                             {"released_energy", from.equilibrium.released},
+                             {"largest_displacement", from.equilibrium.moved}};
+  if (!from.equilibrium.failure.empty()) out["failure"] = from.equilibrium.failure;
+  return out;
+}
+
+nlohmann::ordered_json summary_of(const Motion& motion, const Ending& ending, int steps) {
   const MotionLedger& ledger = motion.ledger();
   return {{"folder", "motion"},
           {"is_at_rest", motion.ending() == Motion::Ending::at_rest},
@@ -231,21 +244,25 @@ nlohmann::ordered_json summary_of(const Motion& motion, const Ending& ending, in
           {"steps", steps},
           {"rejected_steps", motion.rejected()},
           {"iterations", motion.iterations()},
-          {"is_pushed", is_pushed},
           {"live_joints", live_joints(motion)},
           {work, ledger.external},
           {kinetic, ledger.kinetic},
           {stored, ledger.stored.sum()},
           {friction, ledger.friction},
           {fracture, ledger.fracture},
+          {damping, ledger.damping},
           {numerical, ledger.numerical},
           {error, ledger.error}};
 }
 
-Ending ending_of(const Motion& motion, bool is_interrupted) {
+Ending ending_of(const Motion& motion, const MotionParameters& parameters, bool is_interrupted) {
   if (is_interrupted)
     return {Ending::Kind::interrupted, "interrupted in the motion; `dda resume` goes on with it"};
-  const bool has_failed = motion.ending() == Motion::Ending::failed;
+  const bool is_too_long = parameters.time == 0 && motion.ending() == Motion::Ending::at_time,
+             has_failed = motion.ending() == Motion::Ending::failed;
+  if (is_too_long)
+    return {Ending::Kind::stopped_early,
+            fmt::format("motion: not at rest after {:.4g} s; `motion.time` gives it longer", motion.time())};
   return {has_failed ? Ending::Kind::stopped_early : Ending::Kind::goal_reached,
           "motion: " + motion.reason()};
 }
@@ -266,18 +283,21 @@ MotionRecord run_motion(const RunFolder& run_folder, const Simulation& simulatio
   const MotionParameters& parameters = *simulation.deck().motion;
   const fs::path folder = run_folder.file("motion");
   const Pieces pieces(simulation.body(), end.equilibrium, simulation.deck());
-  Handover start = hand_over(pieces, end, parameters);
+  Beginning beginning = begin_motion(pieces, end, parameters);
+  Handover& start = beginning.handover;
   Motion motion(start.scene, start.bonds, std::move(start.poses), std::move(start.velocities),
-                {.time = parameters.time,
+                {.time = beginning.time,
                  .stops_at_rest = parameters.stops_at_rest,
                  .step = parameters.step,
-                 .integrator = parameters.integrator.make()});
+                 .integrator = parameters.integrator.make(),
+                 .damping = parameters.damping});
+  motion.set_contacts(std::move(beginning.equilibrium.contacts));
   const auto before = options.goes_on
                           ? read_motion_restart(folder / restart_name, restart_deck(simulation.deck()))
                           : std::nullopt;
   if (before) motion.restore(before->motion, start.bonds);
-  MotionRecorder recorder =
-      MotionRecorder::make(folder, {simulation.deck(), pieces, motion, end.state.load_factor}, before);
+  MotionRecorder recorder = MotionRecorder::make(
+      folder, {simulation.deck(), pieces, motion, end.state.load_factor, beginning.time}, before);
   Progress progress = Progress::for_stream(stderr, options.quiet);
   while (!interrupted() && motion.advance()) {
     recorder.record();
@@ -287,13 +307,15 @@ MotionRecord run_motion(const RunFolder& run_folder, const Simulation& simulatio
                    .gauges = {{"time", motion.time()}, {kinetic, motion.ledger().kinetic}},
                    .iterations = motion.iterations(),
                    .step_size = motion.step().before,
-                   .goal = motion.time() / parameters.time});
+                   .goal = motion.time() / beginning.time});
   }
   progress.finish();
   recorder.finish();
   const bool is_interrupted = motion.ending() == Motion::Ending::none;
-  const Ending ending = ending_of(motion, is_interrupted);
-  return {ending, summary_of(motion, ending, recorder.steps(), start.is_pushed)};
+  const Ending ending = ending_of(motion, parameters, is_interrupted);
+  nlohmann::ordered_json summary = summary_of(motion, ending, recorder.steps());
+  if (end.is_of_path) summary["handover"] = summary_of(beginning);
+  return {ending, summary};
 }
 
 }  // namespace dda

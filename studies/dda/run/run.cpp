@@ -62,13 +62,25 @@ Ending move_on(const RunFolder& folder, Simulation& simulation, RunRecorder& rec
                const MotionOptions& options) {
   const auto scope = simulation.system().timings().measure("motion");
   const Walker& walker = simulation.walker();
-  const bool has_fallen = walker.leaving().load_factor * walker.state().load_factor < 0;
-  const MotionRecord motion = run_motion(
-      folder, simulation,
-      {simulation.equilibrium(), walker.state(), simulation.system().history(), has_fallen}, options);
+  const PathEnd end{.equilibrium = simulation.equilibrium(),
+                    .state = walker.state(),
+                    .history = simulation.system().history(),
+                    .is_of_path = true,
+                    .has_fallen = simulation.path().memory().is_mechanism ||
+                                  walker.leaving().load_factor * walker.state().load_factor < 0};
+  const MotionRecord motion = run_motion(folder, simulation, end, options);
   recorder.add_motion(motion.summary);
   recorder.log().info("motion", motion.summary);
   return motion.ending;
+}
+
+/// A mechanism that is not let go could be.
+void offer_motion(Simulation& simulation, RunRecorder& recorder) {
+  if (simulation.path().memory().is_mechanism && !simulation.deck().moves())
+    recorder.add_notice(
+        "The path ends in a mechanism: `path.then: motion` lets it go, in `dda resume` of this run too "
+        "(`--set "
+        "path.then=motion`); what moves needs a `density`.");
 }
 
 RunResult conclude(const RunFolder& folder, RunRecorder& recorder, const Ending& ending) {
@@ -130,10 +142,11 @@ RunResult run_deck(const DeckFile& deck, const RunOptions& options) {
   Ending ending{Ending::Kind::stopped_early, obstacle};
   if (obstacle.empty()) ending = follow(simulation, recorder, options.quiet);
   follow_primary(deck, folder, recorder.memory());
-  if (deck.deck.motion && ending.kind != Ending::Kind::interrupted)
+  if (deck.deck.moves() && ending.kind != Ending::Kind::interrupted)
     if (const Ending moved = move_on(folder, simulation, recorder, {.quiet = options.quiet});
         !is_reached(moved))
       ending = moved;
+  offer_motion(simulation, recorder);
   return conclude(folder, recorder, ending);
 }
 
@@ -161,10 +174,11 @@ RunResult resume_run(const fs::path& existing, const std::vector<std::string>& o
   RunRecorder recorder(folder, simulation, deck, effective, timings, memory);
   Ending ending = follow(simulation, recorder, options.quiet);
   follow_primary(deck, folder, recorder.memory());
-  if (deck.deck.motion && ending.kind != Ending::Kind::interrupted)
+  if (deck.deck.moves() && ending.kind != Ending::Kind::interrupted)
     if (const Ending moved = move_on(folder, simulation, recorder, {.quiet = options.quiet, .goes_on = true});
         !is_reached(moved))
       ending = moved;
+  offer_motion(simulation, recorder);
   return conclude(folder, recorder, ending);
 }
 

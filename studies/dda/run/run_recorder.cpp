@@ -272,6 +272,7 @@ void RunRecorder::look_back() {
   for (const TornPiece& piece : torn_) notices_.push_back(text(simulation_, piece));
   for (const CoarseZone& zone : cracked_coarse_zones(simulation_))
     notices_.push_back(text(simulation_, zone));
+  notices_.insert(notices_.end(), offered_.begin(), offered_.end());
   for (std::size_t i = known; i < notices_.size(); ++i) log_.warning("notice", {{"text", notices_[i]}});
 }
 

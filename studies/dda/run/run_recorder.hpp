@@ -31,6 +31,8 @@ class RunRecorder {
               Timings& timings, std::optional<RunMemory> memory = {});
 
   void record(const Point& point);
+  /// What else is to stand among the notices.
+  void add_notice(std::string text) { offered_.push_back(std::move(text)); }
   /// What is to stand under "motion" in the summary.
   void add_motion(nlohmann::ordered_json summary) { motion_ = std::move(summary); }
   /// Fields of the end, restart file, figures, summary; gives the summary.
@@ -90,7 +92,8 @@ class RunRecorder {
   std::vector<TracePoint> trace_;
   double goal_before_ = 0;  ///< share of the way when it was last looked at
   std::string warning_;
-  nlohmann::ordered_json motion_;  ///< null without
+  std::vector<std::string> offered_;  ///< notices of who runs it
+  nlohmann::ordered_json motion_;     ///< null without
 };
 
 }  // namespace dda

@@ -1,0 +1,40 @@
+#include "continuation/motion/first_equilibrium.hpp"
+
+#include <algorithm>
+
+#include "continuation/bodies/joined.hpp"
+
+namespace dda {
+namespace {
+
+double work_of_loads(const MovingScene& scene, const Poses& from, const Poses& to) {
+  double out = 0;
+  for (std::size_t b = 0; b < from.size(); ++b) out += scene.load_on(b).dot(to[b] - from[b]);
+  return out;
+}
+
+}  // namespace
+
+FirstEquilibrium find_equilibrium(const MovingScene& scene, const std::vector<Bond>& bonds,
+                                  const Poses& poses, double dt) {
+  const MeetingSearch search(scene, joined_by(bonds, scene.around));
+  Potential potential(scene, search, bonds);
+  potential.set_histories(Potential::Histories::frozen);
+  potential.begin(poses);
+  const double before = potential.stored(poses).sum();
+  StepSolver solver(scene, potential, {});
+  const MotionStep found = solver.solve(poses, {poses, poses, 1 / (dt * dt)}, {});
+  FirstEquilibrium out{
+      .poses = poses, .contacts = {}, .iterations = found.iterations, .failure = found.failure};
+  if (!found.converged()) return out;
+  out.poses = found.poses;
+  for (std::size_t b = 0; b < poses.size(); ++b)
+    out.moved = std::max(out.moved, (centre_of(out.poses[b]) - centre_of(poses[b])).norm());
+  out.contacts =
+      kept_behind({poses, out.poses}, found.sliders, potential.meetings_anywhere(out.poses), scene.meeting);
+  const double after = potential.stored(out.poses).sum();
+  out.released = before + work_of_loads(scene, poses, out.poses) - after;
+  return out;
+}
+
+}  // namespace dda

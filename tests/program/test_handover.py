@@ -1,0 +1,161 @@
+"""What a path hands over to a motion, and what a motion is damped by: from the deck to what a user sees.
+
+    test_handover.py      with PYTHONPATH=python, and DDA naming the program
+"""
+
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+from scipy.signal import find_peaks
+
+import ddapath
+from ddapath.verify import verify
+
+ROCK = {"type": "linear_elastic", "young_modulus": 1e10, "density": 2500}
+
+
+def box(left, low, right, high):
+    return [[left, low], [right, low], [right, high], [left, high]]
+
+
+def pushed_block(**deck):
+    """A block of 1 m on the ground, pushed until it slides at N tan φ = 24 525 N · 0.5."""
+    return {"units": {"length": "m", "force": "N"}, "thickness": 1, "materials": {"rock": dict(ROCK), "stone": dict(ROCK)},
+            "scene": {"type": "polygons", "regions": [
+                {"name": "ground", "material": "rock", "vertices": box(-1, -1, 4, 0)},
+                {"name": "block", "material": "stone", "vertices": box(0, 0, 1, 1)}]},
+            "interfaces": {"bed": {"between": ["rock", "stone"], "law": {"type": "friction", "friction_angle": 26.56505117707799},
+                                   "points": "vertices"}},
+            "supports": {"left": {"at": [-1, -1], "fix": "xy"}, "right": {"at": [4, -1], "fix": "y"}},
+            "stages": [{"name": "weight", "loads": [{"type": "body_force", "materials": ["stone"], "force": [0, -24525]}]},
+                       {"name": "push", "loads": [{"type": "point_load", "at": [0, 0.25], "force": [1, 0]}]}],
+            "gauges": {"x": {"type": "displacement", "at": [0.5, 0.5], "direction": [1, 0]}},
+            "path": {"stop": {"gauges": {"x": 0.01}}}} | deck
+
+
+class Scratch(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.folder = Path(scratch.name) / "run"
+
+    def refused(self, folder):
+        return [str(finding) for finding in verify(folder) if not finding.holds]
+
+
+class Then(Scratch):
+    """`path.then`: what comes after a path."""
+
+    def test_offers_to_let_a_mechanism_go_and_does_so(self):
+        run = ddapath.run(pushed_block(), folder=self.folder)
+        self.assertAlmostEqual(run.summary["peak"]["load"] / (0.5 * 24525), 1, delta=1e-6)
+        self.assertTrue(any("path.then: motion" in notice for notice in run.summary["notices"]), run.summary["notices"])
+        self.assertNotIn("motion", run.summary)
+        said = subprocess.run([str(ddapath.find_program()), "resume", str(self.folder), "--set", "path.then=motion", "--set",
+                               "motion.held=[ground]", "--set", "motion.time=0.5", "--set", "motion.push=0.2", "--quiet"],
+                              capture_output=True, text=True)
+        self.assertEqual(said.returncode, 0, said.stderr)
+        run = ddapath.read_run(self.folder)
+        motion = run.summary["motion"]
+        self.assertTrue(motion["handover"]["is_pushed"])
+        # A push of a fifth of μ m g: x = ½ 0.2 μ g t².
+        way = run.motion.curve.x.iloc[-1] - run.curve.x.iloc[-1]
+        self.assertAlmostEqual(way / (0.5 * 0.2 * 0.5 * 9.81 * 0.5**2), 1, delta=0.01)
+        self.assertEqual(self.refused(self.folder), [])
+
+    def test_needs_no_section_and_may_leave_one(self):
+        path = {"stop": {"gauges": {"x": 0.01}}, "then": "motion"}
+        run = ddapath.run(pushed_block(path=path), {"motion.held": ["ground"], "motion.loads": "drop"}, folder=self.folder)
+        self.assertTrue(run.summary["motion"]["is_at_rest"], run.summary["reason"])
+        left = ddapath.run(pushed_block(path=path | {"then": "end"}, motion={"held": ["ground"]}), folder=self.folder,
+                           overwrite=True)
+        self.assertNotIn("motion", left.summary)
+
+    def test_needs_a_friction_where_interfaces_tell_none(self):
+        deck = pushed_block(motion={"held": ["ground"]})
+        deck["interfaces"]["bed"]["law"] = {"type": "linear_softening", "tensile_strength": 1e6, "fracture_energy": 100}
+        with self.assertRaises(ddapath.InputError) as refused:
+            ddapath.run(deck, folder=self.folder)
+        self.assertIn("motion.contact.friction", str(refused.exception))
+
+
+class Prestressed(Scratch):
+    """A stress without strain is in equilibrium before and after, and turns with its block."""
+
+    def test_a_bonded_wall_stands_as_on_the_path(self):
+        for treatment in ("consistent", "penalty"):
+            deck = {"units": {"length": "m", "force": "N"}, "thickness": 1, "materials": {"rock": dict(ROCK)},
+                    "scene": {"type": "polygons", "regions": [{"material": "rock", "vertices": box(0, 0, 4, 1)}],
+                              "subdivision": {"type": "voronoi", "size": 0.4}},
+                    "interfaces": {"joint": {"between": ["rock", "rock"], "law": "bonded", "treatment": treatment}},
+                    "supports": {"low": {"at": [0, 0], "fix": "xy"}, "high": {"at": [0, 1], "fix": "xy"}},
+                    "stages": [{"name": "stress", "loads": [{"type": "initial_stress", "xx": 3e6, "xy": 1e6}]},
+                               {"name": "weight", "loads": [{"type": "body_force", "force": [0, -24525]}]}],
+                    "gauges": {"tip": {"type": "displacement", "at": [4, 0.5], "direction": [1, 0]},
+                               "drop": {"type": "displacement", "at": [4, 0.5], "direction": [0, 1]}},
+                    "path": {"control": "load", "stop": {"load_factor_above": 1}},
+                    "motion": {"time": 0.02, "stop_at_rest": False, "contact": {"friction": 0.5}}}
+            run = ddapath.run(deck, folder=self.folder, overwrite=True)
+            for gauge in ("tip", "drop"):
+                end, moved = run.curve[gauge].iloc[-1], run.motion.curve[gauge]
+                self.assertLess(abs(moved / end - 1).max(), 5e-3, (treatment, gauge))
+            # What a first-order state misses in finite rotation is of second order in it.
+            self.assertLess(abs(run.summary["motion"]["handover"]["released_energy"]), 1e-3 * run.curve.stored_energy.iloc[-1])
+
+
+def cantilever(**damping):
+    """A console of 10 × 1 m, let go under its weight: it swings about where that would leave it."""
+    return {"units": {"length": "m", "force": "N"}, "thickness": 1, "materials": {"rock": dict(ROCK)},
+            "scene": {"type": "polygons", "regions": [{"material": "rock", "vertices": box(0, 0, 10, 1)}],
+                      "subdivision": {"type": "grid", "columns": 20, "rows": 2}},
+            "supports": {"low": {"at": [0, 0], "fix": "xy"}, "high": {"at": [0, 1], "fix": "xy"}},
+            "gauges": {"tip": {"type": "displacement", "at": [10, 0.5], "direction": [0, 1]}},
+            "motion": {"time": 1.5, "stop_at_rest": False, "integrator": "trapezoidal", "step": 0.005, "gravity": [0, -9.81],
+                       "contact": {"friction": 0}, "damping": damping}}
+
+
+class Damped(Scratch):
+    """The first vibration of a console, ω ≈ 36/s, loses what its damping ratio (a/ω + b ω)/2 says."""
+
+    def ratio(self, **damping):
+        run = ddapath.run(cantilever(**damping), folder=self.folder, overwrite=True)
+        curve = run.motion.curve
+        tip = curve.tip.to_numpy()
+        (high, _), (low, _) = (find_peaks(sign * tip, prominence=np.ptp(tip) / 20) for sign in (1, -1))
+        spans = [tip[h] - tip[l] for l, h in zip(low, high)]
+        period = np.mean(np.diff(curve.time[low]))
+        decrement = np.polyfit(range(len(spans)), np.log(spans), 1)[0]
+        balance = curve[["kinetic_energy", "stored_energy", "damping", "friction", "fracture", "impact_and_damping",
+                         "energy_error"]].sum(axis=1) - curve.external_work
+        self.assertLess(abs(balance - balance.iloc[0]).max(), 1e-6 * curve.kinetic_energy.max())
+        return -decrement / (2 * np.pi), 2 * np.pi / period
+
+    def test_by_mass_and_by_stiffness(self):
+        free, omega = self.ratio()
+        self.assertAlmostEqual(free, 0, delta=1e-3)
+        for damping in ({"mass": 0.06 * omega}, {"stiffness": 0.06 / omega}):
+            ratio, _ = self.ratio(**damping)
+            self.assertAlmostEqual(ratio / 0.03, 1, delta=0.03, msg=str(damping))
+
+    def test_refused_where_nothing_has_a_velocity(self):
+        with self.assertRaises(ddapath.InputError) as refused:
+            ddapath.run(cantilever(mass=1), {"motion.integrator": "settle"}, folder=self.folder)
+        self.assertIn("motion.damping", str(refused.exception))
+
+
+class ByInterface(Scratch):
+    def test_fracture_adds_up(self):
+        deck = ddapath.read_deck(Path(__file__).resolve().parents[2] / "studies" / "falling-beam" / "deck.yaml")
+        run = ddapath.run(deck, {"scene.subdivision.size": 50, "motion.time": 0.06}, folder=self.folder)
+        curve = run.motion.curve
+        self.assertGreater(curve.fracture.iloc[-1], 0)
+        self.assertLess(abs(curve.fracture - curve.fracture_ligament).max(), 1e-12 * curve.fracture.iloc[-1])
+        handover = run.summary["motion"]["handover"]
+        self.assertLess(abs(handover["released_energy"]), 1e-2 * run.curve.stored_energy.max())
+
+
+if __name__ == "__main__":
+    unittest.main()

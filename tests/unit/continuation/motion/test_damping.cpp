@@ -1,0 +1,89 @@
+// Damping and initial stress against closed forms.
+#include "unit/continuation/motion/moving.hpp"
+
+namespace dda {
+namespace {
+
+/// A vibration x(t) = x₀ exp(−ξ ω t) …, ξ = (a/ω + b ω)/2: what is left of its energy after some periods.
+void expect_energy_left(const MotionLedger& ledger, double energy, double exponent) {
+  EXPECT_NEAR((ledger.kinetic + ledger.stored.sum()) / energy, std::exp(-2 * exponent), 2e-3);
+  const double lost = ledger.numerical + ledger.error;
+  EXPECT_NEAR(lost / energy, 0, 1e-5);
+  EXPECT_NEAR((ledger.kinetic + ledger.stored.sum() + ledger.damping + lost) / energy, 1, 1e-9);
+}
+
+TEST(Damping, SwingsAtTheRatioOfItsDamping) {
+  constexpr double stiffness = 1e6, periods = 5;
+  const double frequency = std::sqrt(stiffness / density);
+  for (const DampingRates& rates :
+       {DampingRates{0.02 * frequency, 0}, {0, 0.02 / frequency}, {0.01 * frequency, 0.02 / frequency}}) {
+    MovingScene of = scene(0, {body(box(0, 0, 1, 1))}, {0, 0});
+    Vec6 along = Vec6::Zero();
+    along[0] = 1;
+    of.springs.push_back({{{0, along}}, 0.5, stiffness});
+    Poses velocities = at_rest(of);
+    velocities[0][0] = 0.1;
+    Motion motion(of, {}, undeformed(of), velocities,
+                  {.time = periods * 2 * M_PI / frequency,
+                   .stops_at_rest = false,
+                   .step = 0.0005,
+                   .integrator = integrator("trapezoidal"),
+                   .damping = rates});
+    const double energy = motion.ledger().kinetic;
+    run(motion);
+    const double ratio = (rates.mass / frequency + rates.stiffness * frequency) / 2;
+    expect_energy_left(motion.ledger(), energy, ratio * 2 * M_PI * periods);
+  }
+}
+
+/// Of a square that swells and shrinks alike in both directions: ω² = 12 E/((1 − ν) ρ L²).
+TEST(Damping, DampsStrainsByTheirRates) {
+  constexpr double nu = 0.2, periods = 5;
+  const double frequency = std::sqrt(12 * young / ((1 - nu) * density)), rate = 0.02 / frequency;
+  const MovingScene of = scene(0, {body(box(0, 0, 1, 1))}, {0, 0});
+  Poses velocities = at_rest(of);
+  velocities[0] = pose_of({0, 0}, 1e-3 * Mat2::Identity());
+  Motion motion(of, {}, undeformed(of), velocities,
+                {.time = periods * 2 * M_PI / frequency,
+                 .stops_at_rest = false,
+                 .integrator = integrator("trapezoidal"),
+                 .damping = {0, rate}});
+  const double energy = motion.ledger().kinetic;
+  run(motion);
+  expect_energy_left(motion.ledger(), energy, rate * frequency / 2 * 2 * M_PI * periods);
+}
+
+TEST(Damping, DampsFlightByMassAndNoRotationByStiffness) {
+  constexpr double spin = 2, rate = 0.5;
+  for (const DampingRates& rates : {DampingRates{0, 1e-3}, {rate, 0}}) {
+    const MovingScene of = scene(0, {body(box(0, 0, 1, 1))}, {0, 0});
+    Poses velocities = at_rest(of);
+    velocities[0] = rate_of(of.bodies[0].undeformed(), {{3, 0}, spin});
+    Motion motion(of, {}, undeformed(of), velocities,
+                  {.time = 2, .stops_at_rest = false, .step = 0.005, .damping = rates});
+    run(motion);
+    const double left = std::exp(-rates.mass * 2);
+    EXPECT_NEAR(motion.velocities()[0][0] / (3 * left), 1, 2e-2 * rates.mass + 1e-9);
+    EXPECT_NEAR(rigid_part(motion.poses()[0], motion.velocities()[0]).spin / (spin * left), 1,
+                2e-2 * rates.mass + 1e-4);
+  }
+}
+
+/// A stress without strain turns with its block, and drives no motion where joints and neighbours bear it: a block under
+/// it alone takes the strain that cancels it.
+TEST(Motion, InitialStressTurnsWithItsBlock) {
+  MovingScene of = scene(0, {body(box(0, 0, 1, 1))}, {0, 0});
+  of.bodies[0].block.initial_stress = Vec3(2e6, -1e6, 5e5);
+  const Vec3 strain = -of.bodies[0].block.stiffness.inverse() * of.bodies[0].block.initial_stress;
+  const Mat2 free = (Mat2() << strain[0], strain[2] / 2, strain[2] / 2, strain[1]).finished();
+  for (const double angle : {0.0, 1.0}) {
+    const Pose at = pose_of(of.bodies[0].centroid, rotation(angle) * (Mat2::Identity() + free));
+    Motion motion(of, {}, {at}, at_rest(of), {.time = 1, .integrator = integrator("settle")});
+    run(motion);
+    EXPECT_NEAR((motion.poses()[0] - at).norm() / strain.norm(), 0, 1e-3);
+    EXPECT_NEAR(polar_of(gradient_of(motion.poses()[0])).angle, angle, 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace dda
