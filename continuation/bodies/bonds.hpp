@@ -27,14 +27,16 @@ struct Bond {
   int interface = -1;                  ///< by its number in the deck; −1 for none with a name
   Vec2 multiplier = Vec2::Zero();      ///< m, which stays [L]
   Vec2 initial_stress = Vec2::Zero();  ///< τ₀ [F/L²]
+  bool is_end = false;                 ///< it joins nothing: it bears pressure, at an end of a side
 
   Vec2 trial_stiffness() const {
     const double beta = law->shear_weight();
     return {stiffness, stiffness * beta * beta};
   }
   /// Whether it can tear, and whether nothing is left of it.
-  bool can_tear() const { return law->can_crack(); }
+  bool can_tear() const { return !is_end && law->can_crack(); }
   bool is_spent() const { return can_tear() && law->is_broken(history, stiffness); }
+  bool holds() const { return !is_end && !is_spent(); }
 };
 
 /// A bond at some poses, in the frame of the step's start.

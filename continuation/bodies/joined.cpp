@@ -39,7 +39,7 @@ std::vector<MeetingSearch::Pair> joined_by(const std::vector<Bond>& bonds,
                                            const std::vector<std::vector<std::uint32_t>>& around) {
   Pairs bonded;
   for (const Bond& bond : bonds)
-    if (!bond.is_spent()) bonded.push_back(pair_of(bond));
+    if (bond.holds()) bonded.push_back(pair_of(bond));
   sort(bonded);
   Pairs out = bonded;
   for (const auto& bodies : around) join_chains(bodies, bonded, out);

@@ -8,7 +8,7 @@ namespace dda {
 /// The two bodies of a bond, in order.
 MeetingSearch::Pair pair_of(const Bond& bond);
 
-/// Pairs of bodies that a bond joins which is not spent, or a chain of such bonds around a corner that they have in
+/// Pairs of bodies that a bond holds, or a chain of such bonds around a corner that they have in
 /// common: in order, each once.
 std::vector<MeetingSearch::Pair> joined_by(const std::vector<Bond>& bonds,
                                            const std::vector<std::vector<std::uint32_t>>& around);

@@ -164,11 +164,12 @@ double MeetingSearch::free_share(const std::vector<Pair>& pairs, const Poses& z,
   return out;
 }
 
-bool MeetingSearch::any_cross(const Poses& at) const {
-  return std::ranges::any_of(candidates(at, at), [&](const Pair& pair) {
-    return cores_cross(placed(scene_.bodies[pair.first], at[pair.first]),
-                       placed(scene_.bodies[pair.second], at[pair.second]));
-  });
+std::optional<MeetingSearch::Pair> MeetingSearch::crossing(const Poses& at) const {
+  for (const Pair& pair : candidates(at, at))
+    if (cores_cross(placed(scene_.bodies[pair.first], at[pair.first]),
+                    placed(scene_.bodies[pair.second], at[pair.second])))
+      return pair;
+  return {};
 }
 
 bool MeetingSearch::are_apart(const Pair& pair, const Poses& at) const {

@@ -2,6 +2,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "continuation/bodies/moving_scene.hpp"
@@ -50,8 +51,8 @@ class MeetingSearch {
   std::vector<Meeting> find(const std::vector<Pair>& pairs, const Poses& at, double reach) const;
   /// The largest share of the ways z + a dz that is free: up to 0.8 of the distance to where cores touch.
   double free_share(const std::vector<Pair>& pairs, const Poses& z, const Poses& dz) const;
-  /// Whether cores of some pair cross each other.
-  bool any_cross(const Poses& at) const;
+  /// The first pair whose cores cross each other.
+  std::optional<Pair> crossing(const Poses& at) const;
   /// Whether two cores are nowhere nearer than 2s, nor cross.
   bool are_apart(const Pair& pair, const Poses& at) const;
 

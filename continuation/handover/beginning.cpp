@@ -1,8 +1,11 @@
 #include "continuation/handover/beginning.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
+#include "continuation/handover/side_ends.hpp"
 #include "continuation/motion/motion.hpp"
 #include "framework/base/errors.hpp"
 
@@ -29,11 +32,12 @@ Beginning begin_motion(const Pieces& pieces, const PathEnd& end, const MotionPar
   Handover& start = out.handover;
   const double pull = pull_on(start.scene, start.velocities);
   out.time = time_of(start.scene, parameters, pull);
-  if (end.is_of_path && parameters.keeps_supports) {
-    const double dt = parameters.step * pace_of(start.scene, pull);
-    if (std::isfinite(dt)) out.equilibrium = find_equilibrium(start.scene, start.bonds, start.poses, dt);
-    if (out.equilibrium.iterations > 0 && out.equilibrium.failure.empty())
-      start.poses = out.equilibrium.poses;
+  const double dt = parameters.step * pace_of(start.scene, pull);
+  if (end.is_of_path && std::isfinite(dt)) {
+    std::vector<Bond> bonds = start.bonds;
+    std::ranges::move(ends_of_contacts(pieces), std::back_inserter(bonds));
+    out.equilibrium = find_equilibrium(start.scene, bonds, start.poses, dt);
+    start.poses = out.equilibrium.poses;
   }
   for (std::size_t b = 0; b < start.push.size(); ++b) start.scene.forces[b] += start.push[b];
   return out;

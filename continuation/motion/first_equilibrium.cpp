@@ -17,7 +17,11 @@ double work_of_loads(const MovingScene& scene, const Poses& from, const Poses& t
 
 FirstEquilibrium find_equilibrium(const MovingScene& scene, const std::vector<Bond>& bonds,
                                   const Poses& poses, double dt) {
-  const MeetingSearch search(scene, joined_by(bonds, scene.around));
+  std::vector<MeetingSearch::Pair> apart = joined_by(bonds, scene.around);
+  for (const Bond& bond : bonds)
+    if (bond.is_end) apart.push_back(pair_of(bond));
+  std::ranges::sort(apart);
+  const MeetingSearch search(scene, std::move(apart));
   Potential potential(scene, search, bonds);
   potential.set_histories(Potential::Histories::frozen);
   potential.begin(poses);

@@ -16,7 +16,8 @@ struct FirstEquilibrium {
 
 /// Finds equilibrium again where a path of small rotations ends in places of finite ones, which differ from it in second
 /// order: joints that have slid open by slip times rotation, loads follow their material points. One step from rest to
-/// rest, the minimum of ½ |y − y₀|²_M/dt² + Π(y), with all damage as it is. What it releases belongs to no motion.
+/// rest, the minimum of ½ |y − y₀|²_M/dt² + Π(y), with all damage as it is. What it releases belongs to no motion. Bonds
+/// that are ends of sides bear what these press on each other; bodies between them meet at nothing else.
 FirstEquilibrium find_equilibrium(const MovingScene& scene, const std::vector<Bond>& bonds,
                                   const Poses& poses, double dt);
 

@@ -68,6 +68,21 @@ Motion::Motion(const MovingScene& scene, std::vector<Bond> bonds, Poses poses, P
   search_ = std::make_unique<MeetingSearch>(scene_, m_.joined);
   release();
   begin_energies();
+  require_apart();
+}
+
+/// Cores that cross tell no outside: nothing would hold one body off the other.
+void Motion::require_apart() {
+  const auto pair = search_->crossing(now_);
+  if (!pair) return;
+  const auto [i, j] = *pair;
+  const Vec2 one = centre_of(now_[i]), other = centre_of(now_[j]);
+  ending_ = Ending::failed;
+  reason_ = fmt::format(
+      "blocks {} at ({:.4g}, {:.4g}) and {} at ({:.4g}, {:.4g}) overlap where it begins; where they have "
+      "turned about "
+      "points inside their sides, an interface with `points: vertices` has them turn about their corners",
+      i, one.x(), one.y(), j, other.x(), other.y());
 }
 
 /// Energies and accelerations at the beginning, damped as if a step had led there.

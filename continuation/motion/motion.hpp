@@ -79,6 +79,7 @@ class Motion {
   void release();
   void make_solver();
   void begin_energies();
+  void require_apart();
   bool has_left(const Bond& bond) const;
   Inertia aim() const;
   void set_step();

@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 using namespace motion_column;
 
 std::int64_t live_joints(const Motion& motion) {
-  return std::ranges::count_if(motion.bonds(), [](const Bond& bond) { return !bond.is_spent(); });
+  return std::ranges::count_if(motion.bonds(), [](const Bond& bond) { return bond.holds(); });
 }
 
 /// What moves, and how it is called.

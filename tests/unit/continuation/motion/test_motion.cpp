@@ -41,7 +41,7 @@ TEST(Motion, SlidesDownAnInclineAsCoulombSays) {
     run(motion);
     EXPECT_NEAR((motion.poses()[1][0] - 0.5) / exact, 1, 2e-4) << step;
     EXPECT_LT(unbalanced(motion, motion.ledger().external), 1e-6);
-    EXPECT_FALSE(motion.search().any_cross(motion.poses()));
+    EXPECT_FALSE(motion.search().crossing(motion.poses()).has_value());
   }
 }
 
@@ -257,7 +257,7 @@ TEST(Motion, NothingCrossesWhateverIsThrown) {
     Motion motion(of, {}, undeformed(of), velocities, {.time = 1.5, .step = seed % 2 ? 0.1 : 0.01});
     double released = 0;
     while (motion.advance()) {
-      ASSERT_FALSE(motion.search().any_cross(motion.poses()))
+      ASSERT_FALSE(motion.search().crossing(motion.poses()).has_value())
           << "seed " << seed << ", time " << motion.time();
       released = std::max(released, motion.ledger().kinetic);
     }
