@@ -26,6 +26,30 @@ BondState state_of(const Bond& bond, const Mat2& local, const Poses& at) {
   return out;
 }
 
+std::array<Vec6, 2> forces_of(const Bond& bond, const BondState& state) {
+  const Vec2 t = bond.law->respond(state.opening, bond.history, bond.stiffness).traction,
+             less = state.stress.cwiseQuotient(bond.trial_stiffness());
+  std::array<Vec6, 2> out;
+  for (std::size_t side = 0; side < 2; ++side)
+    out[side] =
+        bond.weight * (state.opening_rows[side].transpose() * t - state.stress_rows[side].transpose() * less);
+  return out;
+}
+
+Mat6 stiffness_of(const Bond& bond, const BondState& state, const Mat2& d,
+                  const std::array<std::size_t, 2>& sides) {
+  const auto [a, b] = sides;
+  const Vec2 less = bond.trial_stiffness().cwiseInverse();
+  return bond.weight * (state.opening_rows[a].transpose() * d * state.opening_rows[b] -
+                        state.stress_rows[a].transpose() * less.asDiagonal() * state.stress_rows[b]);
+}
+
+Mat2 secant_of(const Bond& bond, const Vec2& q) {
+  const History then = bond.law->accept(q, bond.history, bond.stiffness);
+  const Mat2 out = bond.law->respond_frozen(q, then, bond.stiffness).tangent;
+  return (out + out.transpose()) / 2;
+}
+
 double stored_energy(const Bond& bond, const BondState& state) {
   const double subtracted = state.stress.dot(state.stress.cwiseQuotient(bond.trial_stiffness())) / 2;
   return bond.weight * (bond.law->stored(state.opening, bond.history, bond.stiffness) - subtracted);

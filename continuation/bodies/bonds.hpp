@@ -45,6 +45,14 @@ BondState state_of(const Bond& bond, const Mat2& frame, const Poses& at);
 /// Rows n and s of the frame that has turned with both sides.
 Mat2 frame_of(const Bond& bond, const Poses& at);
 
+/// ∂Π/∂y of either body [F, F L].
+std::array<Vec6, 2> forces_of(const Bond& bond, const BondState& state);
+/// Of it the derivative with respect to the pose of a body, by sides, where its law's is d.
+Mat6 stiffness_of(const Bond& bond, const BondState& state, const Mat2& d,
+                  const std::array<std::size_t, 2>& sides);
+/// The symmetric secant of its law at q: by the damage it has once q has been accepted [F/L³].
+Mat2 secant_of(const Bond& bond, const Vec2& q);
+
 /// What it stores, Π, and what accepting q would spend [F L].
 double stored_energy(const Bond& bond, const BondState& state);
 double spending(const Bond& bond, const BondState& state);

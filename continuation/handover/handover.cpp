@@ -50,6 +50,7 @@ class Maker {
     out.modulus = material.modulus();
     out.is_held = is_held(body_, parameters_, block.region);
     for (const Vec2& x : core_of(block.outline, out_.offset).vertices) out.core.push_back(x - out.centroid);
+    for (const Vec2& x : block.outline.vertices) out.outline.push_back(x - out.centroid);
     const Vec6 d = pieces_.displacements(id.value(), end_.state.d.all());
     out_.poses.push_back(finite_pose(out.centroid, d));
     out_.scene.bodies.push_back(std::move(out));

@@ -9,6 +9,8 @@
 #include <numeric>
 
 #include "continuation/bodies/restitution.hpp"
+#include "continuation/motion/open_close_step.hpp"
+#include "continuation/motion/step_minimum.hpp"
 
 namespace dda {
 namespace {
@@ -58,7 +60,7 @@ Motion::Motion(const MovingScene& scene, std::vector<Bond> bonds, Poses poses, P
     m_.courses[b].acceleration = scene_.bodies[b].block.over_mass(-of_body(forces, b));
     m_.ledger.kinetic += kinetic_energy(scene_.bodies[b].block, m_.courses[b].velocity);
   }
-  m_.ledger.stored = potential_->stored(now_);
+  m_.ledger.stored = solver_->stored(m_.courses);
 }
 
 void Motion::restore(MotionMemory memory, const std::vector<Bond>& bonds) {
@@ -77,8 +79,13 @@ void Motion::restore(MotionMemory memory, const std::vector<Bond>& bonds) {
 /// For what is bonded and joined now.
 void Motion::make_solver() {
   search_ = std::make_unique<MeetingSearch>(scene_, m_.joined);
-  potential_ = std::make_unique<Potential>(scene_, *search_, bonds_);
-  solver_ = std::make_unique<StepSolver>(scene_, *potential_, course_.tolerances);
+  const bool opens_and_closes = course_.integrator->open_close() != nullptr;
+  potential_ = std::make_unique<Potential>(scene_, *search_, bonds_, !opens_and_closes);
+  if (opens_and_closes)
+    solver_ = std::make_unique<OpenCloseStep>(OpenCloseStep::Of{scene_, *search_, bonds_, *potential_},
+                                              *course_.integrator, course_.tolerances);
+  else
+    solver_ = std::make_unique<StepMinimum>(scene_, *potential_, course_.tolerances);
   potential_->begin(now_);
 }
 
@@ -94,9 +101,16 @@ Poses Motion::velocities() const {
   return out;
 }
 
-/// The longest step that turns no body by more than 0.1 and moves none by more than a fifth of its size.
+/// How far the last step has moved a body, turns of a size included.
+double Motion::travelled(std::size_t body, double turned) const {
+  return (centre_of(now_[body]) - centre_of(m_.courses[body].before)).norm() +
+         turned * scene_.bodies[body].size;
+}
+
+/// The longest step that turns no body by more than 0.1, moves none by more than a fifth of its size, and no corner by more
+/// than most of what the solver bears.
 double Motion::longest() const {
-  constexpr double turn = 0.1, way = 0.2;
+  constexpr double turn = 0.1, way = 0.2, most = 0.8;
   constexpr double without_inertia = 1e3;  // no motion is missed by a step that is long
   double out = natural_ * (m_.tears ? of_tearing : course_.integrator->has_inertia() ? 1 : without_inertia);
   for (std::size_t b = 0; b < now_.size(); ++b) {
@@ -107,6 +121,8 @@ double Motion::longest() const {
                  moved = (centre_of(now_[b]) - centre_of(before)).norm();
     if (turned > 0) out = std::min(out, m_.dt.before * turn / turned);
     if (moved > 0) out = std::min(out, m_.dt.before * way * scene_.bodies[b].size / moved);
+    if (const double all = travelled(b, turned); solver_->longest_way() > 0 && all > 0)
+      out = std::min(out, m_.dt.before * most * solver_->longest_way() / all);
   }
   return out;
 }
@@ -142,7 +158,7 @@ void Motion::set_step() {
 
 Motion::Try Motion::try_step() {
   Try out{aim(), {}};
-  out.found = solver_->solve(now_, out.inertia, m_.sliders);
+  out.found = solver_->solve({now_, m_.courses, m_.sliders}, out.inertia);
   m_.iterations += out.found.iterations;
   if (!out.found.converged()) return out;
   book(out);
@@ -171,10 +187,10 @@ bool Motion::advance() {
     ++m_.rejected;
     m_.easy = 0;
     reason_ = step.found.failure;
-    m_.dt.now /= 2;
+    m_.dt.now *= solver_->cut();
     if (m_.dt.now < smallest * natural_) {
       ending_ = Ending::failed;
-      reason_ = fmt::format("no step of {:.3g} was found: {}", 2 * m_.dt.now, reason_);
+      reason_ = fmt::format("no step of {:.3g} was found: {}", m_.dt.now / solver_->cut(), reason_);
       return false;
     }
   }
@@ -184,7 +200,7 @@ bool Motion::advance() {
 void Motion::book(Try& step) const {
   const Poses& reached = step.found.poses;
   MotionLedger& out = step.entry;
-  const Eigen::VectorXd forces = potential_->gradient(reached);
+  const Eigen::VectorXd& forces = step.found.forces;
   double inner = 0, flown = 0, of_start = 0;
   for (std::size_t b = 0; b < now_.size(); ++b) {
     const MovingBody& body = scene_.bodies[b];
@@ -205,10 +221,10 @@ void Motion::book(Try& step) const {
     of_start += work.of_start;
     out.kinetic += kinetic_energy(body.block, step.courses[b].velocity);
   }
-  for (const Slider& slider : step.found.sliders) out.friction += slider.spent(slider.reached(now_, reached));
+  out.friction = step.found.friction;
   for (std::size_t i = 0; i < bonds_.size(); ++i)
     out.fracture += spending(bonds_[i], potential_->state_of(i, reached));
-  out.stored = potential_->stored(reached);
+  out.stored = solver_->stored(step.courses);
   out.numerical = inner - of_start - (out.stored.sum() - m_.ledger.stored.sum()) - out.friction -
                   out.fracture + (m_.ledger.kinetic - flown);
   out.error = out.external - inner + of_start - (out.kinetic - flown);
@@ -217,6 +233,7 @@ void Motion::book(Try& step) const {
 /// Whether a step gives back more energy than there was: Newton's method has found another minimum than that beside it.
 bool Motion::creates_energy(const MotionLedger& step) const {
   constexpr double bearable = 0.02, hardly = 1e-5;
+  if (!solver_->loses_energy()) return false;
   double given = 0;  // by the loads to what is free, in one step
   for (std::size_t b = 0; b < now_.size(); ++b)
     if (!scene_.bodies[b].is_held)
@@ -227,25 +244,6 @@ bool Motion::creates_energy(const MotionLedger& step) const {
   const double ahead =
       step.friction + step.fracture;  // booked up to half a step before the work that is spent
   return -step.numerical > given + ahead + bearable * all + hardly * m_.most_kinetic;
-}
-
-/// What the sliders keep, and whether any has slid.
-void Motion::slide(const MotionStep& step) {
-  m_.slid = false;
-  SliderMemory memory;
-  for (const Slider& slider : step.sliders) {
-    const double u = slider.reached(now_, step.poses);
-    m_.slid = m_.slid || std::abs(u) > (1 + 1e-9) * std::abs(slider.kept(u));
-    memory.set(slider.meeting.key, {slider.kept(u), 0});
-  }
-  const std::vector<Meeting> meetings = potential_->meetings(step.poses);
-  num_meetings_ = meetings.size();
-  for (const Meeting& meeting : meetings) {
-    SliderMemory::Kept kept = memory.of(meeting.key);
-    kept.force = response_of(scene_.meeting, meeting).force;
-    memory.set(meeting.key, kept);
-  }
-  m_.sliders = std::move(memory);
 }
 
 /// What the bonds remember; whether one has been spent.
@@ -301,7 +299,9 @@ void Motion::bounce(Try& step) {
 /// Commits a step.
 void Motion::accept(Try step) {
   bounce(step);
-  slide(step.found);
+  m_.slid = step.found.has_slid;
+  m_.sliders = std::move(step.found.contacts);
+  num_meetings_ = step.found.num_meetings;
   const bool has_parted = crack(step.found);
   const MotionLedger& entry = step.entry;
   m_.ledger.external += entry.external;
@@ -320,8 +320,9 @@ void Motion::accept(Try step) {
   m_.tears = entry.fracture > 0;
   if (has_parted || !m_.is_released) {
     release();
-    m_.ledger.numerical -= potential_->stored(now_).sum() - m_.ledger.stored.sum();
-    m_.ledger.stored = potential_->stored(now_);
+    const StoredEnergies left = solver_->stored(m_.courses);
+    m_.ledger.numerical -= left.sum() - m_.ledger.stored.sum();
+    m_.ledger.stored = left;
   }
   potential_->begin(now_);
 }

@@ -5,77 +5,21 @@
 #include <limits>
 #include <utility>
 
+#include "continuation/motion/curvatures.hpp"
+
 namespace dda {
 namespace {
-
-/// Work of a unit force along `direction` between the vertex and the foot of a meeting: what it is on either body.
-std::array<Vec6, 2> rows_along(const Meeting& meeting, const Vec2& direction) {
-  return {affine_rows(meeting.at).transpose() * direction,
-          -affine_rows(meeting.foot).transpose() * direction};
-}
-
-std::array<std::size_t, 2> bodies_of(const Meeting& meeting) { return {meeting.key.body, meeting.key.other}; }
-
-/// The secant of a joint at q: its damage once q has been accepted.
-Mat2 secant(const Bond& bond, const Vec2& q) {
-  const History then = bond.law->accept(q, bond.history, bond.stiffness);
-  const Mat2 out = bond.law->respond_frozen(q, then, bond.stiffness).tangent;
-  return (out + out.transpose()) / 2;
-}
 
 Mat2 tangent(const Bond& bond, const Vec2& q) {
   const Mat2 out = bond.law->respond(q, bond.history, bond.stiffness).tangent;
   return (out + out.transpose()) / 2;
 }
 
-using BlockPairs = std::vector<BlockSum::Pair>;
-
-/// Two bodies as a place below the diagonal, unless one is held.
-void add_pair(int i, int j, BlockPairs& out) {
-  if (i >= 0 && j >= 0 && i != j)
-    out.emplace_back(static_cast<std::uint32_t>(std::max(i, j)), static_cast<std::uint32_t>(std::min(i, j)));
-}
-
 }  // namespace
 
-/// Puts matrices of pairs of bodies together; what belongs to held ones pulls at others where these go ways.
-class Curvatures {
- public:
-  Curvatures(const std::vector<int>& rows, const Poses& ways, BlockSum& sum)
-      : rows_(rows),
-        ways_(ways),
-        sum_(sum),
-        pull_(Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(sum.num_rows()))) {
-    sum_.set_zero();
-  }
-
-  bool wants(std::size_t i, std::size_t j) const {
-    return rows_[i] >= 0 && (rows_[j] >= 0 ? rows_[i] >= rows_[j] : !ways_.empty());
-  }
-  void add(std::size_t i, std::size_t j, const Mat6& m) {
-    if (rows_[j] < 0)
-      pull_.segment<6>(6 * rows_[i]) += m * ways_[j];
-    else
-      sum_.add(static_cast<std::size_t>(rows_[i]), static_cast<std::size_t>(rows_[j]), m);
-  }
-  /// factor g gᵀ of what counts on two bodies.
-  void add(const std::array<std::size_t, 2>& bodies, const std::array<Vec6, 2>& g, double factor) {
-    if (factor == 0) return;
-    for (std::size_t a = 0; a < 2; ++a)
-      for (std::size_t b = 0; b < 2; ++b)
-        if (wants(bodies[a], bodies[b])) add(bodies[a], bodies[b], factor * g[a] * g[b].transpose());
-  }
-  Eigen::VectorXd take_pull() { return std::move(pull_); }
-
- private:
-  const std::vector<int>& rows_;
-  const Poses& ways_;
-  BlockSum& sum_;
-  Eigen::VectorXd pull_;
-};
-
-Potential::Potential(const MovingScene& scene, const MeetingSearch& search, const std::vector<Bond>& bonds)
-    : scene_(scene), search_(search), bonds_(bonds) {
+Potential::Potential(const MovingScene& scene, const MeetingSearch& search, const std::vector<Bond>& bonds,
+                     bool has_meetings)
+    : scene_(scene), search_(search), bonds_(bonds), has_meetings_(has_meetings) {
   for (const MovingBody& body : scene.bodies)
     rows_.push_back(body.is_held ? -1 : static_cast<int>(num_moving_++));
   for (const Bond& bond : bonds) add_pair(rows_[bond.first], rows_[bond.second], lasting_);
@@ -87,7 +31,7 @@ Potential::Potential(const MovingScene& scene, const MeetingSearch& search, cons
 /// Makes places for all that may meet. Within a step places only come, so that few orders of elimination are sought; what
 /// there was before it does not matter. Whether they are others now.
 bool Potential::prepare_pattern() {
-  BlockPairs wanted = lasting_;
+  std::vector<BlockSum::Pair> wanted = lasting_;
   for (const auto& [i, j] : pairs_) add_pair(rows_[i], rows_[j], wanted);
   for (const Slider& slider : sliders_)
     add_pair(rows_[slider.meeting.key.body], rows_[slider.meeting.key.other], wanted);
@@ -101,7 +45,8 @@ bool Potential::prepare_pattern() {
 void Potential::begin(const Poses& start) {
   start_ = start;
   has_pattern_ = false;
-  pairs_ = search_.candidates(start, start);
+  pairs_.clear();
+  if (has_meetings_) pairs_ = search_.candidates(start, start);
   frames_.clear();
   for (const Bond& bond : bonds_) frames_.push_back(frame_of(bond, start));
 }
@@ -117,13 +62,9 @@ Potential::Vector Potential::gradient(const Poses& at) const {
   }
   for (std::size_t i = 0; i < bonds_.size(); ++i) {
     const Bond& bond = bonds_[i];
-    const BondState now = state_of(i, at);
-    const Vec2 t = bond.law->respond(now.opening, bond.history, bond.stiffness).traction,
-               less = now.stress.cwiseQuotient(bond.trial_stiffness());
-    for (const auto& [side, b] :
-         {std::pair(std::size_t{0}, bond.first), std::pair(std::size_t{1}, bond.second)})
-      of_body(out, b) +=
-          bond.weight * (now.opening_rows[side].transpose() * t - now.stress_rows[side].transpose() * less);
+    const std::array<Vec6, 2> forces = forces_of(bond, state_of(i, at));
+    of_body(out, bond.first) += forces[0];
+    of_body(out, bond.second) += forces[1];
   }
   const auto push = [&](const Meeting& meeting, const Vec2& direction, double force) {
     const auto rows = rows_along(meeting, direction);
@@ -141,15 +82,12 @@ void Potential::add_bonds(const Poses& at, Softening softening, Curvatures& out)
   for (std::size_t i = 0; i < bonds_.size(); ++i) {
     const Bond& bond = bonds_[i];
     const BondState now = state_of(i, at);
-    const Mat2 d = softening == Softening::secant ? secant(bond, now.opening) : tangent(bond, now.opening);
-    const Vec2 less = bond.trial_stiffness().cwiseInverse();
+    const Mat2 d = softening == Softening::secant ? secant_of(bond, now.opening) : tangent(bond, now.opening);
     const std::array<std::size_t, 2> bodies{bond.first, bond.second};
     for (std::size_t a = 0; a < 2; ++a)
       for (std::size_t b = 0; b < 2; ++b)
         if (out.wants(bodies[a], bodies[b]))
-          out.add(bodies[a], bodies[b],
-                  bond.weight * (now.opening_rows[a].transpose() * d * now.opening_rows[b] -
-                                 now.stress_rows[a].transpose() * less.asDiagonal() * now.stress_rows[b]));
+          out.add(bodies[a], bodies[b], stiffness_of(bond, now, d, {a, b}));
   }
 }
 

@@ -26,7 +26,9 @@ class Potential {
   using Vector = Eigen::VectorXd;
   using Matrix = Eigen::SparseMatrix<double>;
 
-  Potential(const MovingScene& scene, const MeetingSearch& search, const std::vector<Bond>& bonds);
+  /// Without meetings bodies go through each other.
+  Potential(const MovingScene& scene, const MeetingSearch& search, const std::vector<Bond>& bonds,
+            bool has_meetings = true);
 
   /// Where the step begins: frames of bonds, and motions of sliders, are from there; what may meet is what does there.
   void begin(const Poses& start);
@@ -79,6 +81,7 @@ class Potential {
   const MovingScene& scene_;
   const MeetingSearch& search_;
   const std::vector<Bond>& bonds_;
+  bool has_meetings_;
   std::vector<int> rows_;
   Eigen::Index num_moving_ = 0;
   Poses start_;

@@ -96,9 +96,11 @@ void print_motion(const Simulation& simulation) {
                                                           : "from the undeformed structure on",
                              parameters.time, parameters.stops_at_rest ? " or until rest" : ""));
   line("integrator", parameters.integrator.name());
+  const OpenCloseRules* rules = parameters.integrator.make()->open_close();
   line("contact", fmt::format("{}, friction {:g}, restitution {:g}, {} pairs of their own",
-                              parameters.contact.law.name(), parameters.contact.friction,
-                              parameters.contact.restitution, parameters.contact.pairs.size()));
+                              rules ? "penalties that open and close" : parameters.contact.law.name(),
+                              parameters.contact.friction, parameters.contact.restitution,
+                              parameters.contact.pairs.size()));
 }
 
 void print_gauges(const Simulation& simulation) {

@@ -5,65 +5,10 @@
 #include <cmath>
 #include <random>
 
-#include "continuation/motion/motion.hpp"
-#include "meshing/contact/outline.hpp"
+#include "unit/continuation/motion/blocks.hpp"
 
 namespace dda {
 namespace {
-
-constexpr double young = 1e10, density = 2500, gravity = 9.81, offset = 1e-3;
-
-MovingBody body(const Polygon& outline, bool is_held = false) {
-  const Moments of = moments(outline);
-  MovingBody out;
-  out.centroid = of.centroid;
-  out.block.mass = density * of.area;
-  out.block.inertia = density * of.second;
-  out.block.volume = of.area;
-  constexpr double nu = 0.2;
-  out.block.stiffness << 1, nu, 0, nu, 1, 0, 0, 0, (1 - nu) / 2;
-  out.block.stiffness *= young / (1 - nu * nu);
-  for (const Vec2& x : core_of(outline, offset).vertices) out.core.push_back(x - of.centroid);
-  out.size = std::sqrt(of.area);
-  out.modulus = young;
-  out.is_held = is_held;
-  return out;
-}
-
-Polygon box(double left, double low, double right, double high) {
-  return {{{left, low}, {right, low}, {right, high}, {left, high}}};
-}
-
-MovingScene scene(double friction, std::vector<MovingBody> bodies, const Vec2& pull) {
-  MovingScene out;
-  out.meeting.law = contact_laws().choose(parse_yaml("wall", "test")).make();
-  out.meeting.reach = 2 * offset;
-  out.meeting.friction = [friction](std::size_t, std::size_t) { return friction; };
-  out.bodies = std::move(bodies);
-  out.gravity = pull;
-  return out;
-}
-
-Poses undeformed(const MovingScene& scene) {
-  Poses out;
-  for (const MovingBody& body : scene.bodies) out.push_back(body.undeformed());
-  return out;
-}
-
-Poses at_rest(const MovingScene& scene) { return Poses(scene.num_bodies(), Pose::Zero()); }
-
-Vec2 inclined(double degrees) {
-  return {gravity * std::sin(degrees * M_PI / 180), -gravity * std::cos(degrees * M_PI / 180)};
-}
-
-void run(Motion& motion) {
-  while (motion.advance()) {
-  }
-  EXPECT_NE(motion.ending(), Motion::Ending::failed) << motion.reason();
-}
-
-/// What the energies of a motion miss, over what the loads have done or what moved at first.
-double unbalanced(const Motion& motion, double scale) { return std::abs(motion.ledger().error) / scale; }
 
 TEST(Motion, FallsFreelyAtAnyStep) {
   for (const double step : {0.001, 0.01, 0.1}) {
@@ -170,10 +115,6 @@ TEST(Motion, GivesBackWhatIsPressedAtTheBeginning) {
   const MotionLedger& ledger = motion.ledger();
   EXPECT_GT(ledger.kinetic, 0);
   EXPECT_NEAR((ledger.kinetic + ledger.stored.sum() + ledger.numerical) / pressed, 1, 1e-6);
-}
-
-std::shared_ptr<const Integrator> integrator(const std::string& name) {
-  return integrators().choose(parse_yaml(name, "test")).make();
 }
 
 TEST(Motion, FallsAtAnyIntegratorThatHasInertia) {
