@@ -22,12 +22,14 @@ class Outline {
   const Vec2& material(std::uint32_t i) const { return material_[i % size()]; }
   const Vec2& along(std::uint32_t edge) const { return along_[edge]; }
   Vec2 normal(std::uint32_t edge) const { return {along_[edge].y(), -along_[edge].x()}; }
-  bool is_convex(std::uint32_t corner) const {
-    constexpr double flat = 1e-6;
-    return cross(along_[before(corner)], along_[corner]) > flat;
-  }
+  bool is_convex(std::uint32_t corner) const { return turn(corner) > flat; }
+  bool is_notch(std::uint32_t corner) const { return turn(corner) < -flat; }
 
  private:
+  static constexpr double flat = 1e-6;
+
+  double turn(std::uint32_t corner) const { return cross(along_[before(corner)], along_[corner]); }
+
   std::uint32_t id_;
   const std::vector<Vec2>& material_;
   std::vector<Vec2> points_, along_;
@@ -97,12 +99,21 @@ class Pairing {
     if (best) add(*best, true);
   }
 
+  /// Whether the foot is on the edge, or behind an end of it that is a notch: a corner that has gone in there has its
+  /// feet beyond both edges.
+  bool has_foot(const Candidate& at) const {
+    const Outline& other = of(1 - at.side);
+    const double beyond = at.beside() * (other.point(at.edge + 1) - other.point(at.edge)).norm();
+    const std::uint32_t end = at.stand.share < 0 ? at.edge : (at.edge + 1) % other.size();
+    return beyond == 0 || (beyond < reach_ && other.is_notch(end));
+  }
+
   void meet_edges(int side) {
     for (std::uint32_t p = 0; p < of(side).size(); ++p)
       for (std::uint32_t e = 0; e < of(1 - side).size(); ++e) {
         if (near_.contains({side, p, e})) continue;
         const auto next = candidate(side, p, e);
-        if (next && std::abs(next->stand.gap) < reach_ && next->beside() == 0) add(*next, false);
+        if (next && std::abs(next->stand.gap) < reach_ && has_foot(*next)) add(*next, false);
       }
   }
 

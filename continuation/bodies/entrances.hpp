@@ -9,7 +9,7 @@ namespace dda {
 /// Which corner of one body may come in through which edge of another, and how far it is outside.
 ///
 /// A corner may enter through an edge when both its own edges lead away from the other body (by an angle of 3°, in which
-/// they count as parallel), and its foot is on the edge. Where corner is near corner all edges through which either may
+/// they count as parallel), and its foot is on the edge or, at a notch, behind its end. Where corner is near corner all edges through which either may
 /// enter the other are asked, and the one counts that is farthest outside: before it is crossed nothing overlaps. Bodies
 /// that overlap by more than the reach do not see each other there.
 ///

@@ -251,6 +251,19 @@ TEST(Entrances, CornersBesideEachOtherMeetWhereTheyAreFarthestOutside) {
   EXPECT_NEAR(std::abs(found[0].normal.x()), 1, 1e-12);
 }
 
+TEST(Entrances, CornerInANotchIsHeldByBothItsEdges) {
+  // A roof of 120° whose tip is 0.001 above the apex of a notch of 150°.
+  const double flat = std::tan(M_PI / 12), steep = std::tan(M_PI / 6);
+  const Polygon notched{{{-1, 0}, {0, flat}, {1, 0}, {1, 2}, {-1, 2}}};
+  const Polygon roof{{{-0.5, flat - 0.5 * steep}, {0.5, flat - 0.5 * steep}, {0, flat + 0.001}}};
+  const std::vector<Meeting> found = entrances(scene(0, {body(notched), body(roof)}, {0, 0}), 0.02);
+  ASSERT_EQ(found.size(), 2u);
+  for (const Meeting& meeting : found) {
+    EXPECT_EQ(meeting.key.body, 1u);
+    EXPECT_NEAR(meeting.distance, -0.001 * std::cos(M_PI / 12), 1e-12);
+  }
+}
+
 TEST(Entrances, ThreeBlocksAroundAPointMeetByTheirCommonEdges) {
   const Vec2 middle(0, 0);
   std::vector<Vec2> ends;
