@@ -36,6 +36,14 @@ std::array<Vec6, 2> forces_of(const Bond& bond, const BondState& at, const Vec2&
   return out;
 }
 
+Mat6 stiffness_of(const Bond& bond, const BondState& state, const Mat2& d,
+                  const std::array<std::size_t, 2>& sides) {
+  const auto [a, b] = sides;
+  const Vec2 less = bond.trial_stiffness().cwiseInverse();
+  return bond.weight * (state.opening_rows[a].transpose() * d * state.opening_rows[b] -
+                        state.stress_rows[a].transpose() * less.asDiagonal() * state.stress_rows[b]);
+}
+
 Response frozen_response(const Bond& bond, const Vec2& opening, const Vec2& bounding) {
   const auto contact = bond.law->contact(bond.history, bond.stiffness);
   if (!contact) return bond.law->respond_frozen(opening, bond.history, bond.stiffness);

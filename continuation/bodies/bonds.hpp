@@ -49,13 +49,16 @@ BondState state_of(const Bond& bond, const Mat2& frame, const Poses& at);
 /// Rows n and s of the frame that has turned with both sides.
 Mat2 frame_of(const Bond& bond, const Poses& at);
 
-/// Forces on both bodies of a traction t on q and of what P⁻¹ τ takes off: W (∂q/∂yᵀ t − ∂τ/∂yᵀ P⁻¹ τ).
+/// Forces on both bodies of a traction t on q and of what P⁻¹ τ takes off: W (∂q/∂yᵀ t − ∂τ/∂yᵀ P⁻¹ τ) [F, F L].
 std::array<Vec6, 2> forces_of(const Bond& bond, const BondState& at, const Vec2& traction,
                               const Vec2& stress);
+/// Of these the derivative with respect to the pose of a body, by sides, where that of the traction is d.
+Mat6 stiffness_of(const Bond& bond, const BondState& state, const Mat2& d,
+                  const std::array<std::size_t, 2>& sides);
 /// The response at q with all damage as it is, and friction bounded by the closing ⟨−q_n⟩ of another opening: the gradient
 /// of a potential, as no law is whose friction follows its pressure.
 Response frozen_response(const Bond& bond, const Vec2& opening, const Vec2& bounding);
-/// The secant of its law at q, with the damage that q leaves: never negative.
+/// The secant of its law at q, with the damage that q leaves: never negative [F/L³].
 Mat2 secant_of(const Bond& bond, const Vec2& opening);
 
 /// What it stores, Π, and what accepting q would spend [F L].

@@ -55,7 +55,8 @@ MeetingSearch::MeetingSearch(const MovingScene& scene, std::vector<Pair> joined)
   joined_.erase(std::ranges::unique(joined_).begin(), joined_.end());
 }
 
-std::vector<MeetingSearch::Pair> MeetingSearch::candidates(const Poses& from, const Poses& to) const {
+std::vector<MeetingSearch::Pair> MeetingSearch::candidates(const Poses& from, const Poses& to,
+                                                           double reach) const {
   const auto n = static_cast<std::uint32_t>(scene_.num_bodies());
   std::vector<Box> boxes(n);
   for (std::uint32_t i = 0; i < n; ++i) {
@@ -63,7 +64,7 @@ std::vector<MeetingSearch::Pair> MeetingSearch::candidates(const Poses& from, co
     const Box then = box_of(scene_.bodies[i], to[i]);
     box.include(then.low);
     box.include(then.high);
-    boxes[i] = box.inflated(scene_.meeting.reach / 2);
+    boxes[i] = box.inflated(reach / 2);
   }
   std::vector<std::uint32_t> order(n);
   std::iota(order.begin(), order.end(), 0u);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <compare>
 #include <cstdint>
 #include <optional>
@@ -26,6 +27,15 @@ struct Meeting {
   double stiffness = 0;  ///< k [F/L]
 };
 
+/// Work of a unit force along `direction` between the vertex and the foot of a meeting: what it is on either body.
+inline std::array<Vec6, 2> rows_along(const Meeting& meeting, const Vec2& direction) {
+  return {affine_rows(meeting.at).transpose() * direction,
+          -affine_rows(meeting.foot).transpose() * direction};
+}
+inline std::array<std::size_t, 2> bodies_of(const Meeting& meeting) {
+  return {meeting.key.body, meeting.key.other};
+}
+
 /// ψ and its derivatives at δ = 2s − d.
 inline ContactResponse response_of(const MeetingRules& rules, const Meeting& meeting) {
   return rules.law->respond(rules.reach - meeting.distance, meeting.stiffness, rules.reach);
@@ -42,7 +52,11 @@ class MeetingSearch {
   MeetingSearch(const MovingScene& scene, std::vector<Pair> joined);
 
   /// Pairs of bodies that come nearer than `reach` 2s anywhere on the straight ways from one pose to another, in order.
-  std::vector<Pair> candidates(const Poses& from, const Poses& to) const;
+  std::vector<Pair> candidates(const Poses& from, const Poses& to) const {
+    return candidates(from, to, scene_.meeting.reach);
+  }
+  /// The same for all that come nearer than `reach`.
+  std::vector<Pair> candidates(const Poses& from, const Poses& to, double reach) const;
   /// Meetings among these pairs, in order.
   std::vector<Meeting> find(const std::vector<Pair>& pairs, const Poses& at) const {
     return find(pairs, at, scene_.meeting.reach);

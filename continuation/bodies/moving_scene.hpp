@@ -26,6 +26,7 @@ struct MovingBody {
   AffineBlock block;
   Vec2 centroid = Vec2::Zero();  ///< undeformed [L]
   std::vector<Vec2> core;        ///< vertices, counter-clockwise, from the undeformed centroid [L]
+  std::vector<Vec2> outline;     ///< the same of the body itself
   double size = 0;               ///< √area [L]
   double modulus = 0;            ///< E [F/L²], for the stiffness of contacts
   bool is_held = false;          ///< it stays where it is, or goes where it is driven

@@ -18,17 +18,4 @@ SliderMemory::Kept SliderMemory::of(const MeetingKey& key) const {
   return is_same_pair ? first->second : Kept{};
 }
 
-SliderMemory kept_behind(const Way& step, const std::vector<Slider>& sliders,
-                         const std::vector<Meeting>& meetings, const MeetingRules& rules) {
-  SliderMemory out;
-  for (const Slider& slider : sliders)
-    out.set(slider.meeting.key, {slider.kept(slider.reached(step.from, step.to)), 0});
-  for (const Meeting& meeting : meetings) {
-    SliderMemory::Kept kept = out.of(meeting.key);
-    kept.force = response_of(rules, meeting).force;
-    out.set(meeting.key, kept);
-  }
-  return out;
-}
-
 }  // namespace dda

@@ -47,13 +47,4 @@ class SliderMemory {
   std::map<MeetingKey, Kept> kept_;
 };
 
-/// A step of all bodies.
-struct Way {
-  const Poses &from, &to;
-};
-
-/// What sliders keep, and what meetings bear, behind a step.
-SliderMemory kept_behind(const Way& step, const std::vector<Slider>& sliders,
-                         const std::vector<Meeting>& meetings, const MeetingRules& rules);
-
 }  // namespace dda

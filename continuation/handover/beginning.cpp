@@ -25,6 +25,17 @@ double time_of(const MovingScene& scene, const MotionParameters& parameters, dou
   return falls * std::sqrt(box.diagonal().norm() / pull);
 }
 
+/// The structure as the path has left it: under all of its loads, on its supports.
+Handover as_on_path(const Pieces& pieces, const PathEnd& end, MotionParameters parameters) {
+  parameters.loads = KeptLoads::all;
+  parameters.keeps_supports = true;
+  parameters.push = 0;
+  parameters.gravity.setZero();
+  Handover out = hand_over(pieces, end, parameters);
+  std::ranges::move(ends_of_contacts(pieces), std::back_inserter(out.bonds));
+  return out;
+}
+
 }  // namespace
 
 Beginning begin_motion(const Pieces& pieces, const PathEnd& end, const MotionParameters& parameters) {
@@ -34,12 +45,10 @@ Beginning begin_motion(const Pieces& pieces, const PathEnd& end, const MotionPar
   out.time = time_of(start.scene, parameters, pull);
   const double dt = parameters.step * pace_of(start.scene, pull);
   if (end.is_of_path && std::isfinite(dt)) {
-    std::vector<Bond> bonds = start.bonds;
-    std::ranges::move(ends_of_contacts(pieces), std::back_inserter(bonds));
-    out.equilibrium = find_equilibrium(start.scene, bonds, start.poses, dt);
+    const Handover path = as_on_path(pieces, end, parameters);
+    out.equilibrium = find_equilibrium(path.scene, path.bonds, path.poses, dt);
     start.poses = out.equilibrium.poses;
   }
-  for (std::size_t b = 0; b < start.push.size(); ++b) start.scene.forces[b] += start.push[b];
   return out;
 }
 

@@ -12,7 +12,7 @@ struct Beginning {
   double time = 0;  ///< that the motion may take [T]
 };
 
-/// Hands the end of a path over, finds equilibrium in finite rotations, and lets the load grow by its push. Throws
+/// Finds equilibrium in finite rotations as the path has left things, and hands these over as the deck has them go on. Throws
 /// InputError where nothing tells how long the motion may take.
 Beginning begin_motion(const Pieces& pieces, const PathEnd& end, const MotionParameters& parameters);
 

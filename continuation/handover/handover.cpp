@@ -52,6 +52,7 @@ class Maker {
     out.modulus = material.modulus();
     out.is_held = is_held(body_, parameters_, block.region);
     for (const Vec2& x : core_of(block.outline, out_.offset).vertices) out.core.push_back(x - out.centroid);
+    for (const Vec2& x : block.outline.vertices) out.outline.push_back(x - out.centroid);
     const Vec6 d = pieces_.displacements(id.value(), end_.state.d.all());
     out_.poses.push_back(finite_pose(out.centroid, d));
     out_.scene.bodies.push_back(std::move(out));
@@ -181,12 +182,11 @@ class Maker {
     const Forces dead = stress_forces(loading.dead_stress),
                  reference = stress_forces(loading.reference_stress);
     out_.is_pushed = end_.has_fallen && parameters_.push > 0 && parameters_.loads == KeptLoads::all;
-    const double pushed = out_.is_pushed ? parameters_.push * load_factor() : 0;
+    const double factor = load_factor() * (out_.is_pushed ? 1 + parameters_.push : 1);
     for (std::size_t b = 0; b < body_.assembly.num_blocks(); ++b) {
-      const Vec6 of_reference = part(loading.reference, b) - part(reference, b);
-      const Vec6 force = part(loading.dead, b) - part(dead, b) + load_factor() * of_reference;
+      const Vec6 force =
+          part(loading.dead, b) - part(dead, b) + factor * (part(loading.reference, b) - part(reference, b));
       out_.scene.forces.push_back(finite_row(force));
-      if (out_.is_pushed) out_.push.push_back(finite_row(pushed * of_reference));
     }
   }
 

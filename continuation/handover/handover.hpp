@@ -22,8 +22,6 @@ struct Handover {
   std::vector<Bond> bonds;
   Poses poses, velocities;
   bool is_pushed = false;
-  std::vector<Vec6>
-      push;  ///< forces by which the load grows at the beginning, by body; empty when it is not pushed
   double offset = 0;  ///< s [L]
 };
 

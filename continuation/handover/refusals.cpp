@@ -67,6 +67,25 @@ void check_offset(const Body& body, const MotionParameters& parameters, Findings
     findings.add(parameters.where, "motion.contact.offset: " + *narrow + "; take a smaller offset");
 }
 
+/// What an integrator that opens and closes contacts has no way to do.
+void check_open_close(const Equilibrium& equilibrium, const MotionParameters& parameters,
+                      Findings& findings) {
+  const std::unique_ptr<Integrator> integrator = parameters.integrator.make();
+  if (!integrator->open_close()) return;
+  const MeetingParameters& contact = parameters.contact;
+  const auto gives_back = [](const PairParameters& pair) { return pair.restitution.value_or(0) > 0; };
+  const std::string name = "'" + parameters.integrator.name() + "'";
+  if (contact.restitution > 0 || std::ranges::any_of(contact.pairs, gives_back))
+    findings.add(parameters.where, "motion.contact.restitution: " + name +
+                                       " has none; how bodies rebound hangs on its penalty and step");
+  bool is_joined = false;
+  for (std::size_t p = 0; p < equilibrium.num_points(); ++p)
+    is_joined = is_joined || !equilibrium.point(p).is_separate();
+  if (integrator->grows() && is_joined)
+    findings.add(parameters.where, "motion.integrator: " + name +
+                                       " with rotations in first order is for blocks that nothing joins");
+}
+
 }  // namespace
 
 void require_handover(const Body& body, const Equilibrium& equilibrium, const MotionParameters& parameters) {
@@ -81,9 +100,13 @@ void require_handover(const Body& body, const Equilibrium& equilibrium, const Mo
     findings.add(where, "motion.time: without `stop_at_rest` a motion needs to be told how long it is");
   if (parameters.loads == KeptLoads::dead && !equilibrium.driven_springs().empty())
     findings.add(where, "motion.loads: what is driven stays where it is, `keep`");
-  if (parameters.damping.is_any() && !parameters.integrator.make()->has_inertia())
+  const auto integrator = parameters.integrator.make();
+  if (parameters.damping.is_any() && !integrator->has_inertia())
     findings.add(
         where, "motion.damping: '" + parameters.integrator.name() + "' has no velocities that it could damp");
+  if (parameters.damping.is_any() && integrator->open_close())
+    findings.add(where, "motion.damping: '" + parameters.integrator.name() +
+                            "' is damped by the share of the velocity that it keeps, `velocity_kept`");
   if (!parameters.velocities.empty() && !parameters.integrator.make()->has_inertia())
     findings.add(where, "motion.velocities: '" + parameters.integrator.name() + "' knows of no velocities");
   if (std::ranges::all_of(body.assembly.blocks,
@@ -96,6 +119,7 @@ void require_handover(const Body& body, const Equilibrium& equilibrium, const Mo
       findings.add(error);
     }
   }
+  check_open_close(equilibrium, parameters, findings);
   check_names(body, parameters, findings);
   check_density(body, parameters, findings);
   check_offset(body, parameters, findings);

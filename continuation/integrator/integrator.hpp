@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "continuation/integrator/open_close.hpp"
 #include "framework/deck/family.hpp"
 #include "models/kinematics/affine.hpp"
 
@@ -19,6 +20,7 @@ struct BodyCourse {
   Pose before, now;                  ///< dt₋ ago, and now
   Pose velocity = Pose::Zero();      ///< ẏ, as the integrator means it [1/T]
   Pose acceleration = Pose::Zero();  ///< ÿ, as the last step has found it [1/T²]
+  double growth = 1;                 ///< of lengths, by rotations in first order: no strain
 };
 
 /// A step of a body: from where it is, past where inertia would take it, to where it has come.
@@ -56,6 +58,12 @@ class Integrator {
   virtual BodyWork work(const AffineBlock& block, const BodyStep& step) const = 0;
   /// The same course with a rigid motion more; dt was its last step.
   virtual BodyCourse pushed(const BodyCourse& at, const RigidMotion& by, double dt) const = 0;
+  /// Where a way z in first order leads from a pose.
+  virtual Pose carried(const Pose& now, const Pose& way) const { return now + way; }
+  /// Set where a step is no minimum: bodies meet by springs that open and close, and all else is in first order.
+  virtual const OpenCloseRules* open_close() const { return nullptr; }
+  /// Whether rotations let bodies grow.
+  virtual bool grows() const { return false; }
   /// Whether what moves has inertia; else it goes where forces send it as long as they do.
   virtual bool has_inertia() const { return true; }
 };

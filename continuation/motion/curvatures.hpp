@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
@@ -8,6 +9,12 @@
 #include "continuation/motion/block_sum.hpp"
 
 namespace dda {
+
+/// Two bodies as a place below the diagonal, unless one is held; by their rows, −1 of a held one.
+inline void add_pair(int i, int j, std::vector<BlockSum::Pair>& out) {
+  if (i >= 0 && j >= 0 && i != j)
+    out.emplace_back(static_cast<std::uint32_t>(std::max(i, j)), static_cast<std::uint32_t>(std::min(i, j)));
+}
 
 /// Puts matrices of pairs of bodies together; what belongs to held ones pulls at others where these go ways.
 class Curvatures {
@@ -38,15 +45,11 @@ class Curvatures {
   }
   /// A share of that of a joint with the stiffness D, of a spring.
   void add(const Bond& bond, const BondState& at, const Mat2& stiffness, double share = 1) {
-    const Vec2 less = bond.trial_stiffness().cwiseInverse();
     const std::array<std::size_t, 2> bodies{bond.first, bond.second};
     for (std::size_t a = 0; a < 2; ++a)
       for (std::size_t b = 0; b < 2; ++b)
         if (wants(bodies[a], bodies[b]))
-          add(bodies[a], bodies[b],
-              share * bond.weight *
-                  (at.opening_rows[a].transpose() * stiffness * at.opening_rows[b] -
-                   at.stress_rows[a].transpose() * less.asDiagonal() * at.stress_rows[b]));
+          add(bodies[a], bodies[b], share * stiffness_of(bond, at, stiffness, {a, b}));
   }
   void add(const MotionSpring& spring, double share = 1) {
     for (const auto& [i, row_i] : spring.rows)

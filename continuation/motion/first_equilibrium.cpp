@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "continuation/bodies/joined.hpp"
+#include "continuation/motion/step_minimum.hpp"
 
 namespace dda {
 namespace {
@@ -26,16 +27,17 @@ FirstEquilibrium find_equilibrium(const MovingScene& scene, const std::vector<Bo
   potential.set_histories(Potential::Histories::frozen);
   potential.begin(poses);
   const double before = potential.stored(poses).sum();
-  StepSolver solver(scene, potential, {});
-  const MotionStep found = solver.solve(poses, {poses, poses, 1 / (dt * dt)}, {});
+  StepMinimum solver(scene, potential, {});
+  std::vector<BodyCourse> at_rest;
+  for (const Pose& y : poses) at_rest.push_back({y, y});
+  MotionStep found = solver.solve({poses, at_rest, {}}, {poses, poses, 1 / (dt * dt)});
   FirstEquilibrium out{
       .poses = poses, .contacts = {}, .iterations = found.iterations, .failure = found.failure};
   if (!found.converged()) return out;
   out.poses = found.poses;
   for (std::size_t b = 0; b < poses.size(); ++b)
     out.moved = std::max(out.moved, (centre_of(out.poses[b]) - centre_of(poses[b])).norm());
-  out.contacts =
-      kept_behind({poses, out.poses}, found.sliders, potential.meetings_anywhere(out.poses), scene.meeting);
+  out.contacts = std::move(found.contacts);
   const double after = potential.stored(out.poses).sum();
   out.released = before + work_of_loads(scene, poses, out.poses) - after;
   return out;

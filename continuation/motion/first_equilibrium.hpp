@@ -1,6 +1,6 @@
 #pragma once
 
-#include "continuation/motion/motion_step.hpp"
+#include "continuation/motion/step_solver.hpp"
 
 namespace dda {
 

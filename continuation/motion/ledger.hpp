@@ -11,7 +11,7 @@ namespace dda {
 ///     external = Δkinetic + Δstored + friction + fracture + damping + numerical + error
 ///
 /// What is numerical, impacts and vibrations that a step damps, is measured: a step is a minimum, so that it satisfies
-/// K₁ − K̂ = −∇Π · way + of_start (BodyWork). What that is missed by is the error. What impacts give back is taken off what
+/// K₁ − K̂ = −∇Π · way + of_start (BodyWork), or a linear system that says so. What that is missed by is the error. What impacts give back is taken off what
 /// is numerical. Velocities that are means over a step are half a step behind what is spent by then.
 struct MotionLedger {
   double external = 0, kinetic = 0, friction = 0, fracture = 0, damping = 0, numerical = 0, error = 0;

@@ -9,6 +9,8 @@
 #include <numeric>
 
 #include "continuation/bodies/restitution.hpp"
+#include "continuation/motion/open_close_step.hpp"
+#include "continuation/motion/step_minimum.hpp"
 
 namespace dda {
 namespace {
@@ -17,27 +19,6 @@ constexpr double of_tearing = 0.1;  // of the step, while joints tear
 constexpr double inf = std::numeric_limits<double>::infinity();
 
 }  // namespace
-
-double pull_on(const MovingScene& scene, const Poses& velocities) {
-  double mass = 0, thrown = 0;
-  Vec2 load = Vec2::Zero();
-  for (std::size_t b = 0; b < scene.num_bodies(); ++b) {
-    const MovingBody& body = scene.bodies[b];
-    if (body.is_held) continue;
-    mass += body.block.mass;
-    load += scene.load_on(b).head<2>();
-    thrown = std::max(thrown, centre_of(velocities[b]).squaredNorm() / body.size);
-  }
-  const double out = std::max(scene.gravity.norm(), load.norm() / mass);
-  return out > 0 ? out : thrown;
-}
-
-double pace_of(const MovingScene& scene, double pull) {
-  double size = inf;
-  for (const MovingBody& body : scene.bodies)
-    if (!body.is_held) size = std::min(size, body.size);
-  return std::sqrt((scene.smallest > 0 ? scene.smallest : size) / pull);
-}
 
 /// A step that was tried: how it was found, what it has come to, and where its energy has gone.
 struct Motion::Try {
@@ -71,37 +52,6 @@ Motion::Motion(const MovingScene& scene, std::vector<Bond> bonds, Poses poses, P
   require_apart();
 }
 
-/// Cores that cross tell no outside: nothing would hold one body off the other.
-void Motion::require_apart() {
-  const auto pair = search_->crossing(now_);
-  if (!pair) return;
-  const auto [i, j] = *pair;
-  const Vec2 one = centre_of(now_[i]), other = centre_of(now_[j]);
-  ending_ = Ending::failed;
-  reason_ = fmt::format(
-      "blocks {} at ({:.4g}, {:.4g}) and {} at ({:.4g}, {:.4g}) overlap where it begins; where they have "
-      "turned about "
-      "points inside their sides, an interface with `points: vertices` has them turn about their corners",
-      i, one.x(), one.y(), j, other.x(), other.y());
-}
-
-/// Energies and accelerations at the beginning, damped as if a step had led there.
-void Motion::begin_energies() {
-  Poses before;
-  for (const BodyCourse& course : m_.courses) before.push_back(course.before);
-  potential_->set_damped({velocities(), natural_, 1});
-  potential_->begin(before);
-  const Eigen::VectorXd forces = potential_->gradient(now_);
-  for (std::size_t b = 0; b < now_.size(); ++b) {
-    const MovingBody& body = scene_.bodies[b];
-    if (body.is_held) continue;
-    m_.courses[b].acceleration = body.block.over_mass(-of_body(forces, b));
-    m_.ledger.kinetic += kinetic_energy(body.block, m_.courses[b].velocity);
-  }
-  potential_->begin(now_);
-  m_.ledger.stored = potential_->stored(now_);
-}
-
 void Motion::restore(MotionMemory memory, const std::vector<Bond>& bonds) {
   m_ = std::move(memory);
   bonds_.clear();
@@ -118,8 +68,15 @@ void Motion::restore(MotionMemory memory, const std::vector<Bond>& bonds) {
 /// For what is bonded and joined now.
 void Motion::make_solver() {
   search_ = std::make_unique<MeetingSearch>(scene_, m_.joined);
+  const bool opens_and_closes = course_.integrator->open_close() != nullptr;
   potential_ = std::make_unique<Potential>(scene_, *search_, bonds_, course_.damping);
-  solver_ = std::make_unique<StepSolver>(scene_, *potential_, course_.tolerances);
+  if (opens_and_closes) {
+    potential_->leave_out_meetings();
+    solver_ = std::make_unique<OpenCloseStep>(OpenCloseStep::Of{scene_, *search_, bonds_, *potential_},
+                                              *course_.integrator, course_.tolerances);
+  } else {
+    solver_ = std::make_unique<StepMinimum>(scene_, *potential_, course_.tolerances);
+  }
   potential_->begin(now_);
 }
 
@@ -135,9 +92,16 @@ Poses Motion::velocities() const {
   return out;
 }
 
-/// The longest step that turns no body by more than 0.1 and moves none by more than a fifth of its size.
+/// How far the last step has moved a body, turns of a size included.
+double Motion::travelled(std::size_t body, double turned) const {
+  return (centre_of(now_[body]) - centre_of(m_.courses[body].before)).norm() +
+         turned * scene_.bodies[body].size;
+}
+
+/// The longest step that turns no body by more than 0.1, moves none by more than a fifth of its size, and no corner by more
+/// than most of what the solver bears.
 double Motion::longest() const {
-  constexpr double turn = 0.1, way = 0.2;
+  constexpr double turn = 0.1, way = 0.2, most = 0.8;
   constexpr double without_inertia = 1e3;  // no motion is missed by a step that is long
   double out = natural_ * (m_.tears ? of_tearing : course_.integrator->has_inertia() ? 1 : without_inertia);
   for (std::size_t b = 0; b < now_.size(); ++b) {
@@ -148,6 +112,8 @@ double Motion::longest() const {
                  moved = (centre_of(now_[b]) - centre_of(before)).norm();
     if (turned > 0) out = std::min(out, m_.dt.before * turn / turned);
     if (moved > 0) out = std::min(out, m_.dt.before * way * scene_.bodies[b].size / moved);
+    if (const double all = travelled(b, turned); solver_->longest_way() > 0 && all > 0)
+      out = std::min(out, m_.dt.before * most * solver_->longest_way() / all);
   }
   return out;
 }
@@ -184,7 +150,7 @@ void Motion::set_step() {
 Motion::Try Motion::try_step() {
   Try out{aim(), {}};
   potential_->set_damped({velocities(), m_.dt.now, course_.integrator->end_rate()});
-  out.found = solver_->solve(now_, out.inertia, m_.sliders);
+  out.found = solver_->solve({now_, m_.courses, m_.sliders}, out.inertia);
   m_.iterations += out.found.iterations;
   if (!out.found.converged()) return out;
   book(out);
@@ -213,10 +179,10 @@ bool Motion::advance() {
     ++m_.rejected;
     m_.easy = 0;
     reason_ = step.found.failure;
-    m_.dt.now /= 2;
+    m_.dt.now *= solver_->cut();
     if (m_.dt.now < smallest * natural_) {
       ending_ = Ending::failed;
-      reason_ = fmt::format("no step of {:.3g} was found: {}", 2 * m_.dt.now, reason_);
+      reason_ = fmt::format("no step of {:.3g} was found: {}", m_.dt.now / solver_->cut(), reason_);
       return false;
     }
   }
@@ -226,7 +192,7 @@ bool Motion::advance() {
 void Motion::book(Try& step) const {
   const Poses& reached = step.found.poses;
   MotionLedger& out = step.entry;
-  const Eigen::VectorXd forces = potential_->gradient(reached);
+  const Eigen::VectorXd& forces = step.found.forces;
   double inner = 0, flown = 0, of_start = 0;
   for (std::size_t b = 0; b < now_.size(); ++b) {
     const MovingBody& body = scene_.bodies[b];
@@ -247,7 +213,7 @@ void Motion::book(Try& step) const {
     of_start += work.of_start;
     out.kinetic += kinetic_energy(body.block, step.courses[b].velocity);
   }
-  for (const Slider& slider : step.found.sliders) out.friction += slider.spent(slider.reached(now_, reached));
+  out.friction = step.found.friction;
   out.fracture_of.assign(m_.ledger.fracture_of.size(), 0);
   for (std::size_t i = 0; i < bonds_.size(); ++i) {
     const double spent = spending(bonds_[i], potential_->state_of(i, reached));
@@ -255,7 +221,7 @@ void Motion::book(Try& step) const {
     if (bonds_[i].interface >= 0) out.fracture_of[static_cast<std::size_t>(bonds_[i].interface)] += spent;
   }
   out.damping = potential_->spent_by_damping(reached);
-  out.stored = potential_->stored(reached);
+  out.stored = solver_->stored(step.courses);
   out.numerical = inner - of_start - (out.stored.sum() - m_.ledger.stored.sum()) - out.friction -
                   out.fracture - out.damping + (m_.ledger.kinetic - flown);
   out.error = out.external - inner + of_start - (out.kinetic - flown);
@@ -264,6 +230,7 @@ void Motion::book(Try& step) const {
 /// Whether a step gives back more energy than there was: Newton's method has found another minimum than that beside it.
 bool Motion::creates_energy(const MotionLedger& step) const {
   constexpr double bearable = 0.02, hardly = 1e-5;
+  if (!solver_->loses_energy()) return false;
   double given = 0;  // by the loads to what is free, in one step
   for (std::size_t b = 0; b < now_.size(); ++b)
     if (!scene_.bodies[b].is_held)
@@ -274,18 +241,6 @@ bool Motion::creates_energy(const MotionLedger& step) const {
   const double ahead =
       step.friction + step.fracture + step.damping;  // booked up to half a step before that work
   return -step.numerical > given + ahead + bearable * all + hardly * m_.most_kinetic;
-}
-
-/// What the sliders keep, and whether any has slid.
-void Motion::slide(const MotionStep& step) {
-  m_.slid = false;
-  for (const Slider& slider : step.sliders) {
-    const double u = slider.reached(now_, step.poses);
-    m_.slid = m_.slid || std::abs(u) > (1 + 1e-9) * std::abs(slider.kept(u));
-  }
-  const std::vector<Meeting> meetings = potential_->meetings(step.poses);
-  num_meetings_ = meetings.size();
-  m_.sliders = kept_behind({now_, step.poses}, step.sliders, meetings, scene_.meeting);
 }
 
 /// What the bonds remember; whether one has been spent.
@@ -341,7 +296,9 @@ void Motion::bounce(Try& step) {
 /// Commits a step.
 void Motion::accept(Try step) {
   bounce(step);
-  slide(step.found);
+  m_.slid = step.found.has_slid;
+  m_.sliders = std::move(step.found.contacts);
+  num_meetings_ = step.found.num_meetings;
   const bool has_parted = crack(step.found);
   const MotionLedger& entry = step.entry;
   m_.ledger.external += entry.external;
@@ -362,8 +319,9 @@ void Motion::accept(Try step) {
   m_.tears = entry.fracture > 0;
   if (has_parted || !m_.is_released) {
     release();
-    m_.ledger.numerical -= potential_->stored(now_).sum() - m_.ledger.stored.sum();
-    m_.ledger.stored = potential_->stored(now_);
+    const StoredEnergies left = solver_->stored(m_.courses);
+    m_.ledger.numerical -= left.sum() - m_.ledger.stored.sum();
+    m_.ledger.stored = left;
   }
   potential_->begin(now_);
 }

@@ -6,7 +6,7 @@
 
 #include "continuation/integrator/integrator.hpp"
 #include "continuation/motion/ledger.hpp"
-#include "continuation/motion/motion_step.hpp"
+#include "continuation/motion/step_solver.hpp"
 
 namespace dda {
 
@@ -84,10 +84,10 @@ class Motion {
   Inertia aim() const;
   void set_step();
   double longest() const;
+  double travelled(std::size_t body, double turned) const;
   Try try_step();
   void book(Try& step) const;
   bool creates_energy(const MotionLedger& step) const;
-  void slide(const MotionStep& step);
   bool crack(const MotionStep& step);
   void bounce(Try& step);
   void accept(Try step);

@@ -5,26 +5,9 @@
 #include <limits>
 #include <utility>
 
+#include "continuation/motion/curvatures.hpp"
+
 namespace dda {
-namespace {
-
-/// Work of a unit force along `direction` between the vertex and the foot of a meeting: what it is on either body.
-std::array<Vec6, 2> rows_along(const Meeting& meeting, const Vec2& direction) {
-  return {affine_rows(meeting.at).transpose() * direction,
-          -affine_rows(meeting.foot).transpose() * direction};
-}
-
-std::array<std::size_t, 2> bodies_of(const Meeting& meeting) { return {meeting.key.body, meeting.key.other}; }
-
-using BlockPairs = std::vector<BlockSum::Pair>;
-
-/// Two bodies as a place below the diagonal, unless one is held.
-void add_pair(int i, int j, BlockPairs& out) {
-  if (i >= 0 && j >= 0 && i != j)
-    out.emplace_back(static_cast<std::uint32_t>(std::max(i, j)), static_cast<std::uint32_t>(std::min(i, j)));
-}
-
-}  // namespace
 
 Potential::Potential(const MovingScene& scene, const MeetingSearch& search, const std::vector<Bond>& bonds,
                      const DampingRates& damping)
@@ -41,7 +24,7 @@ Potential::Potential(const MovingScene& scene, const MeetingSearch& search, cons
 /// Makes places for all that may meet. Within a step places only come, so that few orders of elimination are sought; what
 /// there was before it does not matter. Whether they are others now.
 bool Potential::prepare_pattern() {
-  BlockPairs wanted = lasting_;
+  std::vector<BlockSum::Pair> wanted = lasting_;
   for (const auto& [i, j] : pairs_) add_pair(rows_[i], rows_[j], wanted);
   for (const Slider& slider : sliders_)
     add_pair(rows_[slider.meeting.key.body], rows_[slider.meeting.key.other], wanted);
@@ -55,7 +38,8 @@ bool Potential::prepare_pattern() {
 void Potential::begin(const Poses& start) {
   start_ = start;
   has_pattern_ = false;
-  pairs_ = search_.candidates(start, start);
+  pairs_.clear();
+  if (has_meetings_) pairs_ = search_.candidates(start, start);
   frames_.clear();
   for (const Bond& bond : bonds_) frames_.push_back(frame_of(bond, start));
   if (damping_) damping_->begin(start, frames_, damped_);

@@ -34,6 +34,8 @@ class Potential {
   Potential(const MovingScene& scene, const MeetingSearch& search, const std::vector<Bond>& bonds,
             const DampingRates& damping = {});
   void set_histories(Histories histories) { histories_ = histories; }
+  /// Bodies go through each other.
+  void leave_out_meetings() { has_meetings_ = false; }
 
   /// Where the step begins: frames of bonds, and motions of sliders, are from there; what may meet is what does there.
   void begin(const Poses& start);
@@ -91,6 +93,7 @@ class Potential {
   const MovingScene& scene_;
   const MeetingSearch& search_;
   const std::vector<Bond>& bonds_;
+  bool has_meetings_ = true;
   std::vector<int> rows_;
   Eigen::Index num_moving_ = 0;
   Poses start_;

@@ -166,7 +166,7 @@ class Alone(unittest.TestCase):
         self.assertAlmostEqual((after.max() + 5) / 5, 0.8**2, delta=0.02)
 
     def test_every_integrator(self):
-        for integrator in ("free_flight", "implicit_euler", "trapezoidal", "settle"):
+        for integrator in ("free_flight", "implicit_euler", "trapezoidal", "settle", "classic"):
             settings = {"motion.integrator": integrator} | ({"motion.velocities": []} if integrator == "settle" else {})
             run = ddapath.run(alone(), settings, folder=self.folder, overwrite=True)
             self.assertLess(run.motion.curve.y.iloc[-1], -1 if integrator != "settle" else -0.05, integrator)
@@ -185,6 +185,49 @@ class Alone(unittest.TestCase):
                               text=True).stdout
         self.assertIn("1 of 2 blocks, from the undeformed structure on", said)
         self.assertNotIn("support", said)
+
+
+class Classic(unittest.TestCase):
+    """Discontinuous deformation analysis as it was published."""
+
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.folder = Path(scratch.name) / "run"
+
+    def test_falls_and_its_overlaps_are_measured(self):
+        run = ddapath.run(alone(time=1.5, integrator={"type": "classic", "rotation": "first_order"}), folder=self.folder)
+        self.assertEqual(run.summary["status"], "goal_reached")
+        findings = {finding.check: finding for finding in verify(self.folder)}
+        self.assertEqual([str(finding) for finding in findings.values() if not finding.holds], [])
+        self.assertNotIn("motion: nothing crosses", findings)
+        overlap = findings["motion: overlap by penalties, not bounded"]
+        self.assertGreater(overlap.worst, 0)
+        self.assertLess(overlap.worst, 0.01)
+        self.assertEqual(overlap.bound, np.inf)
+
+    def test_resumed_bit_for_bit(self):
+        """Interrupted somewhere, growths of its blocks included."""
+        whole = ddapath.run(alone(time=20, stop_at_rest=False, integrator={"type": "classic", "rotation": "first_order"}),
+                            folder=self.folder)
+        parts = self.folder.with_name("parts")
+        table = parts / "motion" / "motion.csv"
+        run = subprocess.Popen([str(ddapath.find_program()), "run", str(whole.folder / "effective_deck.yaml"), "--folder",
+                                str(parts), "--quiet"])
+        deadline = time.monotonic() + 100
+        while not (table.exists() and table.stat().st_size > 20000) and time.monotonic() < deadline:
+            time.sleep(0.01)
+        run.send_signal(signal.SIGINT)
+        self.assertEqual(run.wait(timeout=100), 130)
+        subprocess.run([str(ddapath.find_program()), "resume", str(parts), "--quiet"], check=True, capture_output=True)
+        self.assertEqual(table.read_bytes(), (whole.folder / "motion" / "motion.csv").read_bytes())
+
+    def test_tears_as_its_toughness_says(self):
+        """Joints and supports of the path go on in it."""
+        run = ddapath.run(deck_with(time=0.03, integrator="classic"), folder=self.folder)
+        spent = run.summary["dissipated_energy"] + run.summary["motion"]["fracture"]
+        self.assertAlmostEqual(spent / (TOUGHNESS * LIGAMENT), 1, delta=1e-4)
+        self.assertEqual([str(finding) for finding in verify(self.folder) if not finding.holds], [])
 
 
 class Units(unittest.TestCase):
@@ -237,6 +280,8 @@ class Refused(unittest.TestCase):
         self.assertIn("did you mean 'ground'", self.refusal(deck_with(held=["grund"])))
         self.assertIn("nothing is left that could move", self.refusal(deck_with(held=["ground", "left", "right"])))
         self.assertIn("unknown parameter 'tim'", self.refusal(deck_with(tim=3)))
+        self.assertIn("for blocks that nothing joins",
+                      self.refusal(deck_with(integrator={"type": "classic", "rotation": "first_order"})))
 
     def test_without_a_path(self):
         self.assertIn("`path` needs `stages`", self.refusal(alone() | {"path": {"control": "load"}}))
@@ -247,6 +292,8 @@ class Refused(unittest.TestCase):
         self.assertIn("no velocities", self.refusal(alone(integrator="settle")))
         self.assertIn("did you mean 'block'", self.refusal(alone(velocities=[{"regions": ["blok"], "spin": 1}])))
         self.assertIn("is held", self.refusal(alone(velocities=[{"regions": ["ground"], "spin": 1}])))
+        rebounds = alone(integrator="classic", contact={"friction": 0, "restitution": 0.5})
+        self.assertIn("how bodies rebound hangs on its penalty and step", self.refusal(rebounds))
         late = {"type": "table", "times": [1, 2], "values": [0, 1]}
         self.assertIn("begins with 0",
                       self.refusal(alone(driven=[{"regions": ["ground"], "direction": [1, 0], "displacement": late}])))

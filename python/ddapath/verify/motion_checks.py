@@ -1,4 +1,10 @@
-"""Checks of a motion: its energy book, that nothing is inside of anything else, and that rest is rest."""
+"""Checks of a motion: its energy book, that nothing is inside of anything else, and that rest is rest.
+
+Integrators that hold bodies apart by penalties alone promise no such thing: how deep bodies overlap is measured and told, beside
+a bound that refuses nothing.
+"""
+import math
+
 import numpy as np
 
 from .finding import Finding, worst_of
@@ -70,14 +76,18 @@ def depths_inside(points, polygon):
     return distance * ((above & (points[:, None, 0] < crossing)).sum(axis=1) % 2 == 1)
 
 
-def deepest(polygons):
-    """The deepest corner of any block in another, over what its core stands back, and the two blocks."""
+def no_margin(polygon):
+    return np.ones(len(polygon))
+
+
+def deepest(polygons, margin=stand_back):
+    """The deepest corner of any block in another, over a margin, by default what its core stands back, and the two blocks."""
     low, high = (np.array([f(p, axis=0) for p in polygons]) for f in (np.min, np.max))
     worst = (0.0, "everywhere")
     for i, polygon in enumerate(polygons):
         near = np.flatnonzero(((low <= high[i]) & (high >= low[i])).all(axis=1))
         for j in near[near != i]:
-            depth = (depths_inside(polygon, polygons[j]) / stand_back(polygon)).max()
+            depth = (depths_inside(polygon, polygons[j]) / margin(polygon)).max()
             worst = max(worst, (float(depth), f"block {i} in block {j}"))
     return worst
 
@@ -87,6 +97,19 @@ def nothing_crosses(motion, offset):
     found = [(depth / offset, f"step {step}, {place}")
              for step in motion.steps for depth, place in [deepest(outlines(motion.fields(step)))]]
     return worst_of("motion: nothing crosses", found, 1 + ROUNDING)
+
+
+def overlaps(motion):
+    """How deep the deepest corner is in another block, in sizes of the smallest block."""
+    size = np.sqrt(motion.fields(motion.steps[0]).mesh.areas.min())
+    found = [(depth / size, f"step {step}, {place}")
+             for step in motion.steps for depth, place in [deepest(outlines(motion.fields(step)), no_margin)]]
+    return worst_of("motion: overlap by penalties, not bounded", found, math.inf)
+
+
+def has_penalties_alone(run):
+    integrator = run.deck["motion"]["integrator"]
+    return isinstance(integrator, dict) and integrator.get("type") == "classic"
 
 
 def offset_of(run):
@@ -101,4 +124,4 @@ def all_checks(run):
     out = [finite(curve)] if len(curve) else []
     if len(curve):
         out += [*books(curve), spent_never_falls(curve), *rest(curve, summary)]
-    return [*out, nothing_crosses(motion, offset_of(run))]
+    return [*out, overlaps(motion) if has_penalties_alone(run) else nothing_crosses(motion, offset_of(run))]

@@ -97,8 +97,9 @@ void print_motion(const Simulation& simulation) {
                              parameters.time > 0 ? fmt::format("{:g} s", parameters.time) : "40 √(size/g)",
                              parameters.stops_at_rest ? " or until rest" : ""));
   line("integrator", parameters.integrator.name());
+  const OpenCloseRules* rules = parameters.integrator.make()->open_close();
   line("contact", fmt::format("{}, friction {:g}, restitution {:g}, {} pairs of their own",
-                              parameters.contact.law.name(),
+                              rules ? "penalties that open and close" : parameters.contact.law.name(),
                               friction_of_others(simulation.equilibrium().interfaces(), parameters).value(),
                               parameters.contact.restitution, parameters.contact.pairs.size()));
 }

@@ -53,6 +53,7 @@ constexpr std::size_t of_pose = 6;
 
 void put_lists(const MotionMemory& m, RestartData& out) {
   std::vector<double>& courses = out.numbers["courses"];
+  for (const BodyCourse& course : m.courses) out.numbers["growths"].push_back(course.growth);
   for (const BodyCourse& course : m.courses)
     for (const Pose* part : {&course.before, &course.now, &course.velocity, &course.acceleration})
       courses.insert(courses.end(), part->begin(), part->end());
@@ -79,12 +80,13 @@ Values list(const std::map<std::string, Values>& all, const std::string& name) {
 }
 
 void take_lists(const RestartData& data, MotionMemory& m) {
-  const std::vector<double> courses = list(data.numbers, "courses");
+  const std::vector<double> courses = list(data.numbers, "courses"), growths = list(data.numbers, "growths");
   for (std::size_t at = 0; at + 4 * of_pose <= courses.size(); at += 4 * of_pose) {
     const auto pose = [&](std::size_t part) {
       return Pose(Eigen::Map<const Pose>(courses.data() + at + part * of_pose));
     };
-    m.courses.push_back({pose(0), pose(1), pose(2), pose(3)});
+    const std::size_t body = m.courses.size();
+    m.courses.push_back({pose(0), pose(1), pose(2), pose(3), body < growths.size() ? growths[body] : 1.0});
   }
   m.ledger.fracture_of = list(data.numbers, "fracture_of");
   for (const std::int64_t bond : list(data.integers, "bonds"))

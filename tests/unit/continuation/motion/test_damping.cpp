@@ -1,5 +1,5 @@
 // Damping and initial stress against closed forms.
-#include "unit/continuation/motion/moving.hpp"
+#include "unit/continuation/motion/blocks.hpp"
 
 namespace dda {
 namespace {

@@ -1,13 +1,10 @@
 // Single bodies and stacks against closed forms.
 #include <random>
 
-#include "unit/continuation/motion/moving.hpp"
+#include "unit/continuation/motion/blocks.hpp"
 
 namespace dda {
 namespace {
-
-/// What the energies of a motion miss, over what the loads have done or what moved at first.
-double unbalanced(const Motion& motion, double scale) { return std::abs(motion.ledger().error) / scale; }
 
 TEST(Motion, FallsFreelyAtAnyStep) {
   for (const double step : {0.001, 0.01, 0.1}) {

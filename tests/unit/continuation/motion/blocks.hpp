@@ -1,9 +1,8 @@
-// Bodies of 1e10 Pa and 2500 kg/m³ that move: what tests of motions are made of.
+// Single bodies and stacks of stone on a ground.
 #pragma once
 
 #include <gmock/gmock.h>
 
-#include <Eigen/LU>
 #include <cmath>
 
 #include "continuation/motion/motion.hpp"
@@ -24,6 +23,7 @@ inline MovingBody body(const Polygon& outline, bool is_held = false) {
   out.block.stiffness << 1, nu, 0, nu, 1, 0, 0, 0, (1 - nu) / 2;
   out.block.stiffness *= young / (1 - nu * nu);
   for (const Vec2& x : core_of(outline, offset).vertices) out.core.push_back(x - of.centroid);
+  for (const Vec2& x : outline.vertices) out.outline.push_back(x - of.centroid);
   out.size = std::sqrt(of.area);
   out.modulus = young;
   out.is_held = is_held;
@@ -60,6 +60,11 @@ inline void run(Motion& motion) {
   while (motion.advance()) {
   }
   EXPECT_NE(motion.ending(), Motion::Ending::failed) << motion.reason();
+}
+
+/// What the energies of a motion miss, over what the loads have done or what moved at first.
+inline double unbalanced(const Motion& motion, double scale) {
+  return std::abs(motion.ledger().error) / scale;
 }
 
 inline std::shared_ptr<const Integrator> integrator(const std::string& name) {

@@ -1,4 +1,4 @@
-#include "continuation/motion/motion_step.hpp"
+#include "continuation/motion/step_minimum.hpp"
 
 #include <fmt/format.h>
 
@@ -24,14 +24,15 @@ double slope_along(const Vector& gradient, const Poses& way) {
 
 }  // namespace
 
-MotionStep StepSolver::solve(const Poses& start, const Inertia& inertia, const SliderMemory& memory) {
-  scale_ = force_scale(start, inertia);
+MotionStep StepMinimum::solve(const StepStart& from, const Inertia& inertia) {
+  const Poses& start = from.poses;
+  scale_ = force_scale(scene_, start, inertia);
   potential_.begin(start);
   potential_.set_sliders({});
-  MotionStep out{.poses = start, .sliders = {}, .failure = {}};
+  MotionStep out{.poses = start, .forces = {}, .contacts = {}, .failure = {}};
   bool is_met = false;
   for (int pass = 0;; ++pass) {
-    std::vector<Slider> sliders = sliders_at(out.poses, memory, pass == 0);
+    std::vector<Slider> sliders = sliders_at(out.poses, from.sliders, pass == 0);
     const bool is_settled = pass > 0 && change_of_bounds(sliders) <= tolerances_.friction_change;
     if (is_settled && is_met && sliders.empty()) break;
     const bool is_last = is_settled || pass + 1 == tolerances_.most_passes;
@@ -44,13 +45,37 @@ MotionStep StepSolver::solve(const Poses& start, const Inertia& inertia, const S
     out.failure = found.failure;
     if (!out.converged() || is_last) break;
   }
-  out.sliders = potential_.sliders();
+  if (out.converged()) tell(start, out);
   return out;
+}
+
+/// Forces at the end, and what contacts and sliders keep and have spent.
+void StepMinimum::tell(const Poses& start, MotionStep& out) const {
+  out.forces = potential_.gradient(out.poses);
+  for (const Slider& slider : potential_.sliders()) {
+    const double u = slider.reached(start, out.poses);
+    out.friction += slider.spent(u);
+    out.has_slid = out.has_slid || std::abs(u) > (1 + 1e-9) * std::abs(slider.kept(u));
+    out.contacts.set(slider.meeting.key, {slider.kept(u), 0});
+  }
+  const std::vector<Meeting> meetings = potential_.meetings(out.poses);
+  out.num_meetings = meetings.size();
+  for (const Meeting& meeting : meetings) {
+    SliderMemory::Kept kept = out.contacts.of(meeting.key);
+    kept.force = response_of(scene_.meeting, meeting).force;
+    out.contacts.set(meeting.key, kept);
+  }
+}
+
+StoredEnergies StepMinimum::stored(const std::vector<BodyCourse>& at) const {
+  Poses poses;
+  for (const BodyCourse& course : at) poses.push_back(course.now);
+  return potential_.stored(poses);
 }
 
 /// Where the step is looked for first: the lowest of the start and of what is free for cores on the ways of flight and of
 /// the last accelerations.
-Poses StepSolver::predicted(const Poses& start, const Inertia& inertia) {
+Poses StepMinimum::predicted(const Poses& start, const Inertia& inertia) {
   Poses lowest = start;
   double least = objective(start, inertia);
   for (const Poses* end : {&inertia.likely, &inertia.flight}) {
@@ -68,7 +93,7 @@ Poses StepSolver::predicted(const Poses& start, const Inertia& inertia) {
 }
 
 /// What the step makes least.
-double StepSolver::objective(const Poses& z, const Inertia& inertia) const {
+double StepMinimum::objective(const Poses& z, const Inertia& inertia) const {
   double sum = potential_.value(z);
   for (std::size_t b = 0; b < z.size(); ++b)
     if (!scene_.bodies[b].is_held)
@@ -78,7 +103,7 @@ double StepSolver::objective(const Poses& z, const Inertia& inertia) const {
 }
 
 /// The largest change of a bound since the pass before, over the largest bound; 0 without friction.
-double StepSolver::change_of_bounds(const std::vector<Slider>& sliders) const {
+double StepMinimum::change_of_bounds(const std::vector<Slider>& sliders) const {
   SliderMemory before;
   double change = 0, largest = 0;
   for (const Slider& slider : potential_.sliders()) before.set(slider.meeting.key, {0, slider.bound});
@@ -89,36 +114,7 @@ double StepSolver::change_of_bounds(const std::vector<Slider>& sliders) const {
   return largest > 0 ? change / largest : 0;
 }
 
-double StepSolver::force_scale(const Poses& start, const Inertia& inertia) const {
-  constexpr double of_inertia = 1e-3;
-  double out = 0;
-  for (std::size_t b = 0; b < start.size(); ++b) {
-    if (scene_.bodies[b].is_held) continue;
-    const MovingBody& body = scene_.bodies[b];
-    const Vec6 flown = inertia.per_square_time * body.block.times_mass(inertia.flight[b] - start[b]);
-    out = std::max({out, scene_.load_on(b).head<2>().norm(), of_inertia * flown.head<2>().norm(),
-                    of_inertia * flown.tail<4>().norm() / body.size});
-  }
-  return out;
-}
-
-/// What is left of the forces on some body, moments over its size, over the scale of all; what rounding leaves is taken
-/// off.
-double StepSolver::excess(const Vector& gradient, std::size_t* worst) const {
-  double out = 0;
-  for (std::size_t b = 0; b < scene_.num_bodies(); ++b) {
-    const auto g = of_body(gradient, b);
-    const double size = std::max(g.head<2>().norm(), g.tail<4>().norm() / scene_.bodies[b].size);
-    const double now = std::max(0.0, size - rounding_[b]);
-    if (!(now <= out)) {
-      out = now;
-      if (worst) *worst = b;
-    }
-  }
-  return scale_ > 0 ? out / scale_ : out;
-}
-
-Vector StepSolver::gradient(const Poses& z, const Inertia& inertia) const {
+Vector StepMinimum::gradient(const Poses& z, const Inertia& inertia) const {
   Vector out = potential_.gradient(z);
   for (std::size_t b = 0; b < z.size(); ++b) {
     if (scene_.bodies[b].is_held)
@@ -131,7 +127,7 @@ Vector StepSolver::gradient(const Poses& z, const Inertia& inertia) const {
 }
 
 /// What is left to go for bodies that are driven; empty where all are there.
-Poses StepSolver::ways_of_held(const Poses& z, const Inertia& inertia) const {
+Poses StepMinimum::ways_of_held(const Poses& z, const Inertia& inertia) const {
   Poses out;
   for (std::size_t b = 0; b < z.size(); ++b) {
     if (!scene_.bodies[b].is_held || z[b] == inertia.flight[b]) continue;
@@ -142,7 +138,7 @@ Poses StepSolver::ways_of_held(const Poses& z, const Inertia& inertia) const {
 }
 
 /// Newton's direction, in which driven bodies go all the way; empty where the curvature is not positive definite.
-Poses StepSolver::direction(const Poses& z, const Inertia& inertia, const Vector& gradient) {
+Poses StepMinimum::direction(const Poses& z, const Inertia& inertia, const Vector& gradient) {
   Poses dz = ways_of_held(z, inertia);
   for (const auto softening : {Potential::Softening::tangent, Potential::Softening::secant}) {
     const Potential::Curvature k = potential_.curvature(z, inertia.per_square_time, softening, dz);
@@ -160,18 +156,18 @@ Poses StepSolver::direction(const Poses& z, const Inertia& inertia, const Vector
   return {};
 }
 
-StepSolver::Minimised StepSolver::minimise(Poses& z, const Inertia& inertia, double tolerance) {
+StepMinimum::Minimised StepMinimum::minimise(Poses& z, const Inertia& inertia, double tolerance) {
   Minimised out;
   potential_.set_candidates(potential_.all_candidates(z, z));
   Vector g = gradient(z, inertia);
   for (;; ++out.iterations) {
-    std::size_t worst = 0;
-    const double left = excess(g, &worst);
+    const Unbalanced most = unbalanced(scene_, g, rounding_);
+    const double left = scale_ > 0 ? most.force / scale_ : most.force;
     const bool is_driven = !ways_of_held(z, inertia).empty();
     if (left <= tolerance && !is_driven) return out;
     if (out.iterations == tolerances_.most_iterations || !std::isfinite(left)) {
       out.failure = fmt::format("no minimum in {} iterations: {:.1e} of the forces is left at body {}",
-                                out.iterations, left, worst);
+                                out.iterations, left, most.body);
       return out;
     }
     const Poses dz = direction(z, inertia, g);
@@ -196,7 +192,7 @@ StepSolver::Minimised StepSolver::minimise(Poses& z, const Inertia& inertia, dou
 
 /// The share of dz that turns and strains no body by more than a tenth, nor moves any by more than its size: beyond, the
 /// curvatures tell nothing.
-double StepSolver::bearable_share(const Poses& dz) const {
+double StepMinimum::bearable_share(const Poses& dz) const {
   constexpr double most = 0.1;
   double out = 1;
   for (std::size_t b = 0; b < dz.size(); ++b) {
@@ -207,7 +203,7 @@ double StepSolver::bearable_share(const Poses& dz) const {
 }
 
 /// Whether it is positive definite. The order of elimination is kept as long as the same bodies may meet.
-bool StepSolver::factor(const Potential::Curvature& curvature) {
+bool StepMinimum::factor(const Potential::Curvature& curvature) {
   if (curvature.has_new_pattern || !is_analysed_) {
     factor_.analyse(curvature.matrix);
     is_analysed_ = true;
@@ -217,8 +213,8 @@ bool StepSolver::factor(const Potential::Curvature& curvature) {
 
 /// Where the slope along dz has fallen to a fifth, by bisection and the Illinois rule; as far as cores are free where it
 /// still leads down there.
-StepSolver::Found StepSolver::line_search(const Poses& z, const Poses& dz, const Inertia& inertia,
-                                          const Descent& descent) const {
+StepMinimum::Found StepMinimum::line_search(const Poses& z, const Poses& dz, const Inertia& inertia,
+                                            const Descent& descent) const {
   constexpr double flat = 0.2;
   constexpr int most = 40;
   Found out{descent.free, {}};
@@ -240,8 +236,8 @@ StepSolver::Found StepSolver::line_search(const Poses& z, const Poses& dz, const
   return out;
 }
 
-std::vector<Slider> StepSolver::sliders_at(const Poses& z, const SliderMemory& memory,
-                                           bool uses_memory) const {
+std::vector<Slider> StepMinimum::sliders_at(const Poses& z, const SliderMemory& memory,
+                                            bool uses_memory) const {
   const MeetingRules& rules = scene_.meeting;
   std::vector<Slider> out;
   for (const Meeting& meeting : potential_.meetings_anywhere(z)) {

@@ -3,36 +3,9 @@
 #include <string>
 
 #include "continuation/motion/positive_factor.hpp"
-#include "continuation/motion/potential.hpp"
+#include "continuation/motion/step_solver.hpp"
 
 namespace dda {
-
-/// How a step is solved.
-struct MotionTolerances {
-  double tolerance =
-      1e-6;             ///< of what is left of the forces on a body, over the forces that act in the scene
-  double loose = 0.03;  ///< the same in all passes but the last
-  double friction_change = 0.01;  ///< of normal forces, between passes, over the largest of them
-  int most_passes = 4;
-  int most_iterations = 100;  ///< of Newton's method, in one pass
-};
-
-/// The end of a step, or why there is none.
-struct MotionStep {
-  Poses poses;
-  std::vector<Slider> sliders;  ///< with which it was found
-  int iterations = 0;
-  std::string failure;  ///< "" when it converged
-
-  bool converged() const { return failure.empty(); }
-};
-
-/// ½ c |y − ŷ|²_M; ŷ of held bodies is where they go.
-struct Inertia {
-  Poses flight;                ///< ŷ
-  Poses likely;                ///< where the accelerations of the last step would lead
-  double per_square_time = 0;  ///< c [1/T²]
-};
 
 /// One step: the minimum of
 ///
@@ -40,12 +13,13 @@ struct Inertia {
 ///
 /// by Newton's method with an exact line search on what is free for cores to move, passes of it until the normal forces,
 /// by which friction is bounded, have settled. Source of the principle: Li et al. (2020), Lan et al. (2022).
-class StepSolver {
+class StepMinimum final : public StepSolver {
  public:
-  StepSolver(const MovingScene& scene, Potential& potential, const MotionTolerances& tolerances)
+  StepMinimum(const MovingScene& scene, Potential& potential, const MotionTolerances& tolerances)
       : scene_(scene), potential_(potential), tolerances_(tolerances) {}
 
-  MotionStep solve(const Poses& start, const Inertia& inertia, const SliderMemory& memory);
+  MotionStep solve(const StepStart& start, const Inertia& inertia) override;
+  StoredEnergies stored(const std::vector<BodyCourse>& at) const override;
 
  private:
   struct Minimised {
@@ -66,8 +40,7 @@ class StepSolver {
   Found line_search(const Poses& z, const Poses& dz, const Inertia& inertia, const Descent& descent) const;
   std::vector<Slider> sliders_at(const Poses& z, const SliderMemory& memory, bool uses_memory) const;
   double change_of_bounds(const std::vector<Slider>& sliders) const;
-  double excess(const Eigen::VectorXd& gradient, std::size_t* worst) const;
-  double force_scale(const Poses& start, const Inertia& inertia) const;
+  void tell(const Poses& start, MotionStep& out) const;
 
   Poses predicted(const Poses& start, const Inertia& inertia);
   double objective(const Poses& z, const Inertia& inertia) const;
