@@ -4,6 +4,8 @@
 #include <tuple>
 #include <utility>
 
+#include "framework/base/threads.hpp"
+
 namespace dda {
 namespace {
 
@@ -39,7 +41,8 @@ double ClampedMinimum::stretch_of(std::size_t spring, Eigen::Ref<const Vector> d
 
 ClampedMinimum::Vector ClampedMinimum::stretches_of(const Vector& dz) const {
   Vector out(static_cast<Eigen::Index>(springs_.size()));
-  for (std::size_t e = 0; e < springs_.size(); ++e) out[static_cast<Eigen::Index>(e)] = stretch_of(e, dz);
+  parallel_for(springs_.size(), 4096,
+               [&](std::size_t e) { out[static_cast<Eigen::Index>(e)] = stretch_of(e, dz); });
   return out;
 }
 
@@ -109,9 +112,15 @@ bool ClampedMinimum::has_states_of(const Vector& x, const Vector& other) const {
 double ClampedMinimum::share_of_way(const Vector& x, const Vector& way,
                                     const std::array<double, 2>& quadratic) const {
   constexpr int most = 60;
+  std::vector<std::size_t> counting;  // a spring whose state is the first at both ends has it all the way
+  for (std::size_t e = 0; e < springs_.size(); ++e) {
+    const auto at = static_cast<Eigen::Index>(e);
+    if (springs_[e].state(x[at]) != first_[e] || springs_[e].state(x[at] + way[at]) != first_[e])
+      counting.push_back(e);
+  }
   const auto slope_at = [&](double share) {
     double out = quadratic[0] + share * quadratic[1];
-    for (std::size_t e = 0; e < springs_.size(); ++e) {
+    for (const std::size_t e : counting) {
       const auto at = static_cast<Eigen::Index>(e);
       const double stretch = x[at] + share * way[at];
       if (springs_[e].state(stretch) != first_[e])

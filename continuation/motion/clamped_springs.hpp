@@ -47,7 +47,7 @@ class ClampedMinimum {
   using State = ClampedSpring::State;
   using Vector = Eigen::VectorXd;
 
-  static constexpr Eigen::Index most_changed = 48;
+  static constexpr Eigen::Index most_changed = 96;
 
   double stretch_of(std::size_t spring, Eigen::Ref<const Vector> dz) const;
   Vector stretches_of(const Vector& dz) const;

@@ -10,11 +10,11 @@ namespace dda {
 /// How a step is solved.
 struct MotionTolerances {
   double tolerance =
-      1e-6;             ///< of what is left of the forces on a body, over the forces that act in the scene
-  double loose = 0.03;  ///< the same in all passes but the last
-  double friction_change = 0.01;  ///< of normal forces, between passes, over the largest of them
-  int most_passes = 4;
-  int most_iterations = 100;  ///< of Newton's method, in one pass
+      1e-6;            ///< of what is left of the forces on a body, over the forces that act in the scene
+  double loose = 0.1;  ///< the same, before which normal forces have not settled
+  double friction_change = 0.01;  ///< of normal forces, between passes, summed over all of them
+  int most_passes = 20;
+  int most_iterations = 100;  ///< of Newton's method, in the last pass; the others have one
 };
 
 /// The end of a step, or why there is none.
@@ -38,8 +38,8 @@ struct Inertia {
 ///
 ///     ½ c |y − ŷ|²_M + Π(y)
 ///
-/// by Newton's method with an exact line search on what is free for cores to move, passes of it until the normal forces,
-/// by which friction is bounded, have settled. Source of the principle: Li et al. (2020), Lan et al. (2022).
+/// by Newton's method with an exact line search on what is free for cores to move. The normal forces by which friction is
+/// bounded are those of the iteration before until they have settled; from then on they stay, and the minimum is found. Source of the principle: Li et al. (2020), Lan et al. (2022).
 class StepSolver {
  public:
   StepSolver(const MovingScene& scene, Potential& potential, const MotionTolerances& tolerances)
@@ -50,9 +50,10 @@ class StepSolver {
  private:
   struct Minimised {
     int iterations = 0;
-    std::string failure;
+    double left = 0;  ///< of the forces
+    std::string failure = {};
   };
-  Minimised minimise(Poses& z, const Inertia& inertia, double tolerance);
+  Minimised minimise(Poses& z, const Inertia& inertia, bool to_the_end);
   Eigen::VectorXd gradient(const Poses& z, const Inertia& inertia) const;
   /// Slope along a direction where it begins, and the share of it that is free.
   struct Descent {

@@ -58,12 +58,21 @@ class Curvatures {
     else
       sum_.add(static_cast<std::size_t>(rows_[i]), static_cast<std::size_t>(rows_[j]), m);
   }
+  /// The same with a bᵀ.
+  void add(std::size_t i, std::size_t j, const Vec6& a, const Vec6& b) {
+    if (rows_[j] < 0)
+      pull_.segment<6>(6 * rows_[i]) += a * b.dot(ways_[j]);
+    else
+      sum_.add(static_cast<std::size_t>(rows_[i]), static_cast<std::size_t>(rows_[j]), a, b);
+  }
   /// factor g gᵀ of what counts on two bodies.
   void add(const std::array<std::size_t, 2>& bodies, const std::array<Vec6, 2>& g, double factor) {
     if (factor == 0) return;
-    for (std::size_t a = 0; a < 2; ++a)
+    for (std::size_t a = 0; a < 2; ++a) {
+      const Vec6 scaled = factor * g[a];
       for (std::size_t b = 0; b < 2; ++b)
-        if (wants(bodies[a], bodies[b])) add(bodies[a], bodies[b], factor * g[a] * g[b].transpose());
+        if (wants(bodies[a], bodies[b])) add(bodies[a], bodies[b], scaled, g[b]);
+    }
   }
   Eigen::VectorXd take_pull() { return std::move(pull_); }
 
@@ -101,9 +110,26 @@ bool Potential::prepare_pattern() {
 void Potential::begin(const Poses& start) {
   start_ = start;
   has_pattern_ = false;
+  near_at_.clear();
   pairs_ = search_.candidates(start, start);
   frames_.clear();
   for (const Bond& bond : bonds_) frames_.push_back(frame_of(bond, start));
+}
+
+/// What meets, and what would after a little way. One place is asked for this again and again: for forces, for curvatures and
+/// for what slides.
+const std::vector<Meeting>& Potential::near(const Poses& at) const {
+  constexpr double further = 1.5;  // of the reach
+  if (near_at_ == at) return near_;
+  near_ = search_.find(pairs_, at, further * scene_.meeting.reach);
+  near_at_ = at;
+  return near_;
+}
+
+std::vector<Meeting> Potential::meetings(const Poses& at) const {
+  std::vector<Meeting> out;
+  for_each_meeting(at, [&](const Meeting& meeting) { out.push_back(meeting); });
+  return out;
 }
 
 Potential::Vector Potential::gradient(const Poses& at) const {
@@ -130,8 +156,9 @@ Potential::Vector Potential::gradient(const Poses& at) const {
     of_body(out, meeting.key.body) += force * rows[0];
     of_body(out, meeting.key.other) += force * rows[1];
   };
-  for (const Meeting& meeting : meetings(at))
+  for_each_meeting(at, [&](const Meeting& meeting) {
     push(meeting, meeting.normal, -response_of(scene_.meeting, meeting).force);
+  });
   for (const Slider& slider : sliders_)
     push(slider.meeting, slider.tangent(), slider.force(slider.reached(start_, at)));
   return out;
@@ -154,19 +181,18 @@ void Potential::add_bonds(const Poses& at, Softening softening, Curvatures& out)
 }
 
 /// What touches, what would after a little way, and what slides.
-std::vector<ClampedSpring> Potential::add_clamped(const Poses& at, Curvatures& sum) const {
-  constexpr double further = 1.5;  // of the reach
+void Potential::add_clamped(const Poses& at, Curvatures& sum) {
   constexpr double inf = std::numeric_limits<double>::infinity();
-  std::vector<ClampedSpring> out;
+  clamped_.clear();
   const auto add = [&](const Meeting& meeting, const Vec2& direction, ClampedSpring spring) {
     spring.rows = {rows_[meeting.key.body], rows_[meeting.key.other]};
     spring.along = rows_along(meeting, direction);
     if (spring.state(0) == ClampedSpring::State::within)
       sum.add(bodies_of(meeting), spring.along, spring.stiffness);
-    out.push_back(spring);
+    clamped_.push_back(spring);
   };
   const MeetingRules& rules = scene_.meeting;
-  for (const Meeting& meeting : search_.find(pairs_, at, further * rules.reach)) {
+  for (const Meeting& meeting : near(at)) {
     const double overlap = rules.reach - meeting.distance;
     const auto [energy, force, stiffness] =
         rules.law->respond(std::max(0.0, overlap), meeting.stiffness, rules.reach);
@@ -179,7 +205,6 @@ std::vector<ClampedSpring> Potential::add_clamped(const Poses& at, Curvatures& s
     add(slider.meeting, slider.tangent(),
         {.stiffness = slider.stiffness, .at = u, .low = -slider.bound, .high = slider.bound});
   }
-  return out;
 }
 
 Potential::Curvature Potential::curvature(const Poses& at, double per_square_time, Softening softening,
@@ -196,8 +221,8 @@ Potential::Curvature Potential::curvature(const Poses& at, double per_square_tim
       for (const auto& [j, row_j] : spring.rows)
         if (out.wants(i, j)) out.add(i, j, spring.stiffness * row_i * row_j.transpose());
   add_bonds(at, softening, out);
-  std::vector<ClampedSpring> springs = add_clamped(at, out);
-  return {sum_.matrix(), std::move(springs), out.take_pull(), has_new_pattern};
+  add_clamped(at, out);
+  return {sum_.matrix(), clamped_, out.take_pull(), has_new_pattern};
 }
 
 std::vector<double> Potential::rounding(const Poses& at, double per_square_time) const {
@@ -219,8 +244,9 @@ std::vector<double> Potential::rounding(const Poses& at, double per_square_time)
   }
   for (const Bond& bond : bonds_)
     add({bond.first, bond.second}, bond.weight * bond.trial_stiffness().maxCoeff());
-  for (const Meeting& meeting : meetings(at))
+  for_each_meeting(at, [&](const Meeting& meeting) {
     add(bodies_of(meeting), response_of(scene_.meeting, meeting).stiffness);
+  });
   for (double& force : out) force *= epsilon;
   return out;
 }
@@ -241,7 +267,8 @@ StoredEnergies Potential::stored(const Poses& at) const {
   for (const MotionSpring& spring : scene_.springs)
     out.springs += spring.stiffness * std::pow(spring.stretch(at), 2) / 2;
   for (std::size_t i = 0; i < bonds_.size(); ++i) out.bonds += stored_energy(bonds_[i], state_of(i, at));
-  for (const Meeting& meeting : meetings(at)) out.contact += response_of(scene_.meeting, meeting).energy;
+  for_each_meeting(
+      at, [&](const Meeting& meeting) { out.contact += response_of(scene_.meeting, meeting).energy; });
   for (const Slider& slider : sliders_) out.friction += slider.stored(slider.reached(start_, at));
   return out;
 }
