@@ -10,9 +10,9 @@ namespace dda {
 /// How a step is solved.
 struct MotionTolerances {
   double tolerance =
-      1e-6;            ///< of what is left of the forces on a body, over the forces that act in the scene
-  double loose = 0.1;  ///< the same, before which normal forces have not settled
-  double friction_change = 0.01;  ///< of normal forces, between passes, summed over all of them
+      1e-6;             ///< of what is left of the forces on a body, over the forces that act in the scene
+  double loose = 0.03;  ///< the same, above which nothing has settled
+  double friction_change = 0.01;  ///< of normal forces, between passes: all changes over all forces
   int most_passes = 20;
   int most_iterations = 100;  ///< of Newton's method, in the last pass; the others have one
 };
@@ -38,8 +38,9 @@ struct Inertia {
 ///
 ///     ½ c |y − ŷ|²_M + Π(y)
 ///
-/// by Newton's method with an exact line search on what is free for cores to move. The normal forces by which friction is
-/// bounded are those of the iteration before until they have settled; from then on they stay, and the minimum is found. Source of the principle: Li et al. (2020), Lan et al. (2022).
+/// by Newton's method with an exact line search on what is free for cores to move. Until the normal forces by which friction
+/// is bounded have settled, every iteration, a pass, takes those where it begins; in the last pass they stay, and the
+/// minimum is found. Source of the principle: Li et al. (2020), Lan et al. (2022).
 class StepSolver {
  public:
   StepSolver(const MovingScene& scene, Potential& potential, const MotionTolerances& tolerances)
