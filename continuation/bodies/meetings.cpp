@@ -26,6 +26,12 @@ Box box_of(const MovingBody& body, const Pose& y) {
   return out;
 }
 
+/// The box of all places of a body on its way.
+struct Swept {
+  Box box;
+  std::uint32_t body = 0;
+};
+
 bool segments_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   return cross(b - a, c - a) * cross(b - a, d - a) < 0 && cross(d - c, a - c) * cross(d - c, b - c) < 0;
 }
@@ -58,23 +64,20 @@ MeetingSearch::MeetingSearch(const MovingScene& scene, std::vector<Pair> joined)
 std::vector<MeetingSearch::Pair> MeetingSearch::candidates(const Poses& from, const Poses& to,
                                                            double reach) const {
   const auto n = static_cast<std::uint32_t>(scene_.num_bodies());
-  std::vector<Box> boxes(n);
-  for (std::uint32_t i = 0; i < n; ++i) {
+  std::vector<Swept> swept(n);
+  parallel_for(n, 256, [&](std::size_t i) {
     Box box = box_of(scene_.bodies[i], from[i]);
     const Box then = box_of(scene_.bodies[i], to[i]);
     box.include(then.low);
     box.include(then.high);
-    boxes[i] = box.inflated(reach / 2);
-  }
-  std::vector<std::uint32_t> order(n);
-  std::iota(order.begin(), order.end(), 0u);
-  std::ranges::sort(order, {}, [&](std::uint32_t i) { return std::pair(boxes[i].low.x(), i); });
+    swept[i] = {box.inflated(reach / 2), static_cast<std::uint32_t>(i)};
+  });
+  std::ranges::sort(swept, {}, [](const Swept& one) { return std::pair(one.box.low.x(), one.body); });
   std::vector<Pair> out;
-  for (std::size_t a = 0; a < order.size(); ++a)
-    for (std::size_t b = a + 1; b < order.size() && boxes[order[b]].low.x() <= boxes[order[a]].high.x();
-         ++b) {
-      const Pair pair = std::minmax(order[a], order[b]);
-      if (!boxes[pair.first].touches(boxes[pair.second])) continue;
+  for (auto one = swept.begin(); one != swept.end(); ++one)
+    for (auto other = one + 1; other != swept.end() && other->box.low.x() <= one->box.high.x(); ++other) {
+      if (other->box.low.y() > one->box.high.y() || other->box.high.y() < one->box.low.y()) continue;
+      const Pair pair = std::minmax(one->body, other->body);
       if (scene_.bodies[pair.first].is_held && scene_.bodies[pair.second].is_held) continue;
       if (!std::ranges::binary_search(joined_, pair)) out.push_back(pair);
     }

@@ -24,6 +24,7 @@ bool BlockSum::set_pattern(std::size_t num_rows, std::vector<Pair> pairs) {
   if (first_ == first_before && rows_ == rows_before) return false;
   diagonal_.assign(num_rows, Mat6::Zero());
   below_.assign(rows_.size(), Mat6::Zero());
+  place_of_last_ = none;
   const auto n = static_cast<Eigen::Index>(size * num_rows);
   matrix_.resize(n, n);
   std::vector<int> starts{0}, inner;
@@ -67,7 +68,20 @@ void BlockSum::add(std::size_t i, std::size_t j, const Mat6& m) {
   if (i == j)
     diagonal_[i] += m;
   else if (i > j)
-    below_.at(place_of(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j))) += m;
+    below(i, j) += m;
+}
+
+void BlockSum::add(std::size_t i, std::size_t j, const Vec6& a, const Vec6& b) {
+  if (i >= j) (i == j ? diagonal_[i] : below(i, j)).noalias() += a * b.transpose();
+}
+
+Mat6& BlockSum::below(std::size_t row, std::size_t column) {
+  const Pair pair(static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(column));
+  if (pair != last_ || place_of_last_ == none) {
+    place_of_last_ = place_of(pair.first, pair.second);
+    last_ = pair;
+  }
+  return below_.at(place_of_last_);
 }
 
 const BlockSum::Matrix& BlockSum::matrix() {

@@ -4,6 +4,8 @@
 #include <tuple>
 #include <utility>
 
+#include "framework/base/threads.hpp"
+
 namespace dda {
 namespace {
 
@@ -39,7 +41,8 @@ double ClampedMinimum::stretch_of(std::size_t spring, Eigen::Ref<const Vector> d
 
 ClampedMinimum::Vector ClampedMinimum::stretches_of(const Vector& dz) const {
   Vector out(static_cast<Eigen::Index>(springs_.size()));
-  for (std::size_t e = 0; e < springs_.size(); ++e) out[static_cast<Eigen::Index>(e)] = stretch_of(e, dz);
+  parallel_for(springs_.size(), 4096,
+               [&](std::size_t e) { out[static_cast<Eigen::Index>(e)] = stretch_of(e, dz); });
   return out;
 }
 
@@ -54,22 +57,36 @@ bool ClampedMinimum::include_changed(const Vector& x) {
   const auto now = static_cast<Eigen::Index>(changed_.size());
   if (now > most_changed) return false;
   if (now == old) return true;
-  if (ways_.size() == 0) {
-    ways_.resize(factor_.num_rows(), most_changed);
-    stretches_.resize(most_changed, most_changed);
-  }
-  Eigen::MatrixXd units = Eigen::MatrixXd::Zero(factor_.num_rows(), now - old);
-  for (Eigen::Index c = old; c < now; ++c) {
-    const ClampedSpring& spring = springs_[changed_[static_cast<std::size_t>(c)]];
-    for (std::size_t side = 0; side < 2; ++side)
-      if (const int row = spring.rows[side]; row >= 0)
-        units.col(c - old).segment<6>(6 * row) += spring.along[side];
-  }
-  ways_.middleCols(old, now - old) = factor_.solve_all(units);
-  for (Eigen::Index c = old; c < now; ++c)
+  add_halves();
+  stretches_.conservativeResize(now, now);
+  parallel_for(static_cast<std::size_t>(now - old), 4, [&](std::size_t i) {
+    const Eigen::Index c = old + static_cast<Eigen::Index>(i);
+    const PositiveFactor::Half& half = halves_[static_cast<std::size_t>(c)];
     for (Eigen::Index r = 0; r <= c; ++r)
-      stretches_(r, c) = stretches_(c, r) = stretch_of(changed_[static_cast<std::size_t>(r)], ways_.col(c));
+      stretches_(r, c) = stretches_(c, r) = half.dot(halves_[static_cast<std::size_t>(r)]);
+  });
   return true;
+}
+
+/// Of the changed springs that have none yet.
+void ClampedMinimum::add_halves() {
+  const std::size_t old = halves_.size();
+  halves_.resize(changed_.size());
+  parallel_for(changed_.size() - old, 4, [&](std::size_t i) {
+    const ClampedSpring& spring = springs_[changed_[old + i]];
+    Vector unit = Vector::Zero(factor_.num_rows());
+    for (std::size_t side = 0; side < 2; ++side)
+      if (const int row = spring.rows[side]; row >= 0) unit.segment<6>(6 * row) += spring.along[side];
+    halves_[old + i] = factor_.half_of(unit);
+  });
+}
+
+/// A⁻¹ of forces of the changed springs.
+ClampedMinimum::Vector ClampedMinimum::way_by(const Vector& forces) const {
+  Vector sum = Vector::Zero(factor_.num_rows());
+  for (std::size_t c = 0; c < halves_.size(); ++c)
+    halves_[c].add_to(sum, forces[static_cast<Eigen::Index>(c)]);
+  return factor_.other_half_of(std::move(sum));
 }
 
 /// What the changed springs bear beyond their first line where all are in the states they have at x.
@@ -109,9 +126,15 @@ bool ClampedMinimum::has_states_of(const Vector& x, const Vector& other) const {
 double ClampedMinimum::share_of_way(const Vector& x, const Vector& way,
                                     const std::array<double, 2>& quadratic) const {
   constexpr int most = 60;
+  std::vector<std::size_t> counting;  // a spring whose state is the first at both ends has it all the way
+  for (std::size_t e = 0; e < springs_.size(); ++e) {
+    const auto at = static_cast<Eigen::Index>(e);
+    if (springs_[e].state(x[at]) != first_[e] || springs_[e].state(x[at] + way[at]) != first_[e])
+      counting.push_back(e);
+  }
   const auto slope_at = [&](double share) {
     double out = quadratic[0] + share * quadratic[1];
-    for (std::size_t e = 0; e < springs_.size(); ++e) {
+    for (const std::size_t e : counting) {
       const auto at = static_cast<Eigen::Index>(e);
       const double stretch = x[at] + share * way[at];
       if (springs_[e].state(stretch) != first_[e])
@@ -132,7 +155,7 @@ double ClampedMinimum::share_of_way(const Vector& x, const Vector& way,
   return low > 0 ? low : high;
 }
 
-/// dz = share · (A⁻¹ b) − Σ forces · ways, from dz = 0 on.
+/// dz = share · A⁻¹ b − A⁻¹ Σ forces, from dz = 0 on.
 Eigen::VectorXd ClampedMinimum::solve(const Eigen::VectorXd& b) {
   constexpr int most = 100;
   const Vector plain = factor_.solve(b);
@@ -140,17 +163,18 @@ Eigen::VectorXd ClampedMinimum::solve(const Eigen::VectorXd& b) {
   unchanged_ = stretches_of(plain);
   Vector x = Vector::Zero(unchanged_.size()), forces;
   const auto end_of = [&](double share) {
-    return Vector(share * plain - ways_.leftCols(forces.size()) * forces);
+    return forces.size() == 0 ? Vector(share * plain) : Vector(share * plain - way_by(forces));
   };
   double share = 0;
   for (int i = 0; i < most && include_changed(x); ++i) {
     forces.conservativeResizeLike(Vector::Zero(static_cast<Eigen::Index>(changed_.size())));
     const Vector before = std::exchange(forces, forces_for(x)), goal = forces;
-    const Vector there = stretches_of(end_of(1)), way = there - x, pull = of_changed(way);
+    Vector end = end_of(1);
+    const Vector there = stretches_of(end), way = there - x, pull = of_changed(way);
     const double work = (1 - share) * plain_work - of_changed(unchanged_).dot(goal - before);
     const double step = share_of_way(
         x, way, {(share - 1) * work - pull.dot(before), (1 - share) * work - pull.dot(goal - before)});
-    if (step == 1 && has_states_of(x, there)) return end_of(1);
+    if (step == 1 && has_states_of(x, there)) return end;
     forces = before + step * (goal - before);
     share += step * (1 - share);
     x += step * way;

@@ -47,11 +47,13 @@ class ClampedMinimum {
   using State = ClampedSpring::State;
   using Vector = Eigen::VectorXd;
 
-  static constexpr Eigen::Index most_changed = 48;
+  static constexpr Eigen::Index most_changed = 200;
 
   double stretch_of(std::size_t spring, Eigen::Ref<const Vector> dz) const;
   Vector stretches_of(const Vector& dz) const;
   bool include_changed(const Vector& x);
+  void add_halves();
+  Vector way_by(const Vector& forces) const;
   Vector forces_for(const Vector& x) const;
   double share_of_way(const Vector& x, const Vector& way, const std::array<double, 2>& quadratic) const;
   Vector of_changed(const Vector& all) const;
@@ -62,9 +64,9 @@ class ClampedMinimum {
   std::vector<State> first_;          ///< states at dz = 0
   std::vector<std::size_t> changed_;  ///< springs that have left them at some time
   std::vector<bool> is_changed_;
-  Vector unchanged_;           ///< stretches where no spring leaves its state
-  Eigen::MatrixXd ways_;       ///< A⁻¹ of their unit forces
-  Eigen::MatrixXd stretches_;  ///< of one of them on the way of another
+  Vector unchanged_;                          ///< stretches where no spring leaves its state
+  std::vector<PositiveFactor::Half> halves_;  ///< of A⁻¹ and their unit forces
+  Eigen::MatrixXd stretches_;                 ///< of one of them where another one pulls
 };
 
 }  // namespace dda

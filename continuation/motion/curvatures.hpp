@@ -36,12 +36,21 @@ class Curvatures {
     else
       sum_.add(static_cast<std::size_t>(rows_[i]), static_cast<std::size_t>(rows_[j]), m);
   }
+  /// The same with a bᵀ.
+  void add(std::size_t i, std::size_t j, const Vec6& a, const Vec6& b) {
+    if (rows_[j] < 0)
+      pull_.segment<6>(6 * rows_[i]) += a * b.dot(ways_[j]);
+    else
+      sum_.add(static_cast<std::size_t>(rows_[i]), static_cast<std::size_t>(rows_[j]), a, b);
+  }
   /// factor g gᵀ of what counts on two bodies.
   void add(const std::array<std::size_t, 2>& bodies, const std::array<Vec6, 2>& g, double factor) {
     if (factor == 0) return;
-    for (std::size_t a = 0; a < 2; ++a)
+    for (std::size_t a = 0; a < 2; ++a) {
+      const Vec6 scaled = factor * g[a];
       for (std::size_t b = 0; b < 2; ++b)
-        if (wants(bodies[a], bodies[b])) add(bodies[a], bodies[b], factor * g[a] * g[b].transpose());
+        if (wants(bodies[a], bodies[b])) add(bodies[a], bodies[b], scaled, g[b]);
+    }
   }
   /// A share of that of a joint with the stiffness D, of a spring.
   void add(const Bond& bond, const BondState& at, const Mat2& stiffness, double share = 1) {

@@ -38,6 +38,7 @@ bool Potential::prepare_pattern() {
 void Potential::begin(const Poses& start) {
   start_ = start;
   has_pattern_ = false;
+  near_at_.clear();
   pairs_.clear();
   if (has_meetings_) pairs_ = search_.candidates(start, start);
   frames_.clear();
@@ -46,6 +47,22 @@ void Potential::begin(const Poses& start) {
   if (histories_ == Histories::grow) return;
   openings_.clear();
   for (std::size_t i = 0; i < bonds_.size(); ++i) openings_.push_back(state_of(i, start).opening);
+}
+
+/// What meets, and what would after a little way. One place is asked for this again and again: for forces, for curvatures and
+/// for what slides.
+const std::vector<Meeting>& Potential::near(const Poses& at) const {
+  constexpr double further = 1.5;  // of the reach
+  if (near_at_ == at) return near_;
+  near_ = search_.find(pairs_, at, further * scene_.meeting.reach);
+  near_at_ = at;
+  return near_;
+}
+
+std::vector<Meeting> Potential::meetings(const Poses& at) const {
+  std::vector<Meeting> out;
+  for_each_meeting(at, [&](const Meeting& meeting) { out.push_back(meeting); });
+  return out;
 }
 
 Potential::Vector Potential::gradient(const Poses& at) const {
@@ -70,8 +87,9 @@ Potential::Vector Potential::gradient(const Poses& at) const {
     of_body(out, meeting.key.body) += force * rows[0];
     of_body(out, meeting.key.other) += force * rows[1];
   };
-  for (const Meeting& meeting : meetings(at))
+  for_each_meeting(at, [&](const Meeting& meeting) {
     push(meeting, meeting.normal, -response_of(scene_.meeting, meeting).force);
+  });
   for (const Slider& slider : sliders_)
     push(slider.meeting, slider.tangent(), slider.force(slider.reached(start_, at)));
   return out;
@@ -97,19 +115,18 @@ void Potential::add_bonds(const Poses& at, Softening softening, Curvatures& out)
 }
 
 /// What touches, what would after a little way, and what slides.
-std::vector<ClampedSpring> Potential::add_clamped(const Poses& at, Curvatures& sum) const {
-  constexpr double further = 1.5;  // of the reach
+void Potential::add_clamped(const Poses& at, Curvatures& sum) {
   constexpr double inf = std::numeric_limits<double>::infinity();
-  std::vector<ClampedSpring> out;
+  clamped_.clear();
   const auto add = [&](const Meeting& meeting, const Vec2& direction, ClampedSpring spring) {
     spring.rows = {rows_[meeting.key.body], rows_[meeting.key.other]};
     spring.along = rows_along(meeting, direction);
     if (spring.state(0) == ClampedSpring::State::within)
       sum.add(bodies_of(meeting), spring.along, spring.stiffness);
-    out.push_back(spring);
+    clamped_.push_back(spring);
   };
   const MeetingRules& rules = scene_.meeting;
-  for (const Meeting& meeting : search_.find(pairs_, at, further * rules.reach)) {
+  for (const Meeting& meeting : near(at)) {
     const double overlap = rules.reach - meeting.distance;
     const auto [energy, force, stiffness] =
         rules.law->respond(std::max(0.0, overlap), meeting.stiffness, rules.reach);
@@ -122,7 +139,6 @@ std::vector<ClampedSpring> Potential::add_clamped(const Poses& at, Curvatures& s
     add(slider.meeting, slider.tangent(),
         {.stiffness = slider.stiffness, .at = u, .low = -slider.bound, .high = slider.bound});
   }
-  return out;
 }
 
 Potential::Curvature Potential::curvature(const Poses& at, double per_square_time, Softening softening,
@@ -137,8 +153,8 @@ Potential::Curvature Potential::curvature(const Poses& at, double per_square_tim
   for (const MotionSpring& spring : scene_.springs) out.add(spring);
   add_bonds(at, softening, out);
   if (damping_) damping_->add_curvature(at, out);
-  std::vector<ClampedSpring> springs = add_clamped(at, out);
-  return {sum_.matrix(), std::move(springs), out.take_pull(), has_new_pattern};
+  add_clamped(at, out);
+  return {sum_.matrix(), clamped_, out.take_pull(), has_new_pattern};
 }
 
 std::vector<double> Potential::rounding(const Poses& at, double per_square_time) const {
@@ -160,8 +176,9 @@ std::vector<double> Potential::rounding(const Poses& at, double per_square_time)
   }
   for (const Bond& bond : bonds_)
     add({bond.first, bond.second}, bond.weight * bond.trial_stiffness().maxCoeff());
-  for (const Meeting& meeting : meetings(at))
+  for_each_meeting(at, [&](const Meeting& meeting) {
     add(bodies_of(meeting), response_of(scene_.meeting, meeting).stiffness);
+  });
   for (double& force : out) force *= epsilon;
   return out;
 }
@@ -183,7 +200,8 @@ StoredEnergies Potential::stored(const Poses& at) const {
   for (const MotionSpring& spring : scene_.springs)
     out.springs += spring.stiffness * std::pow(spring.stretch(at), 2) / 2;
   for (std::size_t i = 0; i < bonds_.size(); ++i) out.bonds += stored_energy(bonds_[i], state_of(i, at));
-  for (const Meeting& meeting : meetings(at)) out.contact += response_of(scene_.meeting, meeting).energy;
+  for_each_meeting(
+      at, [&](const Meeting& meeting) { out.contact += response_of(scene_.meeting, meeting).energy; });
   for (const Slider& slider : sliders_) out.friction += slider.stored(slider.reached(start_, at));
   return out;
 }

@@ -57,7 +57,7 @@ class Potential {
   /// are empty.
   struct Curvature {
     const Matrix& matrix;
-    std::vector<ClampedSpring> springs;  ///< contacts and sliders, and contacts that may come
+    const std::vector<ClampedSpring>& springs;  ///< contacts and sliders, and contacts that may come
     Vector pull;
     bool has_new_pattern;  ///< since the last time
   };
@@ -70,7 +70,8 @@ class Potential {
   /// What rounding of places may leave of the forces on each body, those of inertia c M included: stiffness times
   /// 4 ε |x|, summed [F].
   std::vector<double> rounding(const Poses& at, double per_square_time) const;
-  std::vector<Meeting> meetings(const Poses& at) const { return search_.find(pairs_, at); }
+  /// What meets; the candidates must be those of ways that lead there.
+  std::vector<Meeting> meetings(const Poses& at) const;
   /// Pairs that may meet on the way, and all meetings at a place, whatever the candidates.
   std::vector<MeetingSearch::Pair> all_candidates(const Poses& from, const Poses& to) const {
     return search_.candidates(from, to);
@@ -85,10 +86,16 @@ class Potential {
   Eigen::Index num_moving() const { return num_moving_; }
 
  private:
+  const std::vector<Meeting>& near(const Poses& at) const;
+  template <class Visit>
+  void for_each_meeting(const Poses& at, Visit visit) const {
+    for (const Meeting& meeting : near(at))
+      if (meeting.distance < scene_.meeting.reach) visit(meeting);
+  }
   Response bond_response(std::size_t bond, const Vec2& opening) const;
   void add_bonds(const Poses& at, Softening softening, Curvatures& out) const;
   bool prepare_pattern();
-  std::vector<ClampedSpring> add_clamped(const Poses& at, Curvatures& sum) const;
+  void add_clamped(const Poses& at, Curvatures& sum);
 
   const MovingScene& scene_;
   const MeetingSearch& search_;
@@ -105,6 +112,9 @@ class Potential {
   std::vector<Slider> sliders_;
   std::vector<MeetingSearch::Pair> pairs_;
   std::vector<BlockSum::Pair> lasting_;  ///< of bonds and springs, as rows
+  std::vector<ClampedSpring> clamped_;   ///< of the last curvature
+  mutable Poses near_at_;                ///< where it was last looked for what is near
+  mutable std::vector<Meeting> near_;    ///< there
   BlockSum sum_;
   bool has_pattern_ = false;  ///< of this step
 };

@@ -31,16 +31,19 @@ MotionStep StepMinimum::solve(const StepStart& from, const Inertia& inertia) {
   potential_.set_sliders({});
   MotionStep out{.poses = start, .forces = {}, .contacts = {}, .failure = {}};
   bool is_met = false;
+  double left = 0;
   for (int pass = 0;; ++pass) {
     std::vector<Slider> sliders = sliders_at(out.poses, from.sliders, pass == 0);
-    const bool is_settled = pass > 0 && change_of_bounds(sliders) <= tolerances_.friction_change;
+    const bool is_settled =
+        pass > 0 && left <= tolerances_.loose && change_of_bounds(sliders) <= tolerances_.friction_change;
     if (is_settled && is_met && sliders.empty()) break;
     const bool is_last = is_settled || pass + 1 == tolerances_.most_passes;
     is_met = is_last || sliders.empty();
     potential_.set_sliders(std::move(sliders));
     rounding_ = potential_.rounding(out.poses, inertia.per_square_time);
     if (pass == 0) out.poses = predicted(start, inertia);
-    const Minimised found = minimise(out.poses, inertia, is_met ? tolerances_.tolerance : tolerances_.loose);
+    const Minimised found = minimise(out.poses, inertia, is_met);
+    left = found.left;
     out.iterations += found.iterations;
     out.failure = found.failure;
     if (!out.converged() || is_last) break;
@@ -89,6 +92,7 @@ Poses StepMinimum::predicted(const Poses& start, const Inertia& inertia) {
     least = value;
     lowest = std::move(there);
   }
+  potential_.set_candidates(potential_.all_candidates(lowest, lowest));
   return lowest;
 }
 
@@ -102,16 +106,16 @@ double StepMinimum::objective(const Poses& z, const Inertia& inertia) const {
   return sum;
 }
 
-/// The largest change of a bound since the pass before, over the largest bound; 0 without friction.
+/// The sum of the changes of bounds since the pass before, over that of the bounds; 0 without friction.
 double StepMinimum::change_of_bounds(const std::vector<Slider>& sliders) const {
   SliderMemory before;
-  double change = 0, largest = 0;
+  double change = 0, all = 0;
   for (const Slider& slider : potential_.sliders()) before.set(slider.meeting.key, {0, slider.bound});
   for (const Slider& slider : sliders) {
-    largest = std::max(largest, slider.bound);
-    change = std::max(change, std::abs(slider.bound - before.of(slider.meeting.key).force));
+    all += slider.bound;
+    change += std::abs(slider.bound - before.of(slider.meeting.key).force);
   }
-  return largest > 0 ? change / largest : 0;
+  return all > 0 ? change / all : 0;
 }
 
 Vector StepMinimum::gradient(const Poses& z, const Inertia& inertia) const {
@@ -156,18 +160,19 @@ Poses StepMinimum::direction(const Poses& z, const Inertia& inertia, const Vecto
   return {};
 }
 
-StepMinimum::Minimised StepMinimum::minimise(Poses& z, const Inertia& inertia, double tolerance) {
+/// Newton's method: one iteration, or as many as it takes.
+StepMinimum::Minimised StepMinimum::minimise(Poses& z, const Inertia& inertia, bool to_the_end) {
   Minimised out;
-  potential_.set_candidates(potential_.all_candidates(z, z));
   Vector g = gradient(z, inertia);
   for (;; ++out.iterations) {
     const Unbalanced most = unbalanced(scene_, g, rounding_);
-    const double left = scale_ > 0 ? most.force / scale_ : most.force;
+    out.left = scale_ > 0 ? most.force / scale_ : most.force;
     const bool is_driven = !ways_of_held(z, inertia).empty();
-    if (left <= tolerance && !is_driven) return out;
-    if (out.iterations == tolerances_.most_iterations || !std::isfinite(left)) {
+    if (out.left <= tolerances_.tolerance && !is_driven) return out;
+    if (!to_the_end && out.iterations > 0 && !is_driven) return out;
+    if (out.iterations == tolerances_.most_iterations || !std::isfinite(out.left)) {
       out.failure = fmt::format("no minimum in {} iterations: {:.1e} of the forces is left at body {}",
-                                out.iterations, left, most.body);
+                                out.iterations, out.left, most.body);
       return out;
     }
     const Poses dz = direction(z, inertia, g);
@@ -240,7 +245,7 @@ std::vector<Slider> StepMinimum::sliders_at(const Poses& z, const SliderMemory& 
                                             bool uses_memory) const {
   const MeetingRules& rules = scene_.meeting;
   std::vector<Slider> out;
-  for (const Meeting& meeting : potential_.meetings_anywhere(z)) {
+  for (const Meeting& meeting : potential_.meetings(z)) {
     const double friction = rules.friction(meeting.key.body, meeting.key.other);
     if (friction <= 0) continue;
     const SliderMemory::Kept kept = memory.of(meeting.key);

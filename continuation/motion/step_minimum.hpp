@@ -11,8 +11,9 @@ namespace dda {
 ///
 ///     ½ c |y − ŷ|²_M + Π(y)
 ///
-/// by Newton's method with an exact line search on what is free for cores to move, passes of it until the normal forces,
-/// by which friction is bounded, have settled. Source of the principle: Li et al. (2020), Lan et al. (2022).
+/// by Newton's method with an exact line search on what is free for cores to move. Until the normal forces by which friction
+/// is bounded have settled, every iteration, a pass, takes those where it begins; in the last pass they stay, and the
+/// minimum is found. Source of the principle: Li et al. (2020), Lan et al. (2022).
 class StepMinimum final : public StepSolver {
  public:
   StepMinimum(const MovingScene& scene, Potential& potential, const MotionTolerances& tolerances)
@@ -24,9 +25,10 @@ class StepMinimum final : public StepSolver {
  private:
   struct Minimised {
     int iterations = 0;
-    std::string failure;
+    double left = 0;  ///< of the forces
+    std::string failure = {};
   };
-  Minimised minimise(Poses& z, const Inertia& inertia, double tolerance);
+  Minimised minimise(Poses& z, const Inertia& inertia, bool to_the_end);
   Eigen::VectorXd gradient(const Poses& z, const Inertia& inertia) const;
   /// Slope along a direction where it begins, and the share of it that is free.
   struct Descent {

@@ -32,13 +32,19 @@ double way_of(const VertexAndEdge& pair, double kept, double most) {
   return a;
 }
 
+bool are_far(const Vec2& x, const Vec2& start, const Vec2& end, double far) {
+  const Vec2 edge = end - start, to = x - start;
+  const double share = std::clamp(to.dot(edge) / edge.squaredNorm(), 0.0, 1.0);
+  return (to - share * edge).squaredNorm() > far * far;
+}
+
 double fastest(const MovingOutline& outline) {
   double out = 0;
   for (const Vec2& v : outline.v) out = std::max(out, v.squaredNorm());
   return std::sqrt(out);
 }
 
-/// Vertices so far away that no motion of both could bring them near are passed by.
+/// Vertices and edges so far from each other that no motion of both could bring them near are passed by.
 double ways_of(const MovingOutline& vertices, const MovingOutline& edges, double kept, double most) {
   const std::size_t n = edges.x.size();
   const double far = most * (fastest(vertices) + fastest(edges)) / (1 - kept);
@@ -53,7 +59,8 @@ double ways_of(const MovingOutline& vertices, const MovingOutline& edges, double
     const Vec2& x = vertices.x[i];
     if ((x.array() < low.array()).any() || (x.array() > high.array()).any()) continue;
     for (std::size_t e = 0; e < n; ++e) {
-      const std::size_t f = (e + 1) % n;
+      const std::size_t f = e + 1 == n ? 0 : e + 1;
+      if (are_far(x, edges.x[e], edges.x[f], far)) continue;
       most =
           way_of({vertices.x[i], vertices.v[i], edges.x[e], edges.v[e], edges.x[f], edges.v[f]}, kept, most);
     }
