@@ -43,6 +43,8 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
 
   void show(const ProgressPoint& point);
+  /// Whether every line stays: then some steps of very many are enough.
+  bool keeps_lines() const { return style_ == Style::lines; }
   /// A line that stays, above the live line.
   void note(std::string_view text);
   /// Ends the live line; the last one shown stays.

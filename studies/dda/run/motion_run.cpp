@@ -77,7 +77,8 @@ class MotionRecorder {
     return out;
   }
 
-  void record() {
+  /// Whether a state has been stored as well.
+  bool record() {
     ++at_.steps;
     const MotionLedger& ledger = motion_.ledger();
     std::vector<TableCell> row{std::int64_t{at_.steps},
@@ -99,12 +100,14 @@ class MotionRecorder {
     for (const NamedGauge& gauge : moved_.gauges()) row.emplace_back(value(gauge.functional));
     table_.append(row);
     const double wanted = moved_.deck.motion->frame_every, every = wanted > 0 ? wanted : moved_.time / 100;
-    if (motion_.time() >= (at_.frames + 1) * every) {
+    const bool is_due = motion_.time() >= (at_.frames + 1) * every;
+    if (is_due) {
       at_.frames = static_cast<int>(motion_.time() / every);
       store();
     }
     const Clock::time_point now = Clock::now();
     if (now - written_ > between_restarts) write_restart_file();
+    return is_due;
   }
 
   void finish() {
@@ -300,7 +303,8 @@ MotionRecord run_motion(const RunFolder& run_folder, const Simulation& simulatio
       folder, {simulation.deck(), pieces, motion, end.state.load_factor, beginning.time}, before);
   Progress progress = Progress::for_stream(stderr, options.quiet);
   while (!interrupted() && motion.advance()) {
-    recorder.record();
+    const bool is_stored = recorder.record();
+    if (progress.keeps_lines() && !is_stored) continue;
     progress.show({.step = recorder.steps(),
                    .load_factor = end.state.load_factor,
                    .control = "motion",

@@ -13,6 +13,7 @@
 #include "studies/dda/figures/stability_pictures.hpp"
 #include "studies/dda/record/path/peak.hpp"
 #include "studies/dda/record/stability_record.hpp"
+#include "studies/dda/record/turning_contacts.hpp"
 #include "studies/dda/run/profile.hpp"
 #include "studies/dda/run/restart.hpp"
 #include "studies/dda/run/summary.hpp"
@@ -272,6 +273,8 @@ void RunRecorder::look_back() {
   for (const TornPiece& piece : torn_) notices_.push_back(text(simulation_, piece));
   for (const CoarseZone& zone : cracked_coarse_zones(simulation_))
     notices_.push_back(text(simulation_, zone));
+  if (std::string note = note_on_turning_contacts(simulation_); !note.empty())
+    notices_.push_back(std::move(note));
   notices_.insert(notices_.end(), offered_.begin(), offered_.end());
   for (std::size_t i = known; i < notices_.size(); ++i) log_.warning("notice", {{"text", notices_[i]}});
 }

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "studies/dda/case/simulation.hpp"
+
+namespace dda {
+
+/// Where bodies turn on each other: sides of separate bodies that are open at one point and closed at another. With Gauss
+/// points a side turns about one of these, 0.21 of its length from its corner, and what stands on it is overturned by less
+/// than it would be about the corner, down to 1/√3 of the load.
+///
+/// "" where none does at the present state; else what it means and what to do.
+std::string note_on_turning_contacts(const Simulation& simulation);
+
+}  // namespace dda
