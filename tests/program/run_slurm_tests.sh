@@ -58,9 +58,10 @@ EOF
 
 # The daemons that stand in files of this test's own.
 stop_slurm() {
-  local file
+  local file process
   for file in "$work"/slurmd-*.pid "$work"/slurmctld.pid "$work"/munged.pid; do
-    [ -s "$file" ] && kill "$(cat "$file")" && wait_for test ! -e "/proc/$(cat "$file")"
+    read -r process <"$file" || continue
+    kill "$process" && wait_for test ! -e "/proc/$process"
   done
   rm -rf "$work"
 }
@@ -78,7 +79,15 @@ are_idle() { [ "$(sinfo -h -N -t idle | wc -l)" -eq 2 ]; }
 
 are_over() { [ -z "$(squeue -h)" ]; }
 running() { "$program" sweep --status forty | sed -n 's/^  \([0-9]*\)  .*process \([0-9]*\) of .*/\1 \2/p'; }
-is_begun() { [ "$(running | wc -l)" -ge 3 ]; }
+# is_begun: four run, and one of them, `victim`, has a restart file; the line "CASE KEEPER".
+is_begun() {
+  local case rest
+  [ "$(running | wc -l)" -eq 4 ] || return
+  while read -r case rest; do
+    [ -e "forty/cases/$case/restart.h5" ] && victim="$case $rest" && return
+  done < <(running)
+  return 1
+}
 parent_of() { awk '/^PPid:/ { print $2 }' "/proc/$1/status"; }
 # claimed_again GENERATION: the cases that were claimed so often.
 claimed_again() { find forty/claims -name "[0-9]*.$1" -printf '%f\n' | sort | sed "s/\.$1$//" | xargs; }
@@ -86,15 +95,15 @@ claimed_again() { find forty/claims -name "[0-9]*.$1" -printf '%f\n' | sort | se
 # kill_a_task: all processes of one; its case is `killed_case`.
 kill_a_task() {
   local keeper sweep run
-  read -r killed_case keeper < <(running)
+  read -r killed_case keeper <<<"$victim"
   sweep=$(parent_of "$keeper")
   read -r run <"/proc/$keeper/task/$keeper/children"
   kill -KILL "$sweep" "$keeper" "$run"
 }
 
 forty() {
-  printf 'sweep: {deck: %s, seed: 1..40}\n' "$beam" >forty.yaml
-  expect 0 "submitted" "$program" sweep forty.yaml --folder forty --launcher slurm --submit --set record.fields_every=1
+  printf 'sweep: {deck: %s, seed: 1..10, thickness: [50, 100, 150, 200]}\n' "$beam" >forty.yaml
+  expect 0 "submitted" "$program" sweep forty.yaml --folder forty --launcher slurm --submit --set record.fields_every=1 --set scene.subdivision.blocks=500
   said "Submitted batch job"
   wait_for is_begun
   kill_a_task
@@ -111,7 +120,7 @@ forty() {
 
 # The same by one process.
 compared() {
-  "$program" sweep forty.yaml --folder alone --quiet --set record.fields_every=1 >said.log 2>&1 || complain "alone: $(cat said.log)"
+  "$program" sweep forty.yaml --folder alone --quiet --set record.fields_every=1 --set scene.subdivision.blocks=500 >said.log 2>&1 || complain "alone: $(cat said.log)"
   for case in alone/cases/*; do same "$case/curve.csv" "forty/cases/${case##*/}/curve.csv"; done
   for column in case seed status exit_code peak.load steps
   do [ "$(cells alone $column)" == "$(cells forty $column)" ] || complain "$column differs"; done
