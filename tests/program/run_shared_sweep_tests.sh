@@ -284,7 +284,7 @@ launchers() {
 # started_by NAME: the line of a launcher does the whole sweep, whatever stands in names.
 started_by() {
   if ! command -v "$1" >/dev/null; then
-    echo "SKIPPED: started_by $1, which is not installed"
+    echo "SKIPPED: by_$1, which is not installed"
     return
   fi
   mkdir -p "it's {}" && cp bars.yaml "it's {}/bars {1}.yaml"
@@ -295,10 +295,28 @@ started_by() {
   claimed "by $1" 2 ""
 }
 
+# A process of mpirun is killed, and the others go on.
+killed_by_mpirun() {
+  local all keeper
+  command -v mpirun >/dev/null || return
+  "$program" sweep slow.yaml --launcher mpirun --folder ranks --jobs 2 --set record.fields_every=1 \
+    --set scene.subdivision.blocks=1000 >line.sh
+  bash line.sh >said.log 2>&1 &
+  all=$!
+  wait_for has_rows ranks/cases/001 2
+  wait_for has_rows ranks/cases/002 2
+  keeper=$("$program" sweep --status ranks | sed -n 's/.*process \([0-9]*\) of .*/\1/p' | head -n 1)
+  kill -KILL "$(awk '/^PPid:/ { print $2 }' "/proc/$keeper/status")"
+  wait $all
+  "$program" sweep --status ranks >said.log
+  said "ranks: 4 cases: 4 done"
+  the_same_table_of_results alone ranks
+}
+
 by_parallel() { started_by parallel; }
 by_mpirun() { started_by mpirun; }
 
 for part in ${PARTS:-alone together killed another_machine lost stopped_and_interrupted failures at_work full_disk \
-  short_files launchers by_parallel by_mpirun}
+  short_files launchers by_parallel by_mpirun killed_by_mpirun}
 do $part; done
 exit $failed

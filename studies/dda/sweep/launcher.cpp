@@ -70,7 +70,8 @@ std::string parallel_line(const Sweep& sweep, const fs::path& folder, const Fore
 
 std::string mpirun_line(const Sweep& sweep, const fs::path& folder, const Forecast& forecast,
                         const Launch& launch) {
-  return heading(folder, forecast, launch.tasks) + environment() +
+  const std::string without_the_dead = " OMPI_MCA_orte_enable_recovery=1";  // else Open MPI ends all with one
+  return heading(folder, forecast, launch.tasks) + environment() + without_the_dead +
          fmt::format(" mpirun -n {} {} --attempt \"$(date +%s)\"\n", launch.tasks,
                      line_of_process(sweep, folder));
 }
