@@ -31,7 +31,7 @@ foreign_claim() {
 slow() {
   local folder=$1
   shift
-  exec "$program" sweep slow.yaml --folder "$folder" --quiet --set record.fields_every=1 --set scene.subdivision.blocks=1000 "$@"
+  exec "$program" sweep slow.yaml --folder "$folder" --quiet --set record.fields_every=1 --set scene.subdivision.blocks=600 "$@"
 }
 printf 'sweep: {deck: %s, seed: 1..4}\n' "$beam" >slow.yaml
 printf 'sweep:\n  deck: %s\n  interfaces.crack.law.tensile_strength: 2..3 step 0.1\n' "$bar" >bars.yaml
@@ -67,10 +67,10 @@ killed() {
   for how in sweep everything; do
     slow "killed_$how" --jobs 1 --lease 86400 >first.log 2>&1 &
     first=$!
-    wait_for has_rows "killed_$how/cases/001" 2
     slow "killed_$how" --jobs 1 --lease 86400 >second.log 2>&1 &
     second=$!
-    wait_for has_rows "killed_$how/cases/002" 2
+    wait_for is_claimed "killed_$how" 2
+    wait_for find_victim "killed_$how" $first
     if [ $how == sweep ]
     then kill -KILL $first
     else kill -KILL $first $(keepers $first) $(runs $first)
@@ -78,12 +78,20 @@ killed() {
     wait $first 2>/dev/null
     wait $second || complain "the other one, $how killed: exit code $?: $(cat second.log)"
     claimed "killed_$how" 1 "001 002 003 004"
-    claimed "killed_$how" 2 "001"
-    grep -q '"event":"resumed"' "killed_$how/cases/001/log.jsonl" || complain "$how: the case was not resumed"
+    claimed "killed_$how" 2 "$victim"
+    claimed "killed_$how" 3 ""
+    grep -q '"event":"resumed"' "killed_$how/cases/$victim/log.jsonl" || complain "$how: the case was not resumed"
     for case in 001 002 003 004
     do same "alone/cases/$case/curve.csv" "killed_$how/cases/$case/curve.csv"; done
     the_same_table_of_results alone "killed_$how"
   done
+}
+# find_victim FOLDER SWEEP: `victim` is the case that this process runs; it has a restart file and is not near its end.
+find_victim() {
+  local keeper
+  keeper=$(keepers "$2")
+  victim=$("$program" sweep --status "$1" | sed -n "s/^  \([0-9]*\)  .*process ${keeper% } of .*/\1/p")
+  [ -n "$victim" ] && [ -e "$1/cases/$victim/restart.h5" ] && [ "$(wc -l <"$1/cases/$victim/curve.csv")" -lt 30 ]
 }
 # A case that was resumed counts its iterations from there.
 the_same_table_of_results() {
@@ -91,10 +99,10 @@ the_same_table_of_results() {
   do [ "$(cells "$1" $column)" == "$(cells "$2" $column)" ] || complain "$column differs in $1 and $2"; done
 }
 
-# A case is claimed by another machine: not taken while that gives signs of life, whatever its clock says; taken over
+# Two processes, and cases that are claimed by another machine: not taken while that gives signs of life, whatever its clock says; taken over
 # when it gives none.
 another_machine() {
-  local claims beating sweep
+  local claims beating sweep second
   "$program" sweep bars.yaml --folder far --quiet --case 1 >/dev/null
   claims=$(echo far/claims/11-*)
   foreign_claim 5 2 >"$claims/002.1"
@@ -110,8 +118,10 @@ another_machine() {
     done
   ) &
   beating=$!
-  "$program" sweep bars.yaml --folder far --quiet >said.log 2>&1 &
+  "$program" sweep bars.yaml --folder far --quiet --jobs 1 >said.log 2>&1 &
   sweep=$!
+  "$program" sweep bars.yaml --folder far --quiet --jobs 1 >second.log 2>&1 &
+  second=$!
   wait_for test -s "$claims/002.2"
   sleep 6
   is_absent "$claims/003.2"
@@ -121,6 +131,8 @@ another_machine() {
   cp -r bars_alone/cases/003 far/cases/003
   echo '{"status": "goal_reached", "exit_code": 0, "reason": ""}' >>"$claims/003.1"
   wait $sweep || complain "a case of another machine: exit code $?"
+  wait $second || complain "a case of another machine: exit code $? of the second process"
+  claimed far 1 "$all_bars"
   touch stop_beating
   wait $beating
   claimed far 2 "002"
@@ -227,8 +239,16 @@ full_disk() {
     echo "SKIPPED: full_disk, which needs the right to mount a small disk"
     return
   fi
-  "$program" sweep bars.yaml --folder disk/bars --quiet --jobs 1 >said.log 2>&1
-  [ $? -eq 4 ] || complain "a full disk: exit code not 4: $(cat said.log)"
+  local first second
+  "$program" sweep bars.yaml --folder disk/bars --quiet --jobs 1 >first.log 2>&1 &
+  first=$!
+  "$program" sweep bars.yaml --folder disk/bars --quiet --jobs 1 >second.log 2>&1 &
+  second=$!
+  wait $first
+  [ $? -eq 4 ] || complain "a full disk: exit code not 4: $(cat first.log)"
+  wait $second
+  [ $? -eq 4 ] || complain "a full disk: exit code of the second one not 4: $(cat second.log)"
+  cat first.log second.log >said.log
   said "No space left on device"
   local before
   before=$(cat disk/bars/cases/*/summary.json 2>/dev/null | grep -c '"status": "goal_reached"')
@@ -300,7 +320,7 @@ killed_by_mpirun() {
   local all keeper
   command -v mpirun >/dev/null || return
   "$program" sweep slow.yaml --launcher mpirun --folder ranks --jobs 2 --set record.fields_every=1 \
-    --set scene.subdivision.blocks=1000 >line.sh
+    --set scene.subdivision.blocks=600 >line.sh
   bash line.sh >said.log 2>&1 &
   all=$!
   wait_for has_rows ranks/cases/001 2
