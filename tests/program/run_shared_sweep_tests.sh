@@ -175,6 +175,18 @@ stopped_and_interrupted() {
   has handed status "goal_reached goal_reached goal_reached goal_reached"
   claimed handed 3 ""
 }
+# As a batch queue ends a task: SIGTERM to every process, each of which passes it on.
+terminated() {
+  local sweep
+  slow terminated --jobs 1 >said.log 2>&1 &
+  sweep=$!
+  wait_for has_rows terminated/cases/001 2
+  kill -TERM $sweep $(keepers $sweep) $(runs $sweep)
+  wait $sweep
+  [ $? -eq 130 ] || complain "a task that was ended: not 130"
+  grep -q '"status": "interrupted"' terminated/cases/001/summary.json || complain "the run was not ended in good order"
+  exists terminated/cases/001/restart.h5
+}
 has_result() { grep -q goal_reached "$1/summary.json"; }
 is_claimed() { [ "$(claims "$1" 1 | wc -w)" -ge "$2" ]; }
 
@@ -336,7 +348,7 @@ killed_by_mpirun() {
 by_parallel() { started_by parallel; }
 by_mpirun() { started_by mpirun; }
 
-for part in ${PARTS:-alone together killed another_machine lost stopped_and_interrupted failures at_work full_disk \
+for part in ${PARTS:-alone together killed another_machine lost stopped_and_interrupted terminated failures at_work full_disk \
   short_files launchers by_parallel by_mpirun killed_by_mpirun}
 do $part; done
 exit $failed
