@@ -139,6 +139,19 @@ another_machine() {
   the_same_table bars_alone far
 }
 
+# A file changes while another machine has left a claim: waits until that machine is taken for dead.
+changed_beside_the_dead() {
+  printf 'sweep: {deck: %s, thickness: [50, 100]}\n' "$bar" >change.yaml
+  expect 0 "before the change" "$program" sweep change.yaml --folder change --quiet
+  foreign_claim 5 1 >"$(echo change/claims/2-*)/002.2"
+  printf 'sweep: {deck: %s, thickness: [100, 20, 50]}\n' "$bar" >change.yaml
+  expect 0 "after the change" "$program" sweep change.yaml --folder change
+  said "waiting for process 1 of far, since "
+  said "2 of its 3 cases were there before"
+  has change thickness "100 20 50"
+  claimed change 1 "002"
+}
+
 # Whoever was taken for dead and is not ends its run when it sees that, and writes no more.
 lost() {
   local sweep claims run
@@ -348,7 +361,7 @@ killed_by_mpirun() {
 by_parallel() { started_by parallel; }
 by_mpirun() { started_by mpirun; }
 
-for part in ${PARTS:-alone together killed another_machine lost stopped_and_interrupted terminated failures at_work full_disk \
+for part in ${PARTS:-alone together killed another_machine changed_beside_the_dead lost stopped_and_interrupted terminated failures at_work full_disk \
   short_files launchers by_parallel by_mpirun killed_by_mpirun}
 do $part; done
 exit $failed

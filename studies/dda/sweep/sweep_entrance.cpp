@@ -20,16 +20,32 @@ constexpr double leases_to_arrange = 5;  ///< no sign of life is given meanwhile
 
 fs::path all_claims(const fs::path& folder) { return folder / "claims"; }
 
+/// Says once for whom this process waits.
+class WaitingNote {
+ public:
+  void show(const Claim& claim) {
+    if (!is_shown_) fmt::print(stderr, "waiting for {}, or its next sign of life\n", owner_text(claim));
+    is_shown_ = true;
+  }
+
+ private:
+  bool is_shown_ = false;
+};
+
 /// One process at a time arranges a folder.
 class Arranging {
  public:
   Arranging(const fs::path& folder, double lease) : claims_(all_claims(folder), leases_to_arrange * lease) {
+    WaitingNote note;
     for (;; std::this_thread::sleep_for(pause)) {
-      claims_.look();
+      const auto& claims = claims_.look();
       if (auto claim = claims_.take("arrangement", {{"since", utc_now()}})) {
         claim_ = std::move(*claim);
         return;
       }
+      if (const auto other = claims.find("arrangement");
+          other != claims.end() && other->second.holder == Holder::silent)
+        note.show(other->second);
     }
   }
   ~Arranging() {
@@ -59,22 +75,29 @@ std::vector<fs::path> folders_in(const fs::path& parent) {
   return out;
 }
 
-/// Throws when a claim is held; waits for a lease while it cannot tell.
+/// The claims among these of which it cannot be told whether anybody holds them. Throws when somebody does.
+std::vector<Claim> doubtful(const fs::path& folder, const std::map<std::string, Claim>& claims) {
+  std::vector<Claim> out;
+  for (const auto& [name, claim] : claims) {
+    if (claim.holder == Holder::alive)
+      throw InputError(
+          Position{folder.string()},
+          fmt::format("{} is at work on the sweep as it was before; stop it or wait for its end, or "
+                      "choose another --folder",
+                      owner_text(claim)));
+    if (claim.holder == Holder::silent) out.push_back(claim);
+  }
+  return out;
+}
+
+/// Throws when other processes are at work; waits for a lease while it cannot tell.
 void refuse_others(const fs::path& folder, double lease) {
   for (const fs::path& place : folders_in(all_claims(folder))) {
     Claims claims(place, lease);
-    for (bool is_clear = false; !is_clear; std::this_thread::sleep_for(pause)) {
-      is_clear = true;
-      for (const auto& [name, claim] : claims.look()) {
-        if (claim.holder == Holder::alive)
-          throw InputError(
-              Position{folder.string()},
-              fmt::format(
-                  "{} is at work on the sweep as it was before; stop it or wait for its end, or choose "
-                  "another --folder",
-                  owner_text(claim)));
-        is_clear = is_clear && claim.holder != Holder::silent;
-      }
+    WaitingNote note;
+    for (auto left = doubtful(folder, claims.look()); !left.empty(); left = doubtful(folder, claims.look())) {
+      note.show(left.front());
+      std::this_thread::sleep_for(pause);
     }
   }
 }
