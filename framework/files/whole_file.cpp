@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstring>
 #include <iterator>
+#include <random>
 #include <system_error>
 
 #include "framework/base/errors.hpp"
@@ -13,8 +14,9 @@
 namespace dda {
 namespace fs = std::filesystem;
 
-void write_whole(const fs::path& path, std::string_view text, Flush flush) {
-  const fs::path aside = path.string() + ".part";
+namespace {
+
+void write_by_way_of(const fs::path& aside, const fs::path& path, std::string_view text, Flush flush) {
   std::error_code error;
   try {
     FileWriter writer(aside, FileWriter::Mode::create);
@@ -29,6 +31,18 @@ void write_whole(const fs::path& path, std::string_view text, Flush flush) {
   const std::string reason = error.message();
   fs::remove(aside, error);
   throw OutputError(fmt::format("cannot write '{}': {}", path.string(), reason));
+}
+
+}  // namespace
+
+void write_whole(const fs::path& path, std::string_view text, Flush flush) {
+  write_by_way_of(path.string() + ".part", path, text, flush);
+}
+
+void write_shared(const fs::path& path, std::string_view text) {
+  std::random_device number;
+  const fs::path aside = fmt::format("{}.{:08x}{:08x}.part", path.string(), number(), number());
+  write_by_way_of(aside, path, text, Flush::to_system);
 }
 
 std::ifstream open_for_reading(const fs::path& path) {

@@ -10,8 +10,9 @@ volatile std::sig_atomic_t flag = 0;
 
 volatile std::sig_atomic_t ends_at_once = 0;
 
-void on_signal(int) {
-  if (flag != 0 || ends_at_once != 0) _exit(exit_code_interrupted);
+void on_signal(int signal) {
+  const bool is_impatient = flag != 0 && signal == SIGINT;
+  if (is_impatient || ends_at_once != 0) _exit(exit_code_interrupted);
   flag = 1;
 }
 

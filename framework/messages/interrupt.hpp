@@ -8,8 +8,8 @@ namespace dda {
 /// a flag that is looked at between steps.
 enum class OnInterrupt { end, flag };
 
-/// While it lives, the first Ctrl-C or SIGTERM does as it is told, and the second ends the process at once
-/// (130).
+/// While it lives, the first Ctrl-C or SIGTERM does as it is told, and a further Ctrl-C ends the process at once
+/// (130). SIGTERM comes more than once where a batch queue ends all processes of a sweep, each of which ends its own.
 ///
 /// A write beyond the file size limit becomes an error instead of a signal. The handlers of before are put
 /// back at the end.

@@ -7,24 +7,8 @@ bar=$(realpath "$2")
 beam=$(realpath "$3")
 meshed=$(realpath "$4")
 source "$(dirname "${BASH_SOURCE[0]}")/scratch.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/sweep_table.sh"
 open_scratch
-
-
-# cells FOLDER COLUMN: a column of sweep.csv as one line.
-cells() {
-  /usr/bin/python3 -c 'import csv, sys
-print(*(row.get(sys.argv[2], "no such column") for row in csv.DictReader(open(sys.argv[1]))))' "$1/sweep.csv" "$2"
-}
-has() { [ "$(cells "$1" "$2")" == "$3" ] || complain "$1: $2 is '$(cells "$1" "$2")' instead of '$3'"; }
-# wait_for COMMAND...: until it is true, a minute at most.
-wait_for() {
-  for _ in $(seq 6000); do
-    "$@" 2>/dev/null && return
-    sleep 0.01
-  done
-  complain "waited in vain for: $*"
-}
-has_rows() { [ "$(wc -l <"$1/curve.csv")" -ge "$2" ]; }
 
 product_and_zip() {
   cat >bars.yaml <<EOF
@@ -151,15 +135,13 @@ killed_and_missing() {
   grep -q '"event":"resumed"' four/cases/002/log.jsonl || complain "the killed case was not resumed"
 }
 
-# interrupted SIGNAL: exit code 130, restart files, and the rest later; a second sweep does not come between.
+# Exit code 130, restart files, and the rest later.
 interrupted() {
   [ -e runs/four ] || killed_and_missing
   for signal in INT TERM; do
     "$program" sweep four.yaml --folder "stopped_$signal" --jobs 2 --set record.fields_every=1 >said.log 2>&1 &
     local sweep=$!
     wait_for has_rows "stopped_$signal/cases/002" 6
-    "$program" sweep four.yaml --folder "stopped_$signal" --quiet --set record.fields_every=1 >second.log 2>&1
-    [ $? -eq 2 ] || complain "a second sweep was not refused: $(cat second.log)"
     kill -$signal $sweep
     wait $sweep
     [ $? -eq 130 ] || complain "$signal: the exit code is not 130"

@@ -130,9 +130,8 @@ void remove_run_files(const fs::path& folder) {
 
 }  // namespace
 
-std::shared_ptr<const FolderLock> FolderLock::try_lock(const fs::path& folder, Until until) {
-  const int flags = O_RDONLY | O_DIRECTORY | (until == Until::process_ends ? O_CLOEXEC : 0);
-  const int descriptor = ::open(folder.c_str(), flags);
+std::shared_ptr<const FolderLock> FolderLock::try_lock(const fs::path& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   const bool is_held = descriptor >= 0 && flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
   std::shared_ptr<const FolderLock> lock(new FolderLock(descriptor));
   return is_held ? nullptr : lock;
@@ -169,6 +168,8 @@ RunFolder RunFolder::open(const fs::path& existing) {
   require_run_folder(existing);
   return {existing, lock_or_refuse(existing)};
 }
+
+void make_writable(const fs::path& folder) { make(folder); }
 
 void require_run_folder(const fs::path& folder) {
   std::error_code error;

@@ -19,12 +19,8 @@ enum class IfExists {
 /// the process however that ends. Where a file system has no locks there is none.
 class FolderLock {
  public:
-  enum class Until { process_ends, last_child_ends };
-
-  /// Null when another one holds it. Processes that are started meanwhile may share it, to the end of the
-  /// last.
-  static std::shared_ptr<const FolderLock> try_lock(const std::filesystem::path& folder,
-                                                    Until until = Until::process_ends);
+  /// Null when another one holds it.
+  static std::shared_ptr<const FolderLock> try_lock(const std::filesystem::path& folder);
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;
@@ -55,6 +51,10 @@ class RunFolder {
   std::filesystem::path path_;
   std::shared_ptr<const FolderLock> lock_;
 };
+
+/// Makes a folder that several processes may write in. Throws OutputError, with the folder and the reason, when it cannot be
+/// made or written in; then nothing is left behind.
+void make_writable(const std::filesystem::path& folder);
 
 /// Throws InputError when there is no folder of a run, for commands that only read.
 void require_run_folder(const std::filesystem::path& folder);

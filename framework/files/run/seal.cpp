@@ -22,7 +22,7 @@ uLong extended(uLong checksum, std::string_view bytes) {
 std::string seal(uLong checksum) { return fmt::format("{}{:08x}\n", name, checksum); }
 
 /// Of the next bytes of a stream.
-uLong checksum_of(std::istream& stream, std::size_t size) {
+uLong sum_of(std::istream& stream, std::size_t size) {
   std::vector<char> buffer(std::size_t{1} << 16);
   uLong checksum = 0;
   while (size > 0 && stream) {
@@ -36,6 +36,8 @@ uLong checksum_of(std::istream& stream, std::size_t size) {
 
 }  // namespace
 
+std::string checksum_of(std::string_view bytes) { return fmt::format("{:08x}", extended(0, bytes)); }
+
 std::string seal_of(std::string_view bytes) { return seal(extended(0, bytes)); }
 
 std::size_t size_before_seal(std::istream& stream) {
@@ -43,7 +45,7 @@ std::size_t size_before_seal(std::istream& stream) {
   const auto all = static_cast<std::size_t>(std::max<std::streamoff>(stream.tellg(), 0));
   const std::size_t size = std::max(all, seal_size) - seal_size;
   stream.seekg(0);
-  const uLong checksum = checksum_of(stream, size);
+  const uLong checksum = sum_of(stream, size);
   std::string found(std::min(all, seal_size), '\0');
   stream.read(found.data(), static_cast<std::streamsize>(found.size()));
   if (!found.starts_with(name)) throw Hdf5Error("it is cut short, of another kind or by another version");

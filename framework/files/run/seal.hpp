@@ -14,6 +14,9 @@ namespace dda {
 /// A damaged file must not even be opened, since HDF5 may loop for ever in what it takes for its own tables.
 std::string seal_of(std::string_view bytes);
 
+/// The same checksum of any bytes: eight hexadecimal digits.
+std::string checksum_of(std::string_view bytes);
+
 /// Number of bytes before the seal at the end of a stream, which is left at its beginning. Throws Hdf5Error
 /// when there is no seal or it does not fit them.
 std::size_t size_before_seal(std::istream& stream);

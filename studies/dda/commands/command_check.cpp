@@ -4,11 +4,10 @@
 #include <map>
 
 #include "continuation/handover/regions.hpp"
-#include "continuation/state/least_memory.hpp"
-#include "framework/base/memory.hpp"
 #include "models/loading.hpp"
 #include "studies/dda/case/bearings.hpp"
 #include "studies/dda/case/coarse_zones.hpp"
+#include "studies/dda/case/predicted_memory.hpp"
 #include "studies/dda/commands/commands.hpp"
 #include "studies/dda/sweep/sweep.hpp"
 
@@ -73,15 +72,12 @@ void print_interfaces(const Simulation& simulation) {
 
 void print_size(const Simulation& simulation) {
   line("unknowns", fmt::format("{}", simulation.equilibrium().num_unknowns()));
-  const double held = held_memory();
-  const auto solver = simulation.deck().path.linear.make();
-  const LeastMemory least = least_memory(simulation.equilibrium(), *solver);
+  const PredictedMemory least = predicted_memory(simulation);
   const auto mib = [](double bytes) { return bytes / bytes_per_mib; };
   line("memory",
        fmt::format("at least {:.0f} MiB: {:.0f} held now, {:.0f} the factor, {:.0f} vectors; cracks "
                    "take more",
-                   mib(held + least.factor + least.vectors), mib(held), mib(least.factor),
-                   mib(least.vectors)));
+                   mib(least.total()), mib(least.held), mib(least.factor), mib(least.vectors)));
 }
 
 /// What a motion begins with, and how long its steps are at most.

@@ -28,8 +28,17 @@ its own with `deck: base.yaml` (or a list) and perhaps a `title`.
   dda sweep FILE --case N    runs one of them alone, as in a batch queue
   dda run FILE --set sweep=  runs the deck alone; --set sweep.KEY=VALUES varies a key that the file does not
 
+Any number of processes, on any machines that have the folder in common, may be given the same sweep: they share the
+cases, and take over those of processes that died. `--lease S`: of another machine, after S seconds without a sign of life.
+
+  dda sweep --status FOLDER         tells who runs what since when, what waits and what failed; or FILE
+  dda sweep FILE --launcher slurm   prints a batch script, an array of processes; --submit hands it to sbatch
+  dda sweep FILE --launcher parallel --hosts a,b   prints a line that starts them over ssh; mpirun: by mpirun
+  --no-wait                         a process ends when others run what is left, and one of them waits for all
+  --attempt NAME                    what fails under that name is not tried again under it
+
 In runs/NAME: sweep.csv (a row per case: settings, status, exit code, every number of summary.json) with its units,
-sweep.json, curves.svg, sweep.yaml. Cases whose settings stay the same are kept when the file changes.
+sweep.json, curves.svg, sweep.yaml, claims. Cases whose settings stay the same are kept when the file changes.
 Exit codes: 0 all reached their goals, 3 some stopped early, 4 some failed, 2 some refused their deck, 130 interrupted.
 )";
 

@@ -1,11 +1,13 @@
 #include "studies/dda/commands/command_line.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <functional>
 #include <iostream>
 #include <new>
@@ -32,6 +34,15 @@ constexpr const char* footer =
 void use_threads(int count) {
   set_num_threads(count);
   setenv("OMP_NUM_THREADS", std::to_string(count).c_str(), 1);
+}
+
+/// One of some names, with a suggestion for one that is none of them.
+CLI::Validator known_name(const std::vector<std::string>& names) {
+  const auto check = [names](const std::string& given) {
+    if (std::ranges::find(names, given) != names.end()) return std::string();
+    return fmt::format("'{}' is none of {}{}", given, fmt::join(names, ", "), suggest(given, names));
+  };
+  return {check, fmt::format("{}", fmt::join(names, "|"))};
 }
 
 /// A text as YAML takes it whatever it holds.
@@ -113,6 +124,7 @@ class Grammar {
   }
   void add_solving();
   void add_many();
+  void add_shared(CLI::App* sweep);
   void add_looking();
   void add_animate();
 
@@ -143,6 +155,34 @@ void Grammar::add_solving() {
   add_profile(resume);
 }
 
+void Grammar::add_shared(CLI::App* sweep) {
+  SharedSweep& shared = line_.shared;
+  sweep->add_flag("--status", shared.status,
+                  "Tell how far the sweep of this file or folder is, and who runs what; run nothing");
+  sweep
+      ->add_option("--launcher", shared.launcher,
+                   "Print what starts the sweep by many processes, at most --jobs: a batch script for slurm, "
+                   "or a line "
+                   "with parallel or mpirun")
+      ->check(known_name({"slurm", "parallel", "mpirun"}));
+  sweep->add_flag("--submit", shared.submit, "Hand the script of --launcher slurm to sbatch");
+  sweep
+      ->add_option("--hosts", shared.hosts,
+                   "Hosts of --launcher parallel, separated by commas; --jobs for all")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  sweep->add_flag("--no-wait", shared.may_leave,
+                  "End when other processes run what is left, and one of them waits for all");
+  sweep->add_option(
+      "--attempt", shared.attempt,
+      "A name of what several processes do together; a case that failed under it is not tried again");
+  sweep
+      ->add_option(
+          "--lease", shared.lease,
+          "Seconds without a sign of life after which a process of another machine is dead; 60 if not given")
+      ->check(CLI::Range(1.0, 86400.0));
+}
+
 void Grammar::add_many() {
   CLI::App* sweep = add(
       "sweep", "Run a deck for every combination of what its section `sweep` varies; again: what is missing",
@@ -158,6 +198,7 @@ void Grammar::add_many() {
       ->add_option("--case", line_.only_case,
                    "Run this case alone, from 1, unless it has a result; many at a time, as in a batch queue")
       ->check(CLI::PositiveNumber);
+  add_shared(sweep);
   CLI::App* compare =
       add("compare", "Run a deck under several controls and compare the paths", command_compare);
   add_deck(compare);
@@ -247,20 +288,32 @@ int complain(const std::string& text, int code) {
   return code;
 }
 
+/// Of a sweep each process does its part. What a launcher of MPI has told it is kept from its runs, each of which
+/// would take itself for a rank.
+void leave_ranks() {
+  std::vector<std::string> names;
+  for (char** entry = environ; *entry; ++entry) {
+    const std::string name(*entry, std::strcspn(*entry, "="));
+    for (const char* prefix : {"OMPI_", "PMIX_", "PMI_", "PRTE_", "SLURM_STEP"})
+      if (name.starts_with(prefix)) names.push_back(name);
+  }
+  for (const std::string& name : names) unsetenv(name.c_str());
+}
+
 /// Ranks would not share the blocks: each would run the whole deck into the same folder.
 void refuse_ranks() {
   const char* ranks = std::getenv("OMPI_COMM_WORLD_SIZE");
   if (ranks && std::atoi(ranks) > 1)
     throw InputError(
-        {},
-        fmt::format("dda was started by mpirun as {} processes; it runs as one, with --threads, or several "
-                    "runs of a sweep at once with --jobs",
-                    ranks));
+        {}, fmt::format(
+                "dda was started by mpirun as {} processes; it runs as one, with --threads; processes that "
+                "share the cases of a sweep are started as `dda sweep`",
+                ranks));
 }
 
 int execute(int argc, char** argv) {
   try {
-    refuse_ranks();
+    argc > 1 && std::string_view(argv[1]) == "sweep" ? leave_ranks() : refuse_ranks();
     Grammar grammar;
     if (const std::string wrong = grammar.unknown_name(argc, argv); !wrong.empty())
       return complain("dda: " + wrong + "\nRun `dda --help` for what there is.", 2);

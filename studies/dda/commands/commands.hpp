@@ -5,8 +5,20 @@
 #include <vector>
 
 #include "studies/dda/run/run.hpp"
+#include "studies/dda/sweep/sweep.hpp"
 
 namespace dda {
+
+/// What `dda sweep` takes for a sweep that several processes share.
+struct SharedSweep {
+  bool status = false;             ///< tell how far it is
+  std::string launcher;            ///< print what starts it by many processes; "": run it
+  bool submit = false;             ///< hand that to the queue
+  std::vector<std::string> hosts;  ///< of GNU parallel
+  bool may_leave = false;          ///< --no-wait
+  double lease = 60;               ///< [s]
+  std::string attempt;
+};
 
 /// What the program's commands take from the command line.
 struct CommandLine {
@@ -19,7 +31,8 @@ struct CommandLine {
   int jobs = 0;                              ///< runs of a sweep at a time; 0: one per processor
   bool dry_run = false;                      ///< sweep
   int only_case = 0;                         ///< sweep; 0: all
-  std::filesystem::path page;                ///< report; report.html in the folder when empty
+  SharedSweep shared;
+  std::filesystem::path page;  ///< report; report.html in the folder when empty
   bool json = false;
   std::vector<std::string> animation;  ///< animate; options as Python takes them
   RunOptions run;
@@ -33,6 +46,12 @@ int command_explain(const CommandLine& line);
 int command_plot(const CommandLine& line);
 int command_compare(const CommandLine& line);
 int command_sweep(const CommandLine& line);
+/// Where the sweep of a command line goes.
+std::filesystem::path sweep_folder_of(const CommandLine& line);
+/// Prints how far a sweep is, and who runs what.
+int sweep_status(const CommandLine& line);
+/// Prints what starts a sweep by many processes, or hands it to the queue.
+int launch_sweep(const Sweep& sweep, const std::filesystem::path& folder, const CommandLine& line);
 
 /// Does again what `dda sweep` was told when it made the folder `line.runs.front()`, with the copy of its
 /// file there where the file itself is gone.

@@ -12,7 +12,22 @@ namespace fs = std::filesystem;
 
 using Words = std::vector<std::string>;
 
-/// As a shell wants a word that it must not change.
+void add_settings(const std::vector<std::string>& overrides, Words& out) {
+  for (const std::string& text : overrides) out.insert(out.end(), {"--set", text});
+}
+
+/// The sweep's own words, those that begin with the program.
+std::string line_of_sweep(const Sweep& sweep, const fs::path& folder) {
+  Words words{program_file(), "sweep", sweep.file.string(), "--quiet", "--folder", folder.string()};
+  for (const std::string& option : options_of_processes()) words.push_back(option);
+  add_settings(sweep.overrides, words);
+  std::string out;
+  for (const std::string& word : words) out += (out.empty() ? "" : " ") + quoted(word);
+  return out;
+}
+
+}  // namespace
+
 std::string quoted(const std::string& word) {
   constexpr std::string_view harmless =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+./,:=@%";
@@ -21,12 +36,6 @@ std::string quoted(const std::string& word) {
   for (const char c : word) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return out + "'";
 }
-
-void add_settings(const std::vector<std::string>& overrides, Words& out) {
-  for (const std::string& text : overrides) out.insert(out.end(), {"--set", text});
-}
-
-}  // namespace
 
 std::vector<std::string> case_command(const Sweep& sweep, const fs::path& folder, std::size_t index,
                                       bool resumes) {
@@ -41,13 +50,12 @@ std::vector<std::string> case_command(const Sweep& sweep, const fs::path& folder
 }
 
 std::string line_of_cases(const Sweep& sweep, const fs::path& folder, int jobs) {
-  Words words{program_file(), "sweep", sweep.file.string(), "--quiet", "--folder", folder.string()};
-  for (const std::string& option : options_of_processes()) words.push_back(option);
-  add_settings(sweep.overrides, words);
-  std::string out = fmt::format("seq {} | OMP_NUM_THREADS={} xargs -P {} -n 1", sweep.cases.size(),
-                                quoted(threads_of_processes()), jobs);
-  for (const std::string& word : words) out += " " + quoted(word);
-  return out + " --case";
+  return fmt::format("seq {} | OMP_NUM_THREADS={} xargs -P {} -n 1 {} --case", sweep.cases.size(),
+                     quoted(threads_of_processes()), jobs, line_of_sweep(sweep, folder));
+}
+
+std::string line_of_process(const Sweep& sweep, const fs::path& folder) {
+  return line_of_sweep(sweep, folder) + " --jobs 1";
 }
 
 }  // namespace dda

@@ -18,4 +18,10 @@ std::vector<std::string> case_command(const Sweep& sweep, const std::filesystem:
 ///     seq 4 | OMP_NUM_THREADS=1 xargs -P 2 -n 1 dda sweep s.yaml --quiet --folder runs/s --case
 std::string line_of_cases(const Sweep& sweep, const std::filesystem::path& folder, int jobs);
 
+/// What one of many processes of a sweep is started by, one case at a time: dda sweep s.yaml ... --jobs 1
+std::string line_of_process(const Sweep& sweep, const std::filesystem::path& folder);
+
+/// As a shell wants a word that it must not change.
+std::string quoted(const std::string& word);
+
 }  // namespace dda

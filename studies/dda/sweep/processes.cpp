@@ -1,9 +1,7 @@
 #include "studies/dda/sweep/processes.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/mman.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -17,29 +15,16 @@
 #include "framework/base/errors.hpp"
 #include "framework/base/memory.hpp"
 #include "meshing/files/gmsh_model.hpp"
+#include "studies/dda/sweep/keeper.hpp"
 
 namespace dda {
 namespace {
 
 constexpr off_t longest_output = 64 * 1024;
-constexpr int exit_code_not_started = 127;
+constexpr double beats_per_lease = 6;
 
 [[noreturn]] void fail(const char* what) {
   throw OutputError(fmt::format("cannot start a process: {}: {}", what, std::strerror(errno)));
-}
-
-/// What happens in the new process; only what is allowed between fork and exec, see signal-safety(7).
-/// /proc/self/exe is the running program even when its file has been replaced in the meantime.
-[[noreturn]] void begin_child(char* const* arguments, int output, pid_t parent) {
-  setpgid(0, 0);
-  prctl(PR_SET_PDEATHSIG, SIGTERM);
-  if (getppid() != parent) _exit(exit_code_not_started);  // it died before the line above
-  const int nothing = open("/dev/null", O_RDONLY);
-  dup2(nothing, STDIN_FILENO);
-  dup2(output, STDOUT_FILENO);
-  dup2(output, STDERR_FILENO);
-  execv("/proc/self/exe", arguments);
-  _exit(exit_code_not_started);
 }
 
 /// As execv wants them.
@@ -58,39 +43,53 @@ std::string end_of(int file) {
   return text;
 }
 
-int exit_code_of(int status) { return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status); }
+/// A new process that does something and does not come back; negative when there is none. It begins with SIGTERM blocked,
+/// or one that comes before it is ready would be lost in this process's handler.
+template <class Task>
+pid_t forked(const Task& task) {
+  sigset_t terminate, before;
+  sigemptyset(&terminate);
+  sigaddset(&terminate, SIGTERM);
+  sigprocmask(SIG_BLOCK, &terminate, &before);
+  const pid_t process = fork();
+  if (process == 0) task();
+  sigprocmask(SIG_SETMASK, &before, nullptr);
+  return process;
+}
 
 }  // namespace
 
 Processes::~Processes() {
   stop();
   for (const Running& one : running_) {
-    waitpid(one.process, nullptr, 0);
+    waitpid(one.keeper, nullptr, 0);
     close(one.output);
   }
 }
 
-void Processes::start(std::size_t id, const std::vector<std::string>& arguments) {
+void Processes::start(std::size_t id, const std::vector<std::string>& arguments, const Claims& claims,
+                      Claim& claim) {
   setenv("OMP_NUM_THREADS", threads_of_processes().c_str(), 1);
   const std::string program = program_file();
   const std::vector<char*> words = words_of(program, arguments);
   const int output = memfd_create("output", MFD_CLOEXEC);
   if (output < 0) fail("memfd_create");
-  const pid_t parent = getpid();
-  const pid_t process = fork();
-  if (process == 0) begin_child(words.data(), output, parent);
-  if (process < 0) {
+  const KeptProcess kept{words.data(), output, getpid(), claims.files_of(claim),
+                         claim.lease / beats_per_lease};
+  const pid_t keeper = forked([&] { keep(kept); });
+  if (keeper < 0) {
     close(output);
     fail("fork");
   }
-  running_.push_back({id, process, output});
+  running_.push_back({id, keeper, output});
+  claims.hand_over(claim, keeper);
 }
 
 std::optional<EndedProcess> Processes::take_ended() {
   for (auto one = running_.begin(); one != running_.end(); ++one) {
     int status = 0;
-    if (waitpid(one->process, &status, WNOHANG) != one->process) continue;
-    EndedProcess out{one->id, exit_code_of(status), end_of(one->output)};
+    if (waitpid(one->keeper, &status, WNOHANG) != one->keeper) continue;
+    EndedProcess out{one->id, exit_code_of_status(status), end_of(one->output)};
     close(one->output);
     running_.erase(one);
     return out;
@@ -99,14 +98,7 @@ std::optional<EndedProcess> Processes::take_ended() {
 }
 
 void Processes::stop() {
-  for (const Running& one : running_) kill(one.process, SIGTERM);
-}
-
-void become(const std::vector<std::string>& arguments) {
-  setenv("OMP_NUM_THREADS", threads_of_processes().c_str(), 1);
-  const std::string program = program_file();
-  execv("/proc/self/exe", words_of(program, arguments).data());
-  fail("execv");
+  for (const Running& one : running_) kill(one.keeper, SIGTERM);
 }
 
 std::string program_file() { return std::filesystem::read_symlink("/proc/self/exe").string(); }

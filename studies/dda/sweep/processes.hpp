@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "framework/files/claims.hpp"
+
 namespace dda {
 
 /// A process that is over.
@@ -16,10 +18,10 @@ struct EndedProcess {
   std::string said;    ///< the end of what it wrote to standard output and standard error
 };
 
-/// This very program, as often as there is something to do.
+/// This very program, as often as there is something to do, each with a keeper (keeper.hpp) for its claim.
 ///
-/// Each process has a group of its own, so that the terminal's Ctrl-C reaches it through `stop` alone: a
-/// second signal would end it before it has written its restart file. When this process dies, however it
+/// Keeper and process have a group of their own, so that the terminal's Ctrl-C reaches them through `stop` alone: a
+/// second signal would end the process before it has written its restart file. When this process dies, however it
 /// does, the others get SIGTERM. Not thread-safe. Throws OutputError when a process cannot be started.
 class Processes {
  public:
@@ -28,8 +30,9 @@ class Processes {
   Processes(const Processes&) = delete;
   Processes& operator=(const Processes&) = delete;
 
-  /// `arguments` are those behind the program's name; OMP_NUM_THREADS is `threads_of_processes`.
-  void start(std::size_t id, const std::vector<std::string>& arguments);
+  /// `arguments` are those behind the program's name; OMP_NUM_THREADS is `threads_of_processes`. The claim is handed
+  /// over to the keeper.
+  void start(std::size_t id, const std::vector<std::string>& arguments, const Claims& claims, Claim& claim);
   /// One that is over; nothing when none is.
   std::optional<EndedProcess> take_ended();
   /// Asks all of them to end: SIGTERM, at which a run writes its restart file.
@@ -39,15 +42,11 @@ class Processes {
  private:
   struct Running {
     std::size_t id;
-    pid_t process;
+    pid_t keeper;
     int output;  ///< a file in memory
   };
   std::vector<Running> running_;
 };
-
-/// This process goes on as this very program with other arguments, OMP_NUM_THREADS being
-/// `threads_of_processes`. Throws OutputError when it cannot.
-[[noreturn]] void become(const std::vector<std::string>& arguments);
 
 /// The file of this program.
 std::string program_file();

@@ -52,7 +52,7 @@ void write_sweep_figure(const Sweep& sweep, const fs::path& folder, const std::v
   const std::vector<std::string> common = common_displacements(runs);
   if (common.empty() || !std::ranges::all_of(runs, like_first)) return;
   const svg::Figure figure{.title = sweep.title, .panels = {overlay(runs, common.front())}};
-  write_whole(folder / "curves.svg", svg::to_svg(figure), Flush::to_system);
+  write_shared(folder / "curves.svg", svg::to_svg(figure));
 }
 
 }  // namespace dda

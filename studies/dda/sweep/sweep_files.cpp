@@ -161,9 +161,9 @@ SweepTable sweep_table(const Sweep& sweep, const std::vector<CaseState>& states)
 void write_sweep_files(const Sweep& sweep, const fs::path& folder, const std::vector<CaseState>& states) {
   const std::string name = fs::absolute(folder / "").lexically_normal().parent_path().filename().string();
   const SweepTable table = sweep_table(sweep, states);
-  write_whole(folder / "sweep.json", sweep_json(sweep, name, states).dump(2) + "\n", Flush::to_system);
-  write_whole(folder / "sweep.csv", table.csv, Flush::to_system);
-  write_whole(folder / "sweep.units.json", table.units.dump(2) + "\n", Flush::to_system);
+  write_shared(folder / "sweep.json", sweep_json(sweep, name, states).dump(2) + "\n");
+  write_shared(folder / "sweep.csv", table.csv);
+  write_shared(folder / "sweep.units.json", table.units.dump(2) + "\n");
 }
 
 }  // namespace dda

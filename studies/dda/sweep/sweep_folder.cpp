@@ -40,7 +40,8 @@ std::multimap<std::string, fs::path> run_folders(const fs::path& cases) {
 
 /// With runs alone below `cases` somebody has done what `--dry-run` prints.
 bool is_sweep_folder(const fs::path& folder) {
-  return fs::exists(folder / "sweep.json") || fs::is_directory(folder / "cases");
+  return fs::exists(folder / "sweep.json") || fs::is_directory(folder / "cases") ||
+         fs::is_directory(folder / "claims");
 }
 
 /// Null when there is no such file or it is no JSON.
@@ -159,14 +160,6 @@ Earlier examine(const fs::path& folder, const Sweep& sweep) {
   return out;
 }
 
-std::shared_ptr<const FolderLock> lock_sweep(const fs::path& folder) {
-  auto lock = FolderLock::try_lock(folder, FolderLock::Until::last_child_ends);
-  if (!lock)
-    throw InputError(Position{folder.string()},
-                     "another sweep is running there, or its last runs are ending");
-  return lock;
-}
-
 fs::path default_sweep_folder(const fs::path& file) {
   const fs::path whole = fs::absolute(file).lexically_normal();
   const fs::path wanted =
@@ -175,11 +168,6 @@ fs::path default_sweep_folder(const fs::path& file) {
   for (int number = 2; !is_empty_or_absent(candidate) && !is_sweep_folder(candidate); ++number)
     candidate = fmt::format("{}-{}", wanted.string(), number);
   return candidate;
-}
-
-RunFolder open_folder(const fs::path& folder, bool overwrite) {
-  if (overwrite) return RunFolder::create(folder, IfExists::overwrite);
-  return is_sweep_folder(folder) ? RunFolder::open(folder) : RunFolder::create(folder, IfExists::refuse);
 }
 
 void place_cases(const fs::path& folder, const Sweep& sweep, const Earlier& earlier, bool overwrite) {

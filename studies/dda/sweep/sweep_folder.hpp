@@ -49,19 +49,12 @@ struct Earlier {
 /// Changes nothing.
 Earlier examine(const std::filesystem::path& folder, const Sweep& sweep);
 
-/// At most one sweep writes in a folder, until its last run has ended. Throws InputError when another sweep
-/// holds the folder, which must exist.
-std::shared_ptr<const FolderLock> lock_sweep(const std::filesystem::path& folder);
-
 /// Where a sweep goes unless told otherwise: runs/NAME as for a run, NAME being that of the folder for
 /// `sweep.yaml` too; NAME-2, ... when that is taken by something else than a sweep.
 std::filesystem::path default_sweep_folder(const std::filesystem::path& file);
 
 /// Throws InputError when a folder holds something else, or runs that are no longer in the sweep.
 void refuse_loss(const std::filesystem::path& folder, const Sweep& sweep, const Earlier& earlier);
-
-/// The sweep's folder, made when it is not there; of an earlier run in it nothing stays with `overwrite`.
-RunFolder open_folder(const std::filesystem::path& folder, bool overwrite);
 
 /// Moves what is kept to where its case belongs; with `overwrite` removes every case of an earlier sweep.
 void place_cases(const std::filesystem::path& folder, const Sweep& sweep, const Earlier& earlier,

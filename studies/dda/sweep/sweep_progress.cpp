@@ -51,6 +51,11 @@ std::string duration_text(double seconds) {
   return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
+std::string last_step(const fs::path& run_folder) {
+  const std::string row = last_row(run_folder / "curve.csv");
+  return row.substr(0, row.find(','));
+}
+
 std::string count_text(const std::vector<CaseState>& states) {
   std::string out = fmt::format("{} case{}: ", states.size(), states.size() == 1 ? "" : "s");
   const char* separator = "";
@@ -89,17 +94,17 @@ void SweepProgress::ended(std::size_t index, const CaseState& state) {
                    settings_text(sweep_, sweep_.cases[index]), outcome(state)));
 }
 
-std::string SweepProgress::running_line(std::size_t index) const {
+std::string SweepProgress::running_line(const SweepCases& cases, std::size_t index) const {
   const fs::path name = case_folder(sweep_, index);
-  const std::string row = last_row(folder_ / name / "curve.csv");
-  const std::string step = row.substr(0, row.find(','));
-  return fmt::format("  {}  {}{}", name.filename().string(), settings_text(sweep_, sweep_.cases[index]),
-                     step.empty() ? "" : "  step " + step);
+  const std::string step = last_step(folder_ / name), holder = cases.holder_of(index);
+  return fmt::format("  {}  {}{}{}", name.filename().string(), settings_text(sweep_, sweep_.cases[index]),
+                     step.empty() ? "" : "  step " + step, holder.empty() ? "" : "  by " + holder);
 }
 
-void SweepProgress::show(const std::vector<CaseState>& states) {
+void SweepProgress::show(const SweepCases& cases) {
   if (style_ != Progress::Style::live || seconds_since(shown_at_) < seconds_between_tables) return;
   clear();
+  const std::vector<CaseState>& states = cases.states();
   const std::size_t width = line_width(stderr);
   const auto line = [&](const std::string& text) {
     fmt::print(stderr, "{}\n", clipped(text, width));
@@ -107,7 +112,7 @@ void SweepProgress::show(const std::vector<CaseState>& states) {
   };
   line(fmt::format("{}  {}", count_text(states), duration_text(seconds_since(start_))));
   for (std::size_t i = 0; i < states.size(); ++i)
-    if (states[i].status == CaseStatus::running) line(running_line(i));
+    if (states[i].status == CaseStatus::running) line(running_line(cases, i));
   std::fflush(stderr);
   shown_at_ = std::chrono::steady_clock::now();
 }

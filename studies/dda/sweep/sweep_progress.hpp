@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "framework/messages/progress.hpp"
-#include "studies/dda/sweep/sweep_folder.hpp"
+#include "studies/dda/sweep/sweep_cases.hpp"
 
 namespace dda {
 
@@ -23,11 +23,11 @@ class SweepProgress {
   void note(const std::string& text);
   void ended(std::size_t index, const CaseState& state);
   /// The table anew, at most a few times a second.
-  void show(const std::vector<CaseState>& states);
+  void show(const SweepCases& cases);
 
  private:
   void clear();
-  std::string running_line(std::size_t index) const;
+  std::string running_line(const SweepCases& cases, std::size_t index) const;
 
   const Sweep& sweep_;
   const std::filesystem::path folder_;
@@ -38,6 +38,9 @@ class SweepProgress {
 
 /// "36 cases: 34 goal_reached, 1 stopped_early, 1 failed".
 std::string count_text(const std::vector<CaseState>& states);
+
+/// Number of the last step that a run has written, "" when there is none.
+std::string last_step(const std::filesystem::path& run_folder);
 
 /// "12.3 s" or "1:02:03".
 std::string duration_text(double seconds);

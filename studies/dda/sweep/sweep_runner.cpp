@@ -9,6 +9,7 @@
 
 #include "framework/messages/interrupt.hpp"
 #include "studies/dda/sweep/case_command.hpp"
+#include "studies/dda/sweep/keeper.hpp"
 #include "studies/dda/sweep/sweep_figure.hpp"
 #include "studies/dda/sweep/sweep_files.hpp"
 
@@ -20,6 +21,9 @@ namespace fs = std::filesystem;
 /// Between two looks at the processes; a small part of the shortest run.
 constexpr auto pause = std::chrono::milliseconds(10);
 constexpr auto between_files = std::chrono::milliseconds(500);
+constexpr int part_of_writing = 20;  ///< one of so many parts of the time at most goes into writing files
+/// Between two looks at what other processes do.
+constexpr auto between_looks = std::chrono::seconds(1);
 
 constexpr int signal_base = 128;  ///< exit code of a process that a signal ended, less the signal
 
@@ -45,47 +49,61 @@ bool is_unfinished(const CaseState& state) {
 
 }  // namespace
 
-SweepRunner::SweepRunner(const Sweep& sweep, fs::path folder, std::vector<CaseState> states,
-                         const SweepOptions& options)
+SweepRunner::SweepRunner(const Sweep& sweep, fs::path folder, SweepCases& cases, const SweepOptions& options)
     : sweep_(sweep),
       folder_(std::move(folder)),
-      states_(std::move(states)),
-      jobs_(static_cast<std::size_t>(options.jobs)),
+      cases_(cases),
+      options_(options),
       progress_(sweep, folder_, options.quiet) {}
 
 void SweepRunner::run() {
   const InterruptGuard guard;
   write();
-  while (!is_over()) {
+  for (;;) {
     if (interrupted() && !is_stopping_) stop();
     const bool has_changed = take_ended() || start_next();
-    if (is_due()) write();
-    progress_.show(states_);
-    if (!has_changed) std::this_thread::sleep_for(pause);
+    look();
+    if (has_news_ && Clock::now() >= may_write_at_) write();
+    progress_.show(cases_);
+    if (has_changed) continue;
+    if (is_over()) break;
+    std::this_thread::sleep_for(pause);
   }
-  was_interrupted_ = interrupted() && std::ranges::any_of(states_, is_unfinished);
-  write();
-  write_sweep_figure(sweep_, folder_, states_);
+  cases_.let_go();
+  was_interrupted_ = interrupted() && std::ranges::any_of(states(), is_unfinished);
+  finish();
+}
+
+/// To be asked when there is nothing to start.
+bool SweepRunner::is_over() {
+  if (processes_.size() > 0) return false;
+  return is_stopping_ || cases_.are_over() || (options_.may_leave && !cases_.wait_for_all());
+}
+
+void SweepRunner::look() {
+  if (Clock::now() - looked_at_ < between_looks) return;
+  has_news_ = cases_.refresh() || has_news_;
+  looked_at_ = Clock::now();
 }
 
 /// With hundreds of short runs writing after each of them would take a good part of the time.
-bool SweepRunner::is_due() const { return has_news_ && Clock::now() - written_at_ >= between_files; }
-
 void SweepRunner::write() {
-  write_sweep_files(sweep_, folder_, states_);
-  written_at_ = Clock::now();
+  if (!options_.writes_files) return;
+  const auto start = Clock::now();
+  write_sweep_files(sweep_, folder_, states());
+  const auto end = Clock::now();
+  may_write_at_ = end + std::max<Clock::duration>(between_files, part_of_writing * (end - start));
   has_news_ = false;
 }
 
-bool SweepRunner::is_over() const {
-  return processes_.size() == 0 && (is_stopping_ || interrupted() || next() == states_.size());
-}
-
-/// The first case that has had no process yet and has no result.
-std::size_t SweepRunner::next() const {
-  std::size_t i = next_;
-  while (i < states_.size() && states_[i].has_result()) ++i;
-  return i;
+/// While this process writes others may end cases and write, too; whoever writes last has seen them all.
+void SweepRunner::finish() {
+  if (!options_.writes_files) return;
+  cases_.refresh();
+  do {
+    write();
+    write_sweep_figure(sweep_, folder_, states());
+  } while (cases_.refresh());
 }
 
 void SweepRunner::stop() {
@@ -95,11 +113,11 @@ void SweepRunner::stop() {
 }
 
 bool SweepRunner::start_next() {
-  const std::size_t i = next();
-  if (is_stopping_ || processes_.size() >= jobs_ || i == states_.size()) return false;
-  processes_.start(i, case_command(sweep_, folder_, i, states_[i].can_resume));
-  states_[i].status = CaseStatus::running;
-  next_ = i + 1;
+  if (is_stopping_ || processes_.size() >= static_cast<std::size_t>(options_.jobs)) return false;
+  const auto taken = cases_.take_next();
+  if (!taken) return false;
+  const auto command = case_command(sweep_, folder_, *taken, states()[*taken].can_resume);
+  processes_.start(*taken, command, cases_.claims(), cases_.claim(*taken));
   has_news_ = true;
   return true;
 }
@@ -107,9 +125,15 @@ bool SweepRunner::start_next() {
 bool SweepRunner::take_ended() {
   const auto ended = processes_.take_ended();
   if (!ended) return false;
-  states_[ended->id] = outcome(*ended);
-  progress_.ended(ended->id, states_[ended->id]);
   has_news_ = true;
+  if (ended->exit_code == exit_code_of_lost_claim) {
+    cases_.lose(ended->id);
+    progress_.note(
+        fmt::format("{}  another process has taken over", case_folder(sweep_, ended->id).string()));
+    return true;
+  }
+  cases_.end(ended->id, outcome(*ended));
+  progress_.ended(ended->id, states()[ended->id]);
   return true;
 }
 

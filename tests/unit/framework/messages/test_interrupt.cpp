@@ -30,6 +30,14 @@ TEST(Interrupt, SecondSignalEndsTheProcessWith130) {
       testing::ExitedWithCode(130), "");
 }
 
+TEST(Interrupt, TerminationMayComeMoreThanOnce) {
+  const InterruptGuard guard;
+  std::raise(SIGTERM);
+  std::raise(SIGTERM);
+  EXPECT_TRUE(interrupted());
+  EXPECT_EXIT(std::raise(SIGINT), testing::ExitedWithCode(130), "");
+}
+
 TEST(Interrupt, HandlersOfBeforeComeBack) {
   { const InterruptGuard guard; }
   EXPECT_EXIT(std::raise(SIGINT), testing::KilledBySignal(SIGINT), "");

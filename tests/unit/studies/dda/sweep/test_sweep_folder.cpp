@@ -91,15 +91,6 @@ TEST_F(SweepFolder, NothingIsLostUnasked) {
               HasSubstr("holds no sweep"));
 }
 
-TEST_F(SweepFolder, OneSweepAtATime) {
-  fs::create_directories(folder_);
-  {
-    const auto lock = lock_sweep(folder_);
-    EXPECT_THAT(messages([&] { lock_sweep(folder_); }), HasSubstr("another sweep is running there"));
-  }
-  EXPECT_EQ(messages([&] { lock_sweep(folder_); }), "");
-}
-
 TEST_F(SweepFolder, TableHasEveryNumberAndBlanks) {
   std::vector<CaseState> states(3);
   states[0].status = CaseStatus::goal_reached;
