@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <Eigen/LU>
 #include <cmath>
 
 #include "continuation/motion/motion.hpp"

@@ -198,7 +198,8 @@ double missed_by_first_order(double strain, double way) {
     ways.push_back(way * (Pose() << 0.3, -0.2, 0.5, 0.7, -0.4, 0.1 * moved.centroid.x()).finished());
   }
   const MeetingSearch search(of, {});
-  Potential potential(of, search, bonds, false);
+  Potential potential(of, search, bonds);
+  potential.leave_out_meetings();
   potential.begin(start);
   FirstOrder first_order(of, bonds);
   first_order.begin(courses);
