@@ -176,9 +176,9 @@ std::optional<MeetingSearch::Pair> MeetingSearch::crossing(const Poses& at) cons
   return {};
 }
 
-bool MeetingSearch::are_apart(const Pair& pair, const Poses& at) const {
+bool MeetingSearch::are_apart(const Pair& pair, const Poses& at, double least) const {
   constexpr double hardly = 1e-3;
-  const double near = (1 - hardly) * scene_.meeting.reach;
+  const double near = (1 - hardly) * least;
   const std::vector<Vec2> a = placed(scene_.bodies[pair.first], at[pair.first]),
                           b = placed(scene_.bodies[pair.second], at[pair.second]);
   if (!bounding_box(a).inflated(near).touches(bounding_box(b))) return true;

@@ -67,8 +67,8 @@ class MeetingSearch {
   double free_share(const std::vector<Pair>& pairs, const Poses& z, const Poses& dz) const;
   /// The first pair whose cores cross each other.
   std::optional<Pair> crossing(const Poses& at) const;
-  /// Whether two cores are nowhere nearer than 2s, nor cross.
-  bool are_apart(const Pair& pair, const Poses& at) const;
+  /// Whether two cores are nowhere nearer than a distance, but for rounding, nor cross.
+  bool are_apart(const Pair& pair, const Poses& at, double distance) const;
 
  private:
   class Placed;

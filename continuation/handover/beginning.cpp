@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "continuation/handover/side_ends.hpp"
 #include "continuation/motion/motion.hpp"
@@ -31,9 +30,7 @@ Handover as_on_path(const Pieces& pieces, const PathEnd& end, MotionParameters p
   parameters.keeps_supports = true;
   parameters.push = 0;
   parameters.gravity.setZero();
-  Handover out = hand_over(pieces, end, parameters);
-  std::ranges::move(ends_of_contacts(pieces), std::back_inserter(out.bonds));
-  return out;
+  return hand_over(pieces, end, parameters);
 }
 
 }  // namespace
@@ -43,12 +40,15 @@ Beginning begin_motion(const Pieces& pieces, const PathEnd& end, const MotionPar
   Handover& start = out.handover;
   const double pull = pull_on(start.scene, start.velocities);
   out.time = time_of(start.scene, parameters, pull);
+  Handover path = end.is_of_path ? as_on_path(pieces, end, parameters) : start;
+  const SideEnds ends = ends_of_sides(pieces, path);
+  for (Handover* of : {&path, &start})
+    of->bonds.insert(of->bonds.end(), ends.of_joints.begin(), ends.of_joints.end());
   const double dt = parameters.step * pace_of(start.scene, pull);
-  if (end.is_of_path && std::isfinite(dt)) {
-    const Handover path = as_on_path(pieces, end, parameters);
-    out.equilibrium = find_equilibrium(path.scene, path.bonds, path.poses, dt);
-    start.poses = out.equilibrium.poses;
-  }
+  if (!end.is_of_path || !std::isfinite(dt)) return out;
+  path.bonds.insert(path.bonds.end(), ends.of_contacts.begin(), ends.of_contacts.end());
+  out.equilibrium = find_equilibrium(path.scene, path.bonds, path.poses, dt);
+  start.poses = out.equilibrium.poses;
   return out;
 }
 

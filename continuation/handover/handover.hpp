@@ -15,8 +15,7 @@ namespace dda {
 ///
 /// Parts of blocks that cracks have cut are bodies of their own; their joints are springs with what they bear at the
 /// handover as an offset. Joints that still hold stay, with their histories; where nothing is left of one, bodies meet. Loads stay as dead
-/// forces on material points, supports as springs. What finite rotations unbalance, of second order in them, moves
-/// the structure in its first step.
+/// forces on material points, supports as springs.
 struct Handover {
   MovingScene scene;
   std::vector<Bond> bonds;

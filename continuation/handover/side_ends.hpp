@@ -2,16 +2,22 @@
 
 #include <vector>
 
-#include "continuation/bodies/bonds.hpp"
-#include "continuation/handover/pieces.hpp"
+#include "continuation/handover/handover.hpp"
 
 namespace dda {
 
-/// Contacts of the path whose points are inside their sides turn about these, and their corners sink into what is beside
-/// them; in motion bodies meet by their corners. Bonds at the ends of such sides that bear pressure alone, with the
+/// Bonds at the ends of sides whose points are inside them, as Gauss points are. On the path such a side turns about one of
+/// its points, and its corner sinks into what is beside it; in motion nothing may. They bear pressure alone, with the
 /// stiffness of the joint:
 ///
-///     t_n = k min(q_n, 0),   q = [n s]ᵀ (x_second − x_first)
-std::vector<Bond> ends_of_contacts(const Pieces& pieces);
+///     t_n = k min(q_n + g, 0)
+struct SideEnds {
+  /// Of joints that hold, which they leave alone: g is what they overlap by at the handover and a twentieth of the offset s
+  /// more, a quarter of s at most.
+  std::vector<Bond> of_joints;
+  /// Of what only touches, or has torn: g = 0.
+  std::vector<Bond> of_contacts;
+};
+SideEnds ends_of_sides(const Pieces& pieces, const Handover& from);
 
 }  // namespace dda

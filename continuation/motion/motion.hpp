@@ -81,6 +81,8 @@ class Motion {
   void begin_energies();
   void require_apart();
   bool has_left(const Bond& bond) const;
+  std::vector<MeetingSearch::Pair> bearing_pairs() const;
+  bool may_meet(const MeetingSearch::Pair& pair, const std::vector<MeetingSearch::Pair>& bearing) const;
   Inertia aim() const;
   void set_step();
   double longest() const;

@@ -23,14 +23,34 @@ bool Motion::has_left(const Bond& bond) const {
          jump.norm() > way * size;
 }
 
+/// Pairs that bear on each other by what is left of their joints, but for the ends of their sides; in order.
+std::vector<MeetingSearch::Pair> Motion::bearing_pairs() const {
+  Pairs out;
+  for (const Bond& bond : bonds_)
+    if (!bond.is_end && !has_left(bond)) out.push_back(pair_of(bond));
+  std::ranges::sort(out);
+  return out;
+}
+
+/// Whether two bodies that have been joined meet like others from now on: apart, or turned away from each other with so
+/// little overlap at a corner that this sets nothing free.
+bool Motion::may_meet(const MeetingSearch::Pair& pair,
+                      const std::vector<MeetingSearch::Pair>& bearing) const {
+  constexpr double overlap = 1.0 / 16;  // of the reach 2s
+  return search_->are_apart(pair, now_, scene_.meeting.reach) ||
+         (!std::ranges::binary_search(bearing, pair) &&
+          search_->are_apart(pair, now_, (1 - overlap) * scene_.meeting.reach));
+}
+
 /// Bodies that a bond joins, or a chain of them around a corner, do not meet. Where the last is spent its law goes on
-/// to bear pressure as long as its sides face each other, and until they are apart they do not meet: outlines that have
-/// overlapped as bonded bodies may tell no outside.
+/// to bear pressure as long as its sides face each other, and the ends of sides bear it until the bodies meet:
+/// outlines that have overlapped as bonded bodies may tell no outside.
 void Motion::release() {
   Pairs joined = joined_by(bonds_, scene_.around);
+  const Pairs bearing = bearing_pairs();
   Pairs waiting;
   for (const MeetingSearch::Pair& pair : m_.joined)
-    if (!std::ranges::binary_search(joined, pair) && !search_->are_apart(pair, now_)) waiting.push_back(pair);
+    if (!std::ranges::binary_search(joined, pair) && !may_meet(pair, bearing)) waiting.push_back(pair);
   joined.insert(joined.end(), waiting.begin(), waiting.end());
   std::ranges::sort(joined);
   const auto is_gone = [&](const Bond& bond) {

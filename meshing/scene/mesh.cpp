@@ -87,7 +87,7 @@ Cells with_undivided(const Scene& scene, Layout layout) {
     return stays;
   });
   Cells out{{}, layout.lines};
-  if (!layout.shapes.empty()) out = cells_of(scene, layout);
+  if (whole.empty() || !layout.shapes.empty()) out = cells_of(scene, layout);
   std::ranges::move(whole, std::back_inserter(out.cells));
   return out;
 }

@@ -149,7 +149,6 @@ void Simulation::prepare() {
   if (front_ && front_->is_automatic()) begin_cracks();
   notices_ = equilibrium_->interfaces().notices;
   if (front_) note_coarse_cracks();
-  if (deck_.moves()) note_hinges();
   if (const std::size_t multipliers = equilibrium_->num_unknown_multipliers(); multipliers > 0)
     if (const int redundant = num_redundant(equilibrium_->unperturbed()); redundant > 0)
       notices_.push_back(fmt::format(
@@ -217,17 +216,6 @@ void Simulation::require_cracks() const {
   if (deck_.path.branch == Branching::to_lowest)
     findings.add(where, "cracks through blocks follow one branch: `path.branch: follow`");
   findings.throw_if_any();
-}
-
-void Simulation::note_hinges() {
-  const std::vector<std::string>& names = equilibrium_->interfaces().gauss_names;
-  if (names.empty()) return;
-  std::string all;
-  for (const std::string& name : names) all += (all.empty() ? "'" : ", '") + name + "'";
-  notices_.push_back(fmt::format(
-      "motion: sides of {} have Gauss points and turn about these until they are spent, so that their "
-      "corners sink into what is beside them; `points: vertices` has them turn about their ends",
-      all));
 }
 
 void Simulation::note_coarse_cracks() {

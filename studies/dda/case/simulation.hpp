@@ -65,8 +65,6 @@ class Simulation {
   void require_cracks() const;
   /// Blocks that are large beside what the cohesive zone needs.
   void note_coarse_cracks();
-  /// Interfaces that should have points at the ends of their sides where these are to move.
-  void note_hinges();
   void begin_cracks();
   Aims look_up();
 

@@ -55,7 +55,7 @@ TEST(Scene, LeavesARegionUndividedBesideEverySubdivision) {
     const Assembly a = mesh_of(std::string(R"({regions: [
       {material: concrete, vertices: [[0, 0], [300, 0], [300, 100], [0, 100]]},
       {material: steel, undivided: true, vertices: [[131, 100], [172, 100], [172, 110], [131, 110]]}],
-      curves: {bed: [[131, 100], [172, 100]], middle: [[150, 0], [150, 100]]},
+      curves: {bed: [[131, 100], [172, 100]]},
       boundaries: {top: [[131, 110], [172, 110]]}, subdivision: )") +
                                subdivision + "}");
     EXPECT_NEAR(total_area(a), 30410, 1e-4) << subdivision;
