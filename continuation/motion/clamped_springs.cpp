@@ -25,8 +25,9 @@ Line line_of(const ClampedSpring& spring, State state) {
 
 }  // namespace
 
-ClampedMinimum::ClampedMinimum(const PositiveFactor& factor, const std::vector<ClampedSpring>& springs)
-    : factor_(factor), springs_(springs), is_changed_(springs.size(), false) {
+ClampedMinimum::ClampedMinimum(const PositiveFactor& factor, const std::vector<ClampedSpring>& springs,
+                               Eigen::Index most)
+    : factor_(factor), springs_(springs), most_(most), is_changed_(springs.size(), false) {
   first_.reserve(springs.size());
   for (const ClampedSpring& spring : springs) first_.push_back(spring.state(0));
 }
@@ -55,7 +56,7 @@ bool ClampedMinimum::include_changed(const Vector& x) {
     changed_.push_back(e);
   }
   const auto now = static_cast<Eigen::Index>(changed_.size());
-  if (now > most_changed) return false;
+  if (now > most_) return false;
   if (now == old) return true;
   add_halves();
   stretches_.conservativeResize(now, now);

@@ -37,8 +37,8 @@ struct ClampedSpring {
 /// after finitely many steps since the function is convex and has finitely many quadratic pieces.
 class ClampedMinimum {
  public:
-  /// The factor is that of A.
-  ClampedMinimum(const PositiveFactor& factor, const std::vector<ClampedSpring>& springs);
+  /// The factor is that of A; so many springs may change.
+  ClampedMinimum(const PositiveFactor& factor, const std::vector<ClampedSpring>& springs, Eigen::Index most);
 
   /// dz, along which the function falls from dz = 0. Where it takes too many springs, not quite the minimum.
   Eigen::VectorXd solve(const Eigen::VectorXd& b);
@@ -46,8 +46,6 @@ class ClampedMinimum {
  private:
   using State = ClampedSpring::State;
   using Vector = Eigen::VectorXd;
-
-  static constexpr Eigen::Index most_changed = 200;
 
   double stretch_of(std::size_t spring, Eigen::Ref<const Vector> dz) const;
   Vector stretches_of(const Vector& dz) const;
@@ -61,6 +59,7 @@ class ClampedMinimum {
 
   const PositiveFactor& factor_;
   const std::vector<ClampedSpring>& springs_;
+  Eigen::Index most_;
   std::vector<State> first_;          ///< states at dz = 0
   std::vector<std::size_t> changed_;  ///< springs that have left them at some time
   std::vector<bool> is_changed_;

@@ -128,7 +128,7 @@ class Damped(Scratch):
         spans = [tip[h] - tip[l] for l, h in zip(low, high)]
         period = np.mean(np.diff(curve.time[low]))
         decrement = np.polyfit(range(len(spans)), np.log(spans), 1)[0]
-        balance = curve[["kinetic_energy", "stored_energy", "damping", "friction", "fracture", "impact_and_damping",
+        balance = curve[["kinetic_energy", "stored_energy", "viscous_damping", "friction", "fracture", "impact_and_damping",
                          "energy_error"]].sum(axis=1) - curve.external_work
         self.assertLess(abs(balance - balance.iloc[0]).max(), 1e-6 * curve.kinetic_energy.max())
         return -decrement / (2 * np.pi), 2 * np.pi / period

@@ -10,7 +10,7 @@ from .outlines import Outlines, between, materials_of, names_of
 from .stage import PALETTE, YET_TO_COME, Blocks, fills, together
 
 ENERGIES = {"external_work": "external work", "kinetic_energy": "kinetic", "stored_energy": "stored", "friction": "friction",
-            "fracture": "fracture", "damping": "damping", "impact_and_damping": "impact and damping"}
+            "fracture": "fracture", "viscous_damping": "viscous damping", "impact_and_damping": "impact and damping"}
 SECONDS = 8         # of film about, unless a speed is wished
 TRUE_IF = (3, 20)   # motions that last so long are shown as fast as they are [s]
 

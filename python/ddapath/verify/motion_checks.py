@@ -12,8 +12,8 @@ from .finding import Finding, worst_of
 ROUNDING = 1e-9  # of the largest energy
 SOLVING = 1e-5   # of the largest energy: what steps may have been solved inexactly by
 REST = 1e-6      # of the largest kinetic energy
-BOOKED = ("kinetic_energy", "stored_energy", "friction", "fracture", "damping", "impact_and_damping", "energy_error")
-SPENT = ("friction", "fracture", "damping")
+BOOKED = ("kinetic_energy", "stored_energy", "friction", "fracture", "viscous_damping", "impact_and_damping", "energy_error")
+SPENT = ("friction", "fracture", "viscous_damping")
 
 
 def scale_of(curve):

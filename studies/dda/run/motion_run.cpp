@@ -197,7 +197,9 @@ class MotionRecorder {
     for (const char* name : {work, kinetic, stored, friction, fracture, damping, numerical}) {
       std::string text = name;
       std::ranges::replace(text, '_', ' ');
-      panel.series.push_back({.name = text, .x = table.numbers("time"), .y = table.numbers(name)});
+      const std::vector<double> values = table.numbers(name);
+      if (std::ranges::any_of(values, [](double value) { return value != 0; }))
+        panel.series.push_back({.name = text, .x = table.numbers("time"), .y = values});
     }
     svg::Figure out;
     out.panels.push_back(std::move(panel));

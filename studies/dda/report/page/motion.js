@@ -17,7 +17,7 @@ const MOTION_ENERGIES = {
   stored_energy: "stored",
   friction: "friction",
   fracture: "fracture",
-  damping: "damping",
+  viscous_damping: "viscous damping",
   impact_and_damping: "impact and damping",
 };
 

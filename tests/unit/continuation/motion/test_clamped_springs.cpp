@@ -79,7 +79,7 @@ Vector found(const Problem& problem) {
   PositiveFactor factor;
   factor.analyse(lower);
   EXPECT_TRUE(factor.factorise(lower));
-  return ClampedMinimum(factor, problem.springs).solve(-problem.gradient(Vector::Zero(size)));
+  return ClampedMinimum(factor, problem.springs, 48).solve(-problem.gradient(Vector::Zero(size)));
 }
 
 TEST(ClampedMinimum, NothingIsLeftOfTheForcesThere) {
