@@ -84,13 +84,14 @@ TEST_F(ClaimsOnNames, OfADeadProcessAreFreeAtOnce) {
 }
 
 TEST_F(ClaimsOnNames, OfANumberThatCameAgainAreFree) {
-  auto claim = claims_.take("a", {});
-  claim->owner.start += 1;
+  const auto claim = claims_.take("a", {});
   const ClaimFiles files = claims_.files_of(*claim);
   std::string text = read_whole(files.own);
-  const auto place = text.find(std::to_string(claim->owner.start - 1));
+  const std::string start = std::to_string(claim->owner.start),
+                    later = std::to_string(claim->owner.start + 1);
+  const auto place = text.find(start, text.find("\"start\""));
   ASSERT_NE(place, std::string::npos);
-  put(files.own, text.replace(place, 1, "9"));
+  put(files.own, text.replace(place, start.size(), later));
   EXPECT_EQ(holder(), Holder::dead);
 }
 
