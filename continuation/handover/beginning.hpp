@@ -1,7 +1,7 @@
 #pragma once
 
 #include "continuation/handover/handover.hpp"
-#include "continuation/motion/first_equilibrium.hpp"
+#include "continuation/motion/step/first_equilibrium.hpp"
 
 namespace dda {
 

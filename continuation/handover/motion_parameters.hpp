@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "continuation/integrator/integrator.hpp"
-#include "continuation/motion/damping.hpp"
+#include "continuation/motion/energy/damping.hpp"
 #include "framework/deck/schema.hpp"
 #include "models/contact/contact_law.hpp"
 #include "models/time_function/time_function.hpp"

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "continuation/motion/potential.hpp"
+#include "continuation/motion/energy/potential.hpp"
 
 namespace dda {
 

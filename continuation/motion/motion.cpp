@@ -9,8 +9,8 @@
 #include <numeric>
 
 #include "continuation/bodies/restitution.hpp"
-#include "continuation/motion/open_close_step.hpp"
-#include "continuation/motion/step_minimum.hpp"
+#include "continuation/motion/step/open_close_step.hpp"
+#include "continuation/motion/step/step_minimum.hpp"
 
 namespace dda {
 namespace {

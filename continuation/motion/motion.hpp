@@ -6,7 +6,7 @@
 
 #include "continuation/integrator/integrator.hpp"
 #include "continuation/motion/ledger.hpp"
-#include "continuation/motion/step_solver.hpp"
+#include "continuation/motion/step/step_solver.hpp"
 
 namespace dda {
 

@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "studies/dda/commands/commands.hpp"
-#include "studies/dda/sweep/launcher.hpp"
+#include "studies/dda/sweep/launch/launcher.hpp"
 #include "studies/dda/sweep/sweep_entrance.hpp"
 
 namespace dda {

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "studies/dda/commands/commands.hpp"
-#include "studies/dda/sweep/sweep_status.hpp"
+#include "studies/dda/sweep/launch/sweep_status.hpp"
 
 namespace dda {
 

@@ -9,7 +9,7 @@
 #include <filesystem>
 
 #include "framework/base/errors.hpp"
-#include "studies/dda/sweep/processes.hpp"
+#include "studies/dda/sweep/processes/processes.hpp"
 
 namespace dda {
 namespace {

@@ -4,7 +4,7 @@
 #include "framework/files/run/run_folder.hpp"
 #include "studies/dda/case/deck.hpp"
 #include "studies/dda/record/run_memory.hpp"
-#include "studies/dda/record/torn_pieces.hpp"
+#include "studies/dda/record/warnings/torn_pieces.hpp"
 
 namespace dda {
 

@@ -13,7 +13,7 @@
 #include "studies/dda/figures/stability_pictures.hpp"
 #include "studies/dda/record/path/peak.hpp"
 #include "studies/dda/record/stability_record.hpp"
-#include "studies/dda/record/turning_contacts.hpp"
+#include "studies/dda/record/warnings/turning_contacts.hpp"
 #include "studies/dda/run/profile.hpp"
 #include "studies/dda/run/restart.hpp"
 #include "studies/dda/run/summary.hpp"

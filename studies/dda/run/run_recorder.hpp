@@ -14,7 +14,7 @@
 #include "studies/dda/record/path/events.hpp"
 #include "studies/dda/record/path/trace.hpp"
 #include "studies/dda/record/run_memory.hpp"
-#include "studies/dda/record/torn_pieces.hpp"
+#include "studies/dda/record/warnings/torn_pieces.hpp"
 
 namespace dda {
 

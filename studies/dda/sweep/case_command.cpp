@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "studies/dda/sweep/processes.hpp"
+#include "studies/dda/sweep/processes/processes.hpp"
 #include "studies/dda/sweep/sweep_folder.hpp"
 
 namespace dda {

@@ -9,7 +9,7 @@
 
 #include "framework/messages/interrupt.hpp"
 #include "studies/dda/sweep/case_command.hpp"
-#include "studies/dda/sweep/keeper.hpp"
+#include "studies/dda/sweep/processes/keeper.hpp"
 #include "studies/dda/sweep/sweep_figure.hpp"
 #include "studies/dda/sweep/sweep_files.hpp"
 

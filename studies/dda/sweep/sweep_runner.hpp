@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "studies/dda/sweep/processes.hpp"
+#include "studies/dda/sweep/processes/processes.hpp"
 #include "studies/dda/sweep/sweep_cases.hpp"
 #include "studies/dda/sweep/sweep_progress.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <Eigen/Dense>
 
-#include "continuation/motion/block_sum.hpp"
-#include "continuation/motion/positive_factor.hpp"
+#include "continuation/motion/energy/block_sum.hpp"
+#include "continuation/motion/energy/positive_factor.hpp"
 #include "support/random.hpp"
 
 namespace dda {

@@ -3,7 +3,7 @@
 #include <Eigen/Dense>
 #include <limits>
 
-#include "continuation/motion/clamped_springs.hpp"
+#include "continuation/motion/energy/clamped_springs.hpp"
 #include "support/random.hpp"
 
 namespace dda {

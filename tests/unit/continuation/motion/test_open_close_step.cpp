@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "continuation/bodies/entrances.hpp"
-#include "continuation/motion/open_close_step.hpp"
+#include "continuation/motion/step/open_close_step.hpp"
 #include "unit/continuation/motion/blocks.hpp"
 
 namespace dda {

@@ -3,7 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 
-#include "continuation/motion/positive_factor.hpp"
+#include "continuation/motion/energy/positive_factor.hpp"
 #include "support/random.hpp"
 
 namespace dda {

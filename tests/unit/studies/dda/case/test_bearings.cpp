@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "studies/dda/case/coarse_zones.hpp"
-#include "studies/dda/record/torn_pieces.hpp"
+#include "studies/dda/record/warnings/torn_pieces.hpp"
 
 namespace dda {
 namespace {

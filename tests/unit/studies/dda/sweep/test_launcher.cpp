@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 
-#include "studies/dda/sweep/launcher.hpp"
+#include "studies/dda/sweep/launch/launcher.hpp"
 #include "unit/studies/dda/sweep/sweep_example.hpp"
 
 namespace dda {

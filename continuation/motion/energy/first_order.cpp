@@ -1,4 +1,4 @@
-#include "continuation/motion/first_order.hpp"
+#include "continuation/motion/energy/first_order.hpp"
 
 namespace dda {
 namespace {

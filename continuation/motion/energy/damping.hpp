@@ -1,7 +1,7 @@
 #pragma once
 
 #include "continuation/bodies/bonds.hpp"
-#include "continuation/motion/curvatures.hpp"
+#include "continuation/motion/energy/curvatures.hpp"
 
 namespace dda {
 

@@ -1,4 +1,4 @@
-#include "studies/dda/sweep/sweep_status.hpp"
+#include "studies/dda/sweep/launch/sweep_status.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "continuation/motion/open_close_step.hpp"
+#include "continuation/motion/step/open_close_step.hpp"
 
 #include <fmt/format.h>
 

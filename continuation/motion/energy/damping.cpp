@@ -1,4 +1,4 @@
-#include "continuation/motion/damping.hpp"
+#include "continuation/motion/energy/damping.hpp"
 
 namespace dda {
 

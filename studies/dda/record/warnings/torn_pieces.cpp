@@ -1,4 +1,4 @@
-#include "studies/dda/record/torn_pieces.hpp"
+#include "studies/dda/record/warnings/torn_pieces.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "continuation/motion/step_minimum.hpp"
+#include "continuation/motion/step/step_minimum.hpp"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "continuation/motion/positive_factor.hpp"
+#include "continuation/motion/energy/positive_factor.hpp"
 #include "models/kinematics/affine.hpp"
 
 namespace dda {

@@ -1,4 +1,4 @@
-#include "studies/dda/sweep/processes.hpp"
+#include "studies/dda/sweep/processes/processes.hpp"
 
 #include <fmt/format.h>
 #include <sys/mman.h>
@@ -15,7 +15,7 @@
 #include "framework/base/errors.hpp"
 #include "framework/base/memory.hpp"
 #include "meshing/files/gmsh_model.hpp"
-#include "studies/dda/sweep/keeper.hpp"
+#include "studies/dda/sweep/processes/keeper.hpp"
 
 namespace dda {
 namespace {

@@ -6,9 +6,9 @@
 
 #include "continuation/bodies/bonds.hpp"
 #include "continuation/bodies/sliders.hpp"
-#include "continuation/motion/block_sum.hpp"
-#include "continuation/motion/clamped_springs.hpp"
-#include "continuation/motion/damping.hpp"
+#include "continuation/motion/energy/block_sum.hpp"
+#include "continuation/motion/energy/clamped_springs.hpp"
+#include "continuation/motion/energy/damping.hpp"
 
 namespace dda {
 

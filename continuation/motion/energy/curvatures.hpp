@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "continuation/bodies/bonds.hpp"
-#include "continuation/motion/block_sum.hpp"
+#include "continuation/motion/energy/block_sum.hpp"
 
 namespace dda {
 

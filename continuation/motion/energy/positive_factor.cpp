@@ -1,4 +1,4 @@
-#include "continuation/motion/positive_factor.hpp"
+#include "continuation/motion/energy/positive_factor.hpp"
 
 #include <omp.h>
 

@@ -5,7 +5,7 @@
 
 #include "continuation/bodies/sliders.hpp"
 #include "continuation/integrator/integrator.hpp"
-#include "continuation/motion/potential.hpp"
+#include "continuation/motion/energy/potential.hpp"
 
 namespace dda {
 

@@ -1,4 +1,4 @@
-#include "continuation/motion/step_solver.hpp"
+#include "continuation/motion/step/step_solver.hpp"
 
 #include <algorithm>
 

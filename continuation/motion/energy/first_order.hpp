@@ -2,7 +2,7 @@
 
 #include "continuation/bodies/bonds.hpp"
 #include "continuation/integrator/integrator.hpp"
-#include "continuation/motion/curvatures.hpp"
+#include "continuation/motion/energy/curvatures.hpp"
 
 namespace dda {
 

@@ -1,9 +1,9 @@
-#include "continuation/motion/first_equilibrium.hpp"
+#include "continuation/motion/step/first_equilibrium.hpp"
 
 #include <algorithm>
 
 #include "continuation/bodies/joined.hpp"
-#include "continuation/motion/step_minimum.hpp"
+#include "continuation/motion/step/step_minimum.hpp"
 
 namespace dda {
 namespace {

@@ -1,4 +1,4 @@
-#include "continuation/motion/clamped_springs.hpp"
+#include "continuation/motion/energy/clamped_springs.hpp"
 
 #include <Eigen/LU>
 #include <tuple>

@@ -1,4 +1,4 @@
-#include "studies/dda/sweep/forecast.hpp"
+#include "studies/dda/sweep/launch/forecast.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "studies/dda/sweep/launcher.hpp"
+#include "studies/dda/sweep/launch/launcher.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "studies/dda/sweep/case_command.hpp"
-#include "studies/dda/sweep/processes.hpp"
+#include "studies/dda/sweep/processes/processes.hpp"
 
 namespace dda {
 namespace {

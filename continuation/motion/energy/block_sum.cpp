@@ -1,4 +1,4 @@
-#include "continuation/motion/block_sum.hpp"
+#include "continuation/motion/energy/block_sum.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "continuation/motion/positive_factor.hpp"
-#include "continuation/motion/step_solver.hpp"
+#include "continuation/motion/energy/positive_factor.hpp"
+#include "continuation/motion/step/step_solver.hpp"
 
 namespace dda {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "continuation/motion/step_solver.hpp"
+#include "continuation/motion/step/step_solver.hpp"
 
 namespace dda {
 

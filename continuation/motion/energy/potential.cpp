@@ -1,11 +1,11 @@
-#include "continuation/motion/potential.hpp"
+#include "continuation/motion/energy/potential.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "continuation/motion/curvatures.hpp"
+#include "continuation/motion/energy/curvatures.hpp"
 
 namespace dda {
 

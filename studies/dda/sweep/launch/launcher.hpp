@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "studies/dda/sweep/forecast.hpp"
+#include "studies/dda/sweep/launch/forecast.hpp"
 
 namespace dda {
 

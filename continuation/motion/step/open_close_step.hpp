@@ -1,9 +1,9 @@
 #pragma once
 
 #include "continuation/bodies/entrances.hpp"
-#include "continuation/motion/first_order.hpp"
-#include "continuation/motion/positive_factor.hpp"
-#include "continuation/motion/step_solver.hpp"
+#include "continuation/motion/energy/first_order.hpp"
+#include "continuation/motion/energy/positive_factor.hpp"
+#include "continuation/motion/step/step_solver.hpp"
 
 namespace dda {
 

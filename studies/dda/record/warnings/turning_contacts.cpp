@@ -1,4 +1,4 @@
-#include "studies/dda/record/turning_contacts.hpp"
+#include "studies/dda/record/warnings/turning_contacts.hpp"
 
 #include <fmt/format.h>
 

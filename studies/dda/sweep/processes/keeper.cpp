@@ -1,4 +1,4 @@
-#include "studies/dda/sweep/keeper.hpp"
+#include "studies/dda/sweep/processes/keeper.hpp"
 
 #include <fcntl.h>
 #include <sys/prctl.h>
