@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "continuation/linear/direct/bordered_solver.hpp"
+#include "continuation/linear/shared_columns.hpp"
 
 namespace dda {
 namespace {
@@ -167,6 +168,9 @@ std::vector<std::span<const std::size_t>> neighbours(std::span<const std::size_t
 
 std::unique_ptr<UpdateColumns> update_columns(const Equilibrium& equilibrium, BorderedSolver& solver,
                                               std::size_t batch) {
+  const bool has_border = solver.border().num_nodes() > 0;
+  if (const auto* shared = dynamic_cast<const SharedMatrix*>(solver.halves()); shared && !has_border)
+    return shared_columns(equilibrium, *shared, batch);
   if (solver.halves()) return half_columns(equilibrium, solver, batch);
   return std::make_unique<WholeColumns>(equilibrium, solver, batch);
 }

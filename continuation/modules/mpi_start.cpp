@@ -19,7 +19,11 @@ void keep_to_one_rank() {
 }
 
 struct Session {
-  Session() { MPI_Init(nullptr, nullptr); }
+  /// Threads of loops may send messages, one at a time.
+  Session() {
+    int provided = 0;
+    MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided);
+  }
   ~Session() { MPI_Finalize(); }
 };
 

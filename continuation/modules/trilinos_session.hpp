@@ -5,7 +5,7 @@
 
 namespace dda {
 
-/// What Trilinos needs while it is in use: Kokkos, and MPI under mpirun. Sessions may lie inside one another.
+/// What Trilinos needs while it is in use: Kokkos. Sessions may lie inside one another.
 class TrilinosSession {
  public:
   TrilinosSession();
@@ -17,7 +17,7 @@ class TrilinosSession {
   bool is_outermost_;
 };
 
-/// The ranks of this run; of a run without mpirun one, which needs no MPI.
-Teuchos::RCP<const Teuchos::Comm<int>> all_ranks();
+/// This process alone, without MPI: what Trilinos does in a run of several ranks is the first one's.
+Teuchos::RCP<const Teuchos::Comm<int>> this_rank();
 
 }  // namespace dda

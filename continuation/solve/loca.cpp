@@ -7,7 +7,7 @@ namespace {
 
 template <class Function>
 Function loaded(const char* name) {
-  return reinterpret_cast<Function>(symbol_of(module_file(DDA_LOCA_MODULE), name));
+  return reinterpret_cast<Function>(symbol_of(module_file("dda_loca.so"), name));
 }
 
 }  // namespace

@@ -7,7 +7,7 @@ namespace dda {
 Eigenmodes krylov_schur(const EigenProblem& problem, const Search& search) {
   using Find = void (*)(const EigenProblem&, const Search&, Eigenmodes&);
   static const auto find =
-      reinterpret_cast<Find>(symbol_of(module_file(DDA_TRILINOS_MODULE), "dda_krylov_schur"));
+      reinterpret_cast<Find>(symbol_of(module_file("dda_trilinos.so"), "dda_krylov_schur"));
   Eigenmodes out;
   find(problem, search, out);
   return out;

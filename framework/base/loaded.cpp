@@ -15,10 +15,10 @@ void* symbol_of(const std::filesystem::path& library, const char* symbol) {
   return found;
 }
 
-std::filesystem::path module_file(const std::filesystem::path& built) {
-  std::error_code failure;
-  auto beside = std::filesystem::read_symlink("/proc/self/exe", failure).parent_path() / built.filename();
-  return std::filesystem::exists(beside, failure) ? beside : built;
+std::filesystem::path installation() {
+  return std::filesystem::read_symlink("/proc/self/exe").parent_path().parent_path();
 }
+
+std::filesystem::path module_file(const char* name) { return installation() / "lib" / "ddapath" / name; }
 
 }  // namespace dda

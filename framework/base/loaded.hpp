@@ -8,7 +8,10 @@ namespace dda {
 /// pay for at their start. Throws std::runtime_error with the loader's words.
 void* symbol_of(const std::filesystem::path& library, const char* symbol);
 
-/// A module of this program: beside it when installed there, else where it was built.
-std::filesystem::path module_file(const std::filesystem::path& built);
+/// The folder above that of this program: what it was built or installed into, wherever that has been moved.
+std::filesystem::path installation();
+
+/// A module of this program, such as "dda_gmsh.so": lib/ddapath below `installation()`.
+std::filesystem::path module_file(const char* name);
 
 }  // namespace dda

@@ -1,6 +1,7 @@
 #include "framework/base/suggestion.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <numeric>
 
 namespace dda {
@@ -22,6 +23,13 @@ bool is_near(const std::string& name, const std::string& other) {
          distance < std::max(name.size(), other.size());
 }
 
+/// But for capitals.
+bool is_same_word(const std::string& a, const std::string& b) {
+  return std::ranges::equal(
+      a, b, {}, [](unsigned char c) { return std::tolower(c); },
+      [](unsigned char c) { return std::tolower(c); });
+}
+
 }  // namespace
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -41,6 +49,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 std::string suggest(const std::string& name, const std::vector<std::string>& names) {
   if (names.empty()) return "; there are none to choose from";
+  for (const std::string& known : names)
+    if (known != name && is_same_word(known, name)) return "; did you mean '" + known + "'?";
   const auto nearer = [&](const std::string& x, const std::string& y) {
     return edit_distance(name, x) < edit_distance(name, y);
   };

@@ -2,6 +2,7 @@
 
 #include <pthread.h>
 #include <sched.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
@@ -15,6 +16,8 @@
 #include <mutex>
 #include <stdexcept>
 #include <thread>
+
+#include "framework/base/launched.hpp"
 
 namespace dda {
 namespace {
@@ -136,13 +139,14 @@ int container_share() {
   return std::max(1, static_cast<int>(std::ceil(quota / period)));
 }
 
+/// Ranks of one run that are not bound to processors of their own share those of their machine.
 int usable_processors() {
+  const int all = static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN));
   cpu_set_t set;
   CPU_ZERO(&set);
-  const int allowed = sched_getaffinity(0, sizeof set, &set) == 0
-                          ? CPU_COUNT(&set)
-                          : static_cast<int>(std::thread::hardware_concurrency());
-  return std::max(1, std::min(allowed, container_share()));
+  const int allowed = sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : all;
+  const int usable = std::min(allowed, container_share());
+  return std::max(1, allowed < all ? usable : usable / launched().size_here);
 }
 
 /// OMP_NUM_THREADS may be a list, by level of nesting.

@@ -6,6 +6,7 @@ namespace dda {
 namespace {
 
 constexpr int exit_code_interrupted = 130;
+constexpr std::array interrupting{SIGINT, SIGTERM, SIGUSR1, SIGUSR2};
 volatile std::sig_atomic_t flag = 0;
 
 volatile std::sig_atomic_t ends_at_once = 0;
@@ -24,15 +25,13 @@ InterruptGuard::InterruptGuard(OnInterrupt first) {
   struct sigaction action {};
   action.sa_handler = on_signal;
   action.sa_flags = SA_RESTART;
-  sigaction(SIGINT, &action, &interrupt_);
-  sigaction(SIGTERM, &action, &terminate_);
+  for (std::size_t i = 0; i < interrupting.size(); ++i) sigaction(interrupting[i], &action, &before_[i]);
   action.sa_handler = SIG_IGN;
   sigaction(SIGXFSZ, &action, &file_size_);
 }
 
 InterruptGuard::~InterruptGuard() {
-  sigaction(SIGINT, &interrupt_, nullptr);
-  sigaction(SIGTERM, &terminate_, nullptr);
+  for (std::size_t i = 0; i < interrupting.size(); ++i) sigaction(interrupting[i], &before_[i], nullptr);
   sigaction(SIGXFSZ, &file_size_, nullptr);
 }
 

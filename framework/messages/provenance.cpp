@@ -19,6 +19,8 @@ std::string version() {
   return git.empty() ? std::string(project_version) : fmt::format("{} ({})", project_version, git);
 }
 
+std::string compiler() { return fmt::format("g++ {}, {}", __VERSION__, build_type); }
+
 std::string host_name() {
   std::array<char, 256> name{};
   return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "unknown";
@@ -26,15 +28,17 @@ std::string host_name() {
 
 }  // namespace
 
-Provenance provenance() {
-  return {version(), fmt::format("g++ {}, {}", __VERSION__, build_type), host_name(), utc_now()};
-}
+Provenance provenance() { return {version(), compiler(), host_name(), utc_now()}; }
 
 std::map<std::string, std::string> to_texts(const Provenance& provenance) {
   return {{"version", provenance.version},
           {"compiler", provenance.compiler},
           {"host", provenance.host},
           {"date", provenance.date}};
+}
+
+std::string version_text() {
+  return fmt::format("ddapath {}\ncompiler: {}\nlibraries: {}", version(), compiler(), libraries);
 }
 
 std::string utc_now() {

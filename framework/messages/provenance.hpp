@@ -18,6 +18,9 @@ Provenance provenance();
 /// The same as named texts, as results hold them.
 std::map<std::string, std::string> to_texts(const Provenance& provenance);
 
+/// What `dda --version` prints: project version and commit, compiler, and the libraries that it was built with.
+std::string version_text();
+
 /// UTC now with milliseconds: "2024-05-01T12:00:00.123Z".
 std::string utc_now();
 

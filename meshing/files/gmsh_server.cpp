@@ -23,7 +23,7 @@ namespace {
 
 const GmshModule& module() {
   static const auto* loaded =
-      static_cast<const GmshModule*>(symbol_of(module_file(DDA_GMSH_MODULE), "dda_gmsh_module"));
+      static_cast<const GmshModule*>(symbol_of(module_file("dda_gmsh.so"), "dda_gmsh_module"));
   return *loaded;
 }
 

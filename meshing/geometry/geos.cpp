@@ -7,7 +7,7 @@ namespace {
 
 const GeosModule& module() {
   static const auto* loaded =
-      static_cast<const GeosModule*>(symbol_of(module_file(DDA_GEOS_MODULE), "dda_geos_module"));
+      static_cast<const GeosModule*>(symbol_of(module_file("dda_geos.so"), "dda_geos_module"));
   return *loaded;
 }
 

@@ -48,8 +48,7 @@ void for_each_cell(std::size_t count, const Clipper& region, Visit&& visit) {
   });
 }
 
-std::vector<Pieces> clipped_cells(const std::vector<Vec2>& sites, const Clipper& region, const Box& box) {
-  const std::vector<Polygon> cells = voronoi_cells(sites, box);
+std::vector<Pieces> clipped(const std::vector<Polygon>& cells, const Clipper& region) {
   std::vector<Pieces> result(cells.size());
   for_each_cell(cells.size(), region,
                 [&](std::size_t i, const Clipper& own) { result[i] = own.clip(cells[i]); });
@@ -68,7 +67,7 @@ Vec2 next_site(const Pieces& pieces, const Clipper& region) {
 bool by_place(const Vec2& a, const Vec2& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); }
 
 std::vector<Vec2> relaxed(const std::vector<Vec2>& sites, const Clipper& region, const Box& box) {
-  const std::vector<Pieces> cells = clipped_cells(sites, region, box);
+  const std::vector<Pieces> cells = clipped(voronoi_cells(sites, box), region);
   std::vector<Vec2> next(cells.size());
   for_each_cell(cells.size(), region,
                 [&](std::size_t i, const Clipper& own) { next[i] = next_site(cells[i], own); });
@@ -161,14 +160,18 @@ void sort_by_centroid(std::vector<Polygon>& cells) {
   for (std::size_t i = 0; i < cells.size(); ++i) cells[i] = std::move(placed[i].second);
 }
 
-/// Of mean size `size`.
-std::vector<Polygon> cells_of(const std::vector<Vec2>& sites, const Clipper& region, double size) {
+std::vector<Polygon> cells_in(const Clipper& region, const std::vector<Polygon>& pattern, double size) {
   std::vector<Polygon> cells;
-  for (const Pieces& pieces : clipped_cells(sites, region, bounding_box(region.figure().outline.vertices)))
+  for (const Pieces& pieces : clipped(pattern, region))
     for (const Figure& piece : pieces) add_without_holes(piece, cells);
   cells = without_short_edges(cells, region.figure(), size);
   sort_by_centroid(cells);
   return cells;
+}
+
+/// Of mean size `size`.
+std::vector<Polygon> cells_of(const std::vector<Vec2>& sites, const Clipper& region, double size) {
+  return cells_in(region, voronoi_cells(sites, bounding_box(region.figure().outline.vertices)), size);
 }
 
 /// Sites are off their places by a ten-millionth, since four cells that meet in a point exactly are more than the
@@ -198,6 +201,10 @@ std::vector<Polygon> centroidal_voronoi(const Figure& figure, const VoronoiWish&
   std::vector<Vec2> sites = random_sites(*region, box, wish);
   for (int i = 0; i < wish.iterations; ++i) sites = relaxed(sites, *region, box);
   return cells_of(sites, *region, std::sqrt(area(figure) / static_cast<double>(wish.blocks)));
+}
+
+std::vector<Polygon> cells_in(const Figure& figure, const std::vector<Polygon>& pattern, double size) {
+  return cells_in(*Clipper::of(figure), pattern, size);
 }
 
 std::vector<Polygon> square_cells(const Figure& figure, double size, double angle) {

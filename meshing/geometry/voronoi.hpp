@@ -28,6 +28,10 @@ std::vector<Polygon> centroidal_voronoi(const Figure& figure, const VoronoiWish&
 /// the cells above.
 std::vector<Polygon> square_cells(const Figure& figure, double size, double angle);
 
+/// What of a pattern that covers the plane lies in a figure; `size` is that of its cells. Sorted, and pieces and vertices
+/// treated, as the cells above.
+std::vector<Polygon> cells_in(const Figure& figure, const std::vector<Polygon>& pattern, double size);
+
 /// Shares a number of cells over areas in proportion, at least one each (largest remainder).
 std::vector<std::size_t> share(std::size_t count, const std::vector<double>& areas);
 

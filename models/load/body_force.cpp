@@ -1,20 +1,22 @@
 #include <algorithm>
 
 #include "framework/base/suggestion.hpp"
+#include "framework/deck/formula.hpp"
 #include "models/body/motion.hpp"
 #include "models/load/load.hpp"
+#include "models/load/quadrature.hpp"
 
 namespace dda {
 namespace {
 
 struct BodyForceParameters {
-  Vec2 force = Vec2::Zero();
+  VectorFormula force;
   std::vector<std::string> materials;
   Position where;
 };
 
-/// A force per volume, such as self-weight: f += ∫ Tᵀ b dV, which acts on the centroid's translations alone, and
-/// on the jumps of what lies beyond cuts.
+/// A force per volume, such as self-weight: f += ∫ Tᵀ b dV, and ∫ Jᵀ b dV on the jumps of what lies beyond cuts. An even
+/// one acts on the centroid's translations alone; another is integrated to 1e-11.
 class BodyForce final : public Load {
  public:
   explicit BodyForce(BodyForceParameters p) : p_(std::move(p)) {}
@@ -23,10 +25,12 @@ class BodyForce final : public Load {
     for (std::size_t i = 0; i < body.assembly.num_blocks(); ++i) {
       if (!acts_on(body.assembly.regions[static_cast<std::size_t>(body.assembly.blocks[i].region)].material))
         continue;
-      const Vec2 force = body.volume(BlockId{i}) * p_.force;
-      Eigen::Map<Vec6>(stage.force.data() + 6 * i) += displacement_rows(Vec2::Zero()).transpose() * force;
+      const Block& block = body.block(BlockId{i});
+      const auto rows = [&](const Vec2& x) { return displacement_rows(x - block.moments.centroid); };
+      const Vec6 force = integral_of({block.outline, block.moments, body.thickness}, rows);
+      Eigen::Map<Vec6>(stage.force.data() + 6 * i) += force;
       if (body.cracks) add_to_jumps(stage, body, BlockId{i});
-      stage.resultant += force.norm();
+      stage.resultant += force.head<2>().norm();
     }
   }
 
@@ -35,12 +39,24 @@ class BodyForce final : public Load {
   void add_to_jumps(StageLoads& stage, const Body& body, BlockId id) const {
     for (const Part& part : body.cracks->parts(id)) {
       const Moments of = moments(part.outline);
-      const Vec2 force = of.area * body.thickness * p_.force;
-      for (const JumpId jump : part.jumps) {
-        const NodeMotion motion = motion_of(body, jump, of.centroid);
-        Eigen::Map<Vec6>(stage.force.data() + 6 * motion.node.value()) += motion.rows.transpose() * force;
-      }
+      for (const JumpId jump : part.jumps)
+        Eigen::Map<Vec6>(stage.force.data() + 6 * body.node_of(jump).value()) += integral_of(
+            {part.outline, of, body.thickness}, [&](const Vec2& x) { return motion_of(body, jump, x).rows; });
     }
+  }
+  struct Volume {
+    const Polygon& outline;
+    const Moments& moments;
+    double thickness;
+  };
+  /// ∫ Nᵀ b dV, N the rows of a displacement linear in the place.
+  template <class Rows>
+  Vec6 integral_of(const Volume& of, const Rows& rows) const {
+    const Vec2& centroid = of.moments.centroid;
+    if (p_.force.is_constant())
+      return rows(centroid).transpose() * (of.moments.area * of.thickness * p_.force(centroid));
+    const auto density = [&](const Vec2& x) -> Integrals { return rows(x).transpose() * p_.force(x); };
+    return of.thickness * integral(of.outline, density);
   }
   bool acts_on(const std::string& material) const {
     return p_.materials.empty() || std::ranges::find(p_.materials, material) != p_.materials.end();
@@ -57,8 +73,9 @@ class BodyForce final : public Load {
 
 Schema<BodyForceParameters> schema() {
   using P = BodyForceParameters;
-  return Schema<P>("A force per volume, such as self-weight.")
-      .point("force", &P::force, {.dimension = dimension::body_force, .text = "Force per volume (bx, by)."})
+  return Schema<P>("A force per volume, such as self-weight, even or a function of x and y.")
+      .value("force", &P::force, vector_formula_kind(dimension::body_force),
+             {.text = "Force per volume (bx, by), each a number or an expression of x and y."})
       .texts("materials", &P::materials,
              {.fallback = std::vector<std::string>{}, .text = "Materials it acts on; all when empty."});
 }

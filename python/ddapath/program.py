@@ -12,37 +12,49 @@ from .errors import InputError, Interrupted, NotFound, OutputError, ProgramFaile
 from .run_folder import read_run
 from .sweep_folder import read_sweep
 
-CHECKOUT = Path(__file__).resolve().parents[2]
+PACKAGE = Path(__file__).resolve().parent
+CHECKOUT = PACKAGE.parents[1]
+INSTALLED = ("share", "ddapath", "python", "ddapath")  # below the prefix of an installation
 ERRORS = {2: InputError, 3: StoppedEarly, 4: OutputError, 130: Interrupted}
 
 
+def own_programs():
+    """Where the program of this very package may be: in its wheel, its installation, or its checkout when built."""
+    yield PACKAGE / "installation" / "bin" / "dda"
+    if PACKAGE.parts[-4:] == INSTALLED:
+        yield PACKAGE.parents[3] / "bin" / "dda"
+    yield CHECKOUT / "build" / "release" / "bin" / "dda"
+
+
 def find_program():
-    """The program: $DDA, else build/release/bin/dda of the checkout that this package lies in, else dda on the PATH."""
+    """The program: $DDA, else the one that came with this package, else dda on the PATH."""
     named = os.environ.get("DDA")
     if named:
         found = shutil.which(named)
         if not found:
             raise ProgramNotFound(f"the environment variable DDA is '{named}', which is no program")
         return found
-    built = CHECKOUT / "build" / "release" / "bin" / "dda"
-    found = shutil.which(built) or shutil.which("dda")
-    if not found:
-        raise ProgramNotFound(f"there is no program dda: build it with {CHECKOUT}/bootstrap build, or set DDA to its path")
-    return found
+    for found in map(shutil.which, (*map(str, own_programs()), "dda")):
+        if found:
+            return found
+    builds = f"build it with {CHECKOUT}/bootstrap build" if (CHECKOUT / "bootstrap").exists() else "install it"
+    raise ProgramNotFound(f"there is no program dda: {builds}, put it on the PATH, or set DDA to its path")
 
 
-def run(deck, settings=None, folder=None, *, overwrite=False, check=True):
+def run(deck, settings=None, folder=None, *, overwrite=False, check=True, plugins=()):
     """Follows the path of a deck, a file or a dictionary, and returns the Run.
 
     settings: values of the deck by dotted key, {"interfaces.ligament.law.fracture_energy": 0.1}, in the deck's units.
     folder: where the results go, by default runs/<name of the deck>; `overwrite` replaces those of an earlier run.
+    plugins: files of libraries with laws, loads ... of one's own.
     Throws InputError, OutputError or Interrupted with the program's message; for a path that ended before its goal
     StoppedEarly, which has the Run as `results`. With check=False such a run is returned like any other: see its status.
     """
-    return started("run", (deck, folder, overwrite, check), setting_options(settings), read_run)
+    arguments = setting_options(settings) + plugin_options(plugins)
+    return started("run", (deck, folder, overwrite, check), arguments, read_run)
 
 
-def sweep(deck, axes=None, folder=None, *, jobs=None, overwrite=False, check=True):
+def sweep(deck, axes=None, folder=None, *, jobs=None, overwrite=False, check=True, plugins=()):
     """Runs every case of a sweep and returns its table, as read_sweep does.
 
     deck: a sweep's file or dictionary, with its section `sweep`; or, with `axes`, the base deck.
@@ -51,7 +63,7 @@ def sweep(deck, axes=None, folder=None, *, jobs=None, overwrite=False, check=Tru
     some case stopped early or failed, and its `results` are the table.
     """
     arguments = [] if jobs is None else ["--jobs", str(jobs)]
-    return started("sweep", (with_axes(deck, axes), folder, overwrite, check), arguments, read_sweep)
+    return started("sweep", (with_axes(deck, axes), folder, overwrite, check), arguments + plugin_options(plugins), read_sweep)
 
 
 def with_axes(deck, axes):
@@ -71,6 +83,11 @@ def setting(key, value):
 def setting_options(settings):
     """Values by dotted key as options of the command line."""
     return [part for key, value in (settings or {}).items() for part in ("--set", setting(key, value))]
+
+
+def plugin_options(plugins):
+    """Files of plugins as options of the command line."""
+    return [f"--plugin={Path(plugin)}" for plugin in plugins]
 
 
 def started(command, what, arguments, read):

@@ -47,11 +47,16 @@ def arch(voussoirs, thickness):
     return bodies
 
 
-def stands(run, voussoirs, thickness):
-    """Whether the crown has come down by less than a hundredth of the radius in 4 s."""
+def let_go(run, voussoirs, thickness, time=4):
+    """The run of an arch for some time [s]; its gauge is how far the crown has come down."""
     crown = (0, 1 - thickness / 2)
-    deck = scene(arch(voussoirs, thickness), friction=10, gauges={"crown": (crown, (0, -1))}, time=4)
-    return run(f"arch-{thickness:.5f}", deck).motion.curve.crown.iloc[-1] < 0.01
+    deck = scene(arch(voussoirs, thickness), friction=10, gauges={"crown": (crown, (0, -1))}, time=time)
+    return run(f"arch-{thickness:.5f}", deck)
+
+
+def stands(run, voussoirs, thickness):
+    """Whether the crown has come down by less than a hundredth of the radius."""
+    return let_go(run, voussoirs, thickness).motion.curve.crown.iloc[-1] < 0.01
 
 
 def least_thickness(run, voussoirs=26, low=0.09, high=0.13, precise=3e-4):

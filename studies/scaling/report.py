@@ -67,7 +67,7 @@ def draw(by_beam, names, file):
 
 
 def text(by_beam, names):
-    out = [f"{platform.machine()}, {os.cpu_count()} cores, one thread per run; [what two bring](../../README.md#threads).\n"]
+    out = [f"{platform.machine()}, {os.cpu_count()} cores, one thread per run; [what two bring](../../docs/manual/time.md#threads).\n"]
     for beam, rows in by_beam.items():
         out += [f"### {beam.capitalize()}", *table(rows, names), "", *verdicts(rows), ""]
     return "\n".join(out)

@@ -39,6 +39,7 @@ LIBRARIES = (
     Library("HDF5", r"(hdf5/\w+/)?(hdf5|hdf5_hl|H5\w*)\.h", "framework", only_cpp=True),
     Library("zlib", r"zlib\.h", "framework", only_cpp=True),
     Library("libyaml", r"yaml\.h", "framework", only_cpp=True),
+    Library("muParser", r"muParser\w*\.h", "framework", only_cpp=True),
     Library("CLI11", r"CLI/", "studies"),
 )
 

@@ -1,4 +1,4 @@
-"""Times whole runs of the program, from its start to its end, and prints Markdown tables for the README.
+"""Times whole runs of the program, from its start to its end, and prints the Markdown tables of docs/manual/time.md.
 
     whole_process.py PROGRAM [RUNS]
 

@@ -27,6 +27,17 @@ class Commands(unittest.TestCase):
         self.assertEqual(len(names), len(set(names)))
         self.assertIn("libtrilinos-nox-dev", names)
 
+    def test_packages_come_in_groups(self):
+        groups = {group: self.toy.run("packages", group).stdout.split() for group in ("run", "python", "site", "test")}
+        self.assertEqual(sum(groups.values(), []), self.toy.run("packages").stdout.split())
+        self.assertIn("libgmsh-dev", groups["run"])
+        self.assertIn("python3-h5py", groups["python"])
+        self.assertIn("mkdocs", groups["site"])
+        self.assertIn("chromium", groups["test"])
+        result = self.toy.run("packages", "tests")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("has the groups run, python and test, not 'tests'", result.stderr)
+
 
 class Packages(unittest.TestCase):
     # All but two are there; one of these is known to dpkg and removed.
@@ -49,9 +60,34 @@ exit 1"""
         self.toy.tool("dpkg-query", self.SOME)
         result = self.toy.run("build")
         self.assertEqual(result.returncode, 0, result.stderr)
-        update, install = self.toy.calls("apt-get")
+        update, sizes, install = self.toy.calls("apt-get")
         self.assertTrue(update.endswith(" update"))
+        self.assertIn(" --print-uris ", sizes)
         self.assertTrue(install.endswith(" install --no-install-recommends cmake libgmsh-dev"), install)
+
+    def test_a_run_asks_for_nothing_of_tests(self):
+        asked = {"run": (["libgmsh-dev"], ["python3-h5py", "chromium"]), "verify": (["libgmsh-dev", "python3-h5py"], ["chromium"]),
+                 "build": (["libgmsh-dev", "python3-h5py", "chromium"], [])}
+        for command, (needed, others) in asked.items():
+            self.toy.log.unlink(missing_ok=True)
+            self.toy.run(command, "deck.yaml")
+            query = self.toy.log.read_text(encoding="utf-8").split()
+            self.assertEqual([name for name in needed if name not in query], [], command)
+            self.assertEqual([name for name in others if name in query], [], command)
+
+    def test_what_is_to_be_downloaded_is_said_before(self):
+        self.toy.tool("dpkg-query", self.SOME)
+        self.toy.tool("apt-get", """case "$*" in *--print-uris*)
+echo "'http://a/cmake.deb' cmake.deb 8700000 SHA256:1"
+echo "'http://a/gmsh.deb' gmsh.deb 3300000 SHA256:2";; esac""")
+        said = self.toy.run("build").stderr
+        self.assertIn("installing 2 Debian packages (to download: 12 MB in 2 packages): cmake libgmsh-dev", said)
+
+    def test_tests_are_configured_when_they_are_asked_for(self):
+        cache = self.toy.root / "build" / "release" / "CMakeCache.txt"
+        for command, built in (("run", "OFF"), ("test", "ON"), ("run", "ON")):
+            self.toy.run(command)
+            self.assertIn(f"DDA_BUILD_TESTS:BOOL={built}\n", cache.read_text(encoding="utf-8"), command)
 
     def test_sudo_only_if_not_root(self):
         self.toy.tool("dpkg-query", self.SOME)
@@ -59,7 +95,7 @@ exit 1"""
         self.toy.tool("sudo", '[ "$1" = -v ] || exec "$@"')
         self.assertEqual(self.toy.run("build").returncode, 0)
         self.assertEqual(len(self.toy.calls("sudo")), 3)
-        self.assertEqual(len(self.toy.calls("apt-get")), 2)
+        self.assertEqual(len(self.toy.calls("apt-get")), 3)  # sizes are told to anyone
 
     def test_failed_installation_shows_why(self):
         self.toy.tool("dpkg-query", self.SOME)
@@ -158,6 +194,19 @@ sys.exit(0 if os.access(sys.argv[2], os.X_OK) else 7)
         self.assertEqual(result.returncode, 2)
         self.assertIn("study needs a name; there are: fast-beam slow-beam", result.stderr)
         self.assertFalse((self.toy.root / "build").exists())
+
+
+class Site(unittest.TestCase):
+    def test_it_is_made_with_the_built_program_and_keeps_its_exit_code(self):
+        toy = Toy(self)
+        (toy.root / "docs/site").mkdir(parents=True)
+        toy.write("docs/site/build.py", Studies.STUDY)
+        result = toy.run("site", "--site", "a b", folder=toy.tools)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        program = toy.root / "build" / "release" / "bin" / "dda"
+        self.assertEqual(result.stdout, f"arguments: --program {program} --site a b\nfolder: {toy.tools}\n")
+        toy.write("docs/site/build.py", "raise SystemExit(4)")
+        self.assertEqual(toy.run("site").returncode, 4)
 
 
 class Tests(unittest.TestCase):

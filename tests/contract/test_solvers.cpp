@@ -7,6 +7,7 @@
 #include "support/cracked.hpp"
 #include "support/cut_structure.hpp"
 #include "support/dense.hpp"
+#include "support/ranks.hpp"
 
 namespace dda {
 namespace {
@@ -33,9 +34,24 @@ BlockMatrix random_matrix(std::size_t blocks, const Pairs& pairs, double shift, 
   return out;
 }
 
+const std::string shared = "shared";
+
+std::vector<std::string> solvers() {
+  std::vector<std::string> out = names_of(direct_solvers());
+  out.push_back(shared);
+  return out;
+}
+
 class SolverContract : public testing::TestWithParam<std::string> {
  protected:
-  std::unique_ptr<DirectSolver> make() { return direct_solvers().choose(GetParam()).make(); }
+  /// A solver by its name; `shared` is `cholmod` on three ranks.
+  static DirectSolverChoice choice() {
+    return direct_solvers().choose(GetParam() == shared ? "cholmod" : GetParam());
+  }
+  std::unique_ptr<DirectSolver> make() { return choice().make(); }
+  void SetUp() override {
+    if (GetParam() == shared) ranks_.emplace(3);
+  }
   static Pairs chain(std::size_t blocks) {
     Pairs out;
     for (std::size_t i = 0; i + 1 < blocks; ++i) out.emplace_back(BlockId{i}, BlockId{i + 1});
@@ -67,6 +83,7 @@ class SolverContract : public testing::TestWithParam<std::string> {
     return out;
   }
   Random random_{25};
+  std::optional<WithRanks> ranks_;
 };
 
 TEST_P(SolverContract, SolvesDefiniteAndIndefiniteSystems) {
@@ -118,7 +135,7 @@ TEST_P(SolverContract, UnsymmetricTangentsAreSolvedAsWrittenOut) {
   for (const std::string treatment : {"consistent", "penalty", "lagrange", "augmented_lagrangian"}) {
     const Structure structure(treated_square(treatment));
     const Equilibrium equilibrium = structure.equilibrium();
-    const auto choice = direct_solvers().choose(GetParam());
+    const auto choice = SolverContract::choice();
     LinearSystem updated(equilibrium, choice, LinearSystem::Update::low_rank);
     LinearSystem factorised(equilibrium, choice, LinearSystem::Update::refactorise);
     for (int round = 1; round < 8; ++round) {
@@ -163,7 +180,7 @@ stages: [{loads: [{type: edge_traction, on: right, traction: [1, 0]}]}]
 TEST_P(SolverContract, ATangentThatMostlySlidesIsTheBase) {
   const Structure structure(many_joints);
   const Equilibrium equilibrium = structure.equilibrium();
-  const auto choice = direct_solvers().choose(GetParam());
+  const auto choice = SolverContract::choice();
   LinearSystem system(equilibrium, choice, LinearSystem::Update::low_rank);
   const std::vector<double> b = random_.vector(equilibrium.num_unknowns(), 1);
   const auto tangents = [&](double sliding) {
@@ -195,7 +212,7 @@ TEST_P(SolverContract, ATangentThatMostlySlidesIsTheBase) {
 /// Random tangents: softening, released and intact points, then more and more of them.
 TEST_P(SolverContract, LowRankUpdatesEqualNewFactorisations) {
   for (const Equilibrium& equilibrium : equilibria()) {
-    const auto choice = direct_solvers().choose(GetParam());
+    const auto choice = SolverContract::choice();
     LinearSystem updated(equilibrium, choice, LinearSystem::Update::low_rank);
     LinearSystem factorised(equilibrium, choice, LinearSystem::Update::refactorise);
     for (int round = 0; round < 12; ++round) {
@@ -228,7 +245,7 @@ TEST_P(SolverContract, LowRankUpdatesEqualNewFactorisations) {
 /// all.
 TEST_P(SolverContract, InertiaOfUpdatesEqualsThatOfTheWholeMatrix) {
   for (const Equilibrium& equilibrium : equilibria()) {
-    LinearSystem updated(equilibrium, direct_solvers().choose(GetParam()), LinearSystem::Update::low_rank);
+    LinearSystem updated(equilibrium, choice(), LinearSystem::Update::low_rank);
     int most = 0;
     for (int round = 0; round < 12; ++round) {
       std::vector<Mat2> tangents;
@@ -261,7 +278,7 @@ TEST_P(SolverContract, UnsymmetricTangentsAreCounted) {
   const Structure structure(square_deck());
   const Equilibrium equilibrium = structure.equilibrium();
   for (const auto update : {LinearSystem::Update::low_rank, LinearSystem::Update::refactorise}) {
-    LinearSystem linear(equilibrium, direct_solvers().choose(GetParam()), update);
+    LinearSystem linear(equilibrium, choice(), update);
     int stable = 0, negative = 0;
     for (int round = 0; round < 24; ++round) {
       std::vector<Mat2> tangents;
@@ -308,7 +325,7 @@ TEST_P(SolverContract, MemoryIsPredictedWithoutFactorising) {
   EXPECT_TRUE(solver->factor(equilibrium.intact()));
 }
 
-INSTANTIATE_TEST_SUITE_P(Registry, SolverContract, testing::ValuesIn(names_of(direct_solvers())),
+INSTANTIATE_TEST_SUITE_P(Registry, SolverContract, testing::ValuesIn(solvers()),
                          [](const auto& chosen) { return chosen.param; });
 
 }  // namespace

@@ -23,6 +23,7 @@
 #include <thread>
 #include <utility>
 
+#include "framework/base/loaded.hpp"
 #include "fuzz/mutator.hpp"
 #include "studies/dda/commands/command_line.hpp"
 
@@ -63,8 +64,8 @@ struct Options {
 /// Loads what every process would load by itself, which takes longer than to read a small deck: a process
 /// that is forked has it, and finds nothing of it begun.
 void load_modules() {
-  for (const char* module : {DDA_GMSH_MODULE, DDA_GEOS_MODULE, DDA_LOCA_MODULE, DDA_TRILINOS_MODULE})
-    if (!dlopen(module, RTLD_LAZY | RTLD_LOCAL)) throw std::runtime_error(dlerror());
+  for (const char* module : {"dda_muparser.so", "dda_gmsh.so", "dda_geos.so", "dda_loca.so", "dda_trilinos.so"})
+    if (!dlopen(module_file(module).c_str(), RTLD_LAZY | RTLD_LOCAL)) throw std::runtime_error(dlerror());
 }
 
 volatile std::sig_atomic_t is_interrupted = 0;

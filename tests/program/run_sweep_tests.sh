@@ -82,7 +82,7 @@ wrong_input() {
   said "wrong.yaml:3:3: unknown parameter 'fracture_enrgy'"
   said "did you mean 'fracture_energy'?"
   said "wrong.yaml:4:18: thickness: must be above 0, got -1"
-  [ "$(wc -l <said.log)" -eq 2 ] || complain "not one line per mistake: $(cat said.log)"
+  [ "$(grep -vc '^ ' said.log)" -eq 2 ] || complain "not one line per mistake beside its excerpt: $(cat said.log)"
   printf 'sweep:\n  deck: missing.yaml\n  thickness: 5..1\n' >wrong.yaml
   expect 2 "a range that ends before it begins" "$program" sweep wrong.yaml --folder wrong
   said "wrong.yaml:3:14: range '5..1'"

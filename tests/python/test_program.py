@@ -43,11 +43,33 @@ class Finding(Scratch):
     def test_none_at_all(self):
         with mock.patch.dict(os.environ, {"DDA": "", "PATH": ""}), \
                 mock.patch("ddapath.program.CHECKOUT", self.folder):
-            with self.assertRaisesRegex(ddapath.ProgramNotFound, "bootstrap build, or set DDA"):
+            with self.assertRaisesRegex(ddapath.ProgramNotFound, "install it, put it on the PATH, or set DDA to its path"):
                 ddapath.find_program()
+            (self.folder / "bootstrap").touch()
+            with self.assertRaisesRegex(ddapath.ProgramNotFound, "build it with .*/bootstrap build, put it"):
+                ddapath.find_program()
+
+    def test_what_came_with_the_package(self):
+        for package, program in (("lib/site-packages/ddapath", "lib/site-packages/ddapath/installation/bin/dda"),
+                                 ("usr/share/ddapath/python/ddapath", "usr/bin/dda"),
+                                 ("checkout/python/ddapath", "checkout/build/release/bin/dda")):
+            file = self.folder / program
+            file.parent.mkdir(parents=True)
+            file.write_text("#!/bin/sh\n", encoding="utf-8")
+            file.chmod(0o755)
+            here = self.folder / package
+            with mock.patch.dict(os.environ, {"DDA": ""}), mock.patch("ddapath.program.PACKAGE", here), \
+                    mock.patch("ddapath.program.CHECKOUT", here.parents[1]):
+                self.assertEqual(ddapath.find_program(), str(file))
 
 
 class Running(Scratch):
+    def test_plugins_are_handed_on(self):
+        self.stand_in('echo "$@"; exit 2')
+        for start in (ddapath.run, ddapath.sweep):
+            with self.assertRaisesRegex(ddapath.InputError, "--plugin=a.so --plugin=b.so"):
+                start(DECK, folder=self.folder / "run", plugins=["a.so", Path("b.so")])
+
     def test_a_file_with_settings(self):
         run = ddapath.run(DECK, {"path.stop.load_below": 0.8, "supports.left.at": np.array([1.0, 0])},
                           folder=self.folder / "run")

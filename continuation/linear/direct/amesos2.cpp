@@ -14,7 +14,7 @@ Schema<Amesos2Parameters> schema() {
 /// From its module: the start of a process with Amesos2's libraries takes 5 ms more.
 std::unique_ptr<DirectSolver> make(const Amesos2Parameters&) {
   using Maker = DirectSolver* (*)();
-  static const auto maker = reinterpret_cast<Maker>(symbol_of(module_file(DDA_AMESOS2_MODULE), "dda_klu2"));
+  static const auto maker = reinterpret_cast<Maker>(symbol_of(module_file("dda_amesos2.so"), "dda_klu2"));
   return std::unique_ptr<DirectSolver>(maker());
 }
 

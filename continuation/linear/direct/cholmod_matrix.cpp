@@ -79,9 +79,12 @@ CholmodMatrix::~CholmodMatrix() {
   cholmod_finish(&common_);
 }
 
-bool CholmodMatrix::factor(const BlockMatrix& a) {
+bool CholmodMatrix::factor(const BlockMatrix& a, std::size_t border) {
   assemble(a);
-  if (a.row_start() != pattern_rows_ || a.columns() != pattern_columns_) analyse(a);
+  if (a.row_start() != pattern_rows_ || a.columns() != pattern_columns_ || border != border_) {
+    border_ = border;
+    analyse(a);
+  }
   cholmod_factorize(matrix_, factor_, &common_);
   check("factorise");
   if (common_.status == CHOLMOD_NOT_POSDEF || has_lost_a_pivot()) return false;
@@ -97,8 +100,9 @@ void CholmodMatrix::forget() {
   for (cholmod_dense*& work : work_) cholmod_free_dense(&work, &common_);
 }
 
-double CholmodMatrix::factor_bytes(const BlockMatrix& a) {
+double CholmodMatrix::factor_bytes(const BlockMatrix& a, std::size_t border) {
   assemble(a);
+  border_ = border;
   analyse(a);
   const double of_factor = static_cast<double>(factor_->xsize) * sizeof(double) +
                            static_cast<double>(factor_->ssize) * sizeof(int);
@@ -134,11 +138,28 @@ void CholmodMatrix::assemble(const BlockMatrix& a) {
   start[n] = next;
 }
 
-/// The blocks are ordered by nested dissection of their graph, a sixth of the matrix's.
 void CholmodMatrix::analyse(const BlockMatrix& a) {
   pattern_rows_ = a.row_start();
   pattern_columns_ = a.columns();
-  const std::size_t m = a.num_rows();
+  eliminated_ = block_unknowns * (a.num_rows() - border_);
+  std::vector<int> unknowns = dissected(a);
+  common_.nmethods = 1;
+  common_.method[0].ordering = CHOLMOD_GIVEN;
+  if (border_ > 0) {
+    unknowns = along_the_tree(std::move(unknowns));
+    for (std::size_t i = eliminated_; i < block_unknowns * a.num_rows(); ++i)
+      unknowns.push_back(static_cast<int>(i));
+  }
+  cholmod_free_factor(&factor_, &common_);
+  common_.postorder = border_ == 0;
+  factor_ = cholmod_analyze_p(matrix_, unknowns.data(), nullptr, 0, &common_);
+  common_.postorder = true;
+  check("analyse");
+}
+
+/// The blocks are ordered by nested dissection of their graph, a sixth of the matrix's.
+std::vector<int> CholmodMatrix::dissected(const BlockMatrix& a) {
+  const std::size_t m = a.num_rows() - border_;
   cholmod_sparse* graph =
       cholmod_allocate_sparse(m, m, a.num_stored(), false, true, lower, CHOLMOD_PATTERN, &common_);
   check("store");
@@ -147,7 +168,7 @@ void CholmodMatrix::analyse(const BlockMatrix& a) {
   for (std::size_t c = 0; c < m; ++c) {
     integers(graph->p)[c] = next;
     for (std::size_t s = a.row_start()[c]; s < a.row_start()[c + 1]; ++s)
-      if (a.columns()[s] >= c) row[next++] = static_cast<int>(a.columns()[s]);
+      if (a.columns()[s] >= c && a.columns()[s] < m) row[next++] = static_cast<int>(a.columns()[s]);
   }
   integers(graph->p)[m] = next;
   std::vector<int> blocks(m), parents(m), members(m), unknowns;
@@ -156,11 +177,17 @@ void CholmodMatrix::analyse(const BlockMatrix& a) {
   check("order");
   for (const int block : blocks)
     for (int i = 0; i < block_unknowns; ++i) unknowns.push_back(block_unknowns * block + i);
-  common_.nmethods = 1;
-  common_.method[0].ordering = CHOLMOD_GIVEN;
-  cholmod_free_factor(&factor_, &common_);
-  factor_ = cholmod_analyze_p(matrix_, unknowns.data(), nullptr, 0, &common_);
+  return unknowns;
+}
+
+std::vector<int> CholmodMatrix::along_the_tree(std::vector<int> order) {
+  cholmod_sparse leading = *matrix_;  // its columns have rows above the diagonal alone
+  leading.nrow = leading.ncol = eliminated_;
+  cholmod_factor* inner = cholmod_analyze_p(&leading, order.data(), nullptr, 0, &common_);
   check("analyse");
+  std::copy_n(integers(inner->Perm), eliminated_, order.begin());
+  cholmod_free_factor(&inner, &common_);
+  return order;
 }
 
 bool CholmodMatrix::has_lost_a_pivot() const {
@@ -190,7 +217,7 @@ void CholmodMatrix::index_supernodes() {
   for (int i = 0; i < static_cast<int>(factor_->n); ++i) position_[count(integers(factor_->Perm)[i])] = i;
   std::vector<int> parents;
   std::vector<double> work;
-  for (int s = 0; s < static_cast<int>(factor_->nsuper); ++s) {
+  for (int s = 0; s < static_cast<int>(factor_->nsuper) && count(super_[s]) < eliminated_; ++s) {
     parents.push_back(parent_of(s));
     work.push_back(entries_of(s));
   }
@@ -205,7 +232,8 @@ CholmodMatrix::Supernode CholmodMatrix::supernode(int s) const {
 
 int CholmodMatrix::parent_of(int s) const {
   const Supernode node = supernode(s);
-  return node.rows == node.size ? -1 : supernode_of_[count(node.row[node.size])];
+  if (node.rows == node.size || count(node.row[node.size]) >= eliminated_) return -1;
+  return supernode_of_[count(node.row[node.size])];
 }
 
 double CholmodMatrix::entries_of(int s) const {
@@ -217,13 +245,19 @@ std::vector<int> CholmodMatrix::way_of(std::span<const BlockId> blocks) const {
   std::set<int> out;
   for (const BlockId block : blocks) {
     const int* rows = position_.data() + block_unknowns * block.value();
-    int s = supernode_of_[count(*std::min_element(rows, rows + block_unknowns))];
+    const int first = *std::min_element(rows, rows + block_unknowns);
+    int s = count(first) < eliminated_ ? supernode_of_[count(first)] : -1;
     while (s >= 0 && out.insert(s).second) s = parent_of(s);
   }
   return {out.begin(), out.end()};
 }
 
 HalfSolution CholmodMatrix::half_solve(std::span<const Entry> entries) const {
+  Eigen::MatrixXd none;
+  return half_solve(entries, none);
+}
+
+HalfSolution CholmodMatrix::half_solve(std::span<const Entry> entries, Eigen::MatrixXd& rest) const {
   std::vector<BlockId> blocks;
   HalfSolution out;
   for (const Entry& entry : entries) {
@@ -233,7 +267,7 @@ HalfSolution CholmodMatrix::half_solve(std::span<const Entry> entries) const {
   out.parts = way_of(blocks);
   Eigen::Map<Eigen::MatrixXd> x = scratch(factor_->n, out.columns);
   for (const Entry& entry : entries)
-    for (int i = 0; i < block_unknowns; ++i)
+    for (int i = 0; i < block_unknowns && block_unknowns * entry.block.value() < eliminated_; ++i)
       x.block<1, 2>(position_[block_unknowns * entry.block.value() + count(i)], 2 * entry.pair) +=
           entry.rows.row(i);
   Eigen::MatrixXd below;
@@ -248,6 +282,8 @@ HalfSolution CholmodMatrix::half_solve(std::span<const Entry> entries) const {
     for (const auto& row : here.rowwise()) out.values.insert(out.values.end(), row.begin(), row.end());
     here.setZero();
   }
+  rest = x.bottomRows(static_cast<Eigen::Index>(num_border_rows()));
+  x.bottomRows(rest.rows()).setZero();
   return out;
 }
 

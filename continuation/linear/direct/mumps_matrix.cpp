@@ -15,7 +15,7 @@ constexpr int job_initialise = -1, job_end = -2, job_analyse = 1, job_factor = 2
 /// MUMPS, loaded with the first matrix: most runs never meet an indefinite one.
 void run_mumps(DMUMPS_STRUC_C& instance) {
   static const auto function =
-      reinterpret_cast<decltype(&dmumps_c)>(symbol_of(module_file(DDA_MUMPS_MODULE), "dda_mumps"));
+      reinterpret_cast<decltype(&dmumps_c)>(symbol_of(module_file("dda_mumps.so"), "dda_mumps"));
   function(&instance);
 }
 

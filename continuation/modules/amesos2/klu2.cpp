@@ -16,12 +16,7 @@ using Columns = Tpetra::MultiVector<double>;
 /// word.
 class Klu2 final : public DirectSolver {
  public:
-  Klu2() {
-    start_mpi();  // Amesos2 asks it for its ranks
-    if (all_ranks()->getSize() > 1)
-      throw InputError({},
-                       "linear solver 'amesos2' (KLU2) is wrong on several ranks; use 'mumps' or one rank");
-  }
+  Klu2() { start_mpi(); }  // Amesos2 asks it for its ranks
 
   bool factor(const BlockMatrix& a) override {
     assemble(a);
@@ -62,7 +57,7 @@ class Klu2 final : public DirectSolver {
 
   void assemble(const BlockMatrix& a) {
     const std::size_t n = 6 * a.num_rows();
-    const auto map = Teuchos::rcp(new Tpetra::Map<>(n, 0, all_ranks()));
+    const auto map = Teuchos::rcp(new Tpetra::Map<>(n, 0, this_rank()));
     std::vector<std::size_t> lengths(n);
     for (std::size_t i = 0; i < n; ++i) lengths[i] = 6 * (a.row_start()[i / 6 + 1] - a.row_start()[i / 6]);
     matrix_ = Teuchos::rcp(

@@ -81,7 +81,7 @@ Teuchos::RCP<MultiVector> start(const Teuchos::RCP<const Map>& map, int vectors)
 Eigenmodes anasazi_krylov_schur(const EigenProblem& problem, const Search& search) {
   const int count = search.count;
   constexpr int block_size = 3;
-  const auto map = Teuchos::rcp(new Map(problem.n(), 0, all_ranks()));
+  const auto map = Teuchos::rcp(new Map(problem.n(), 0, this_rank()));
   using Problem = Anasazi::BasicEigenproblem<double, MultiVector, Operator>;
   const auto eigen =
       Teuchos::rcp(new Problem(Teuchos::rcp(new ShiftInvert(map, problem, search.solve)),

@@ -104,7 +104,7 @@ Teuchos::RCP<NOX::Abstract::Vector> vector_of(const Equations& equations, const 
   if (equations.unknowns() == Unknowns::whole) {
     using Make = LocalVector* (*)(std::size_t);
     static const auto make =
-        reinterpret_cast<Make>(symbol_of(module_file(DDA_TRILINOS_MODULE), "dda_block_vector"));
+        reinterpret_cast<Make>(symbol_of(module_file("dda_trilinos.so"), "dda_block_vector"));
     out = Teuchos::rcp(make(equations.size()));
   } else {
     out = Teuchos::rcp(new DenseVector(equations.size()));

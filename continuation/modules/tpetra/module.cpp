@@ -12,7 +12,7 @@ void begin_session() { static const dda::TrilinosSession session; }
 /// A vector of so many unknowns of blocks, for whoever takes it.
 extern "C" dda::LocalVector* dda_block_vector(std::size_t size) {
   begin_session();
-  return new dda::BlockVector(Teuchos::rcp(new dda::TpetraMap(size, 0, dda::all_ranks())));
+  return new dda::BlockVector(Teuchos::rcp(new dda::TpetraMap(size, 0, dda::this_rank())));
 }
 
 /// What continuation/stability/krylov_schur.cpp loads.

@@ -56,7 +56,8 @@ std::string default_words(const Parameter& parameter) {
   return "default " + text.substr(0, text.size() - 1);
 }
 
-/// "number [F/L²], above 0, required"
+}  // namespace
+
 std::string facts(const Parameter& parameter, const Units& units) {
   const KindInfo& kind = innermost(parameter.kind);
   std::string text = parameter.kind.words();
@@ -65,6 +66,8 @@ std::string facts(const Parameter& parameter, const Units& units) {
   if (parameter.kind.at_least > 0) text += fmt::format(", at least {}", parameter.kind.at_least);
   return text + ", " + default_words(parameter);
 }
+
+namespace {
 
 std::string parameter_lines(const Parameter& parameter, const Units& units) {
   return fmt::format("  {}: {}\n      {}\n", parameter.name, facts(parameter, units), parameter.text);

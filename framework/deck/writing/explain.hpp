@@ -6,6 +6,9 @@
 
 namespace dda {
 
+/// What is known of a parameter in a line: "number [F/L²], above 0, required".
+std::string facts(const Parameter& parameter, const Units& units);
+
 /// The manual of the deck, written from the declarations: what `dda explain <path>` prints.
 ///
 ///     ""                        the deck's sections and the families, one line each

@@ -99,15 +99,21 @@ class Writer {
     return {{"anyOf", Json::array({Json{{"enum", kind.names}}, std::move(list)})}};
   }
 
+  /// Bounds say nothing of texts.
+  static Json number_or_expression(const char* number) { return Json::array({number, "string"}); }
+
   static Json bounded(const KindInfo& kind) {
-    Json json = {{"type", kind.form == KindInfo::Form::integer ? "integer" : "number"}};
+    Json json = {{"type", number_or_expression(kind.form == KindInfo::Form::integer ? "integer" : "number")}};
     if (kind.dimension != dimension::none) json["unit"] = label(kind.dimension);
     add_bounds(json, kind.bounds);
     return json;
   }
 
   static Json point_of(const KindInfo& kind) {
-    Json json = {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 2}, {"maxItems", 2}};
+    Json json = {{"type", "array"},
+                 {"items", {{"type", number_or_expression("number")}}},
+                 {"minItems", 2},
+                 {"maxItems", 2}};
     if (kind.dimension != dimension::none) json["unit"] = label(kind.dimension);
     return json;
   }

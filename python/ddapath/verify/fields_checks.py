@@ -2,6 +2,7 @@
 import numpy as np
 
 from .finding import not_made, worst_of
+from .laws import OfPlugin
 
 EQUILIBRIUM = 1e-6  # of the forces on a block and a hundredth of those on the most loaded one of the run
 ENVELOPE = 1e-4     # of the limit
@@ -85,7 +86,16 @@ def per_interface(steps, value):
             yield worst_point(step, values, interface.name or "a bond")
 
 
+def of_plugins(steps):
+    """What keeps laws from being checked: those that come from plugins; "" when there are none."""
+    names = {interface.law.name for step in steps for interface in step.model.interfaces if isinstance(interface.law, OfPlugin)}
+    return f"the law {', '.join(sorted(names))} is a plugin's" if names else ""
+
+
 def envelope(steps):
+    if unknown := of_plugins(steps):
+        return not_made("law envelope", unknown)
+
     def value(step, interface, chosen):
         t = step.traction[chosen]
         excess, limit = interface.law.excess(t, step.law_state(chosen, interface))
@@ -96,6 +106,9 @@ def envelope(steps):
 
 def normal_law(steps):
     """t_n = k q_n where closed, r q_n where open: neither tension beyond the damage nor penetration."""
+    if unknown := of_plugins(steps):
+        return not_made("contact and normal law", unknown)
+
     def value(step, interface, chosen):
         t, q = step.traction[chosen, 0], step.trial[chosen, 0]
         error = interface.law.normal_error(t, q, step.law_state(chosen, interface)) - step.noise[chosen]
@@ -190,6 +203,8 @@ def stored_energies(steps, curve):
     name = "stored energy of curve.csv"
     if any(np.any(part) for part in steps[0].model.stress):
         return not_made(name, "there is initial stress, whose energy is counted with the loads")
+    if unknown := of_plugins(steps):
+        return not_made(name, unknown)
     if any(np.isnan(step.traction).any() for step in steps):
         return not_made(name, "bonds by multipliers are not stored")
     scale = max(np.abs(curve["stored_energy"]).max(), np.abs(curve["external_work"]).max(), 1e-300)

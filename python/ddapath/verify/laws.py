@@ -1,4 +1,4 @@
-"""What a point of an interface may carry, by law; arrays over points throughout, formulas of models/README.md.
+"""What a point of an interface may carry, by law; arrays over points throughout, formulas of docs/theory/laws.md.
 
 A law answers, for its damage and the strength factor f of a random field (strengths × f, fracture energies × f^n):
 
@@ -207,6 +207,16 @@ class Softening(Bonded):
         return 0.5 * (t[:, 0] * q[:, 0] + beta2 * r * q[:, 1]**2) + held
 
 
+class OfPlugin(Bonded):
+    """A law that this file does not know: what it gives is stored, and nothing is said about it."""
+    can_crack = True
+
+    def __init__(self, law):
+        self.name = law["type"]
+        strength, cohesion = law.get("tensile_strength"), law.get("cohesion")
+        self.shear_weight = cohesion / strength if cohesion and strength else law.get("shear_weight", 1.0)
+
+
 def make(law):
     """The law of an entry of a deck's `interfaces`."""
     law = {"type": law} if isinstance(law, str) else law
@@ -214,4 +224,4 @@ def make(law):
     if law["type"] in shapes:
         return Softening(law, shapes[law["type"]]())
     made = {"bonded": lambda _: Bonded(), "elastic": Elastic, "friction": Friction, "mohr_coulomb": MohrCoulomb}
-    return made[law["type"]](law)
+    return made.get(law["type"], OfPlugin)(law)

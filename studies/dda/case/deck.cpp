@@ -1,9 +1,10 @@
 #include "studies/dda/case/deck.hpp"
 
-#include "framework/files/whole_file.hpp"
+#include "framework/deck/messages.hpp"
 #include "framework/messages/provenance.hpp"
+#include "framework/plugin/plugin.hpp"
 #include "models/crack/kind.hpp"
-#include "studies/dda/case/parameter_list.hpp"
+#include "studies/dda/case/written_deck.hpp"
 
 namespace dda {
 namespace {
@@ -116,8 +117,9 @@ void check_course(const Deck& deck, const Position& where, Findings& findings) {
     findings.add(where, "`record`" + without + "; only `folder` may stay");
 }
 
-Schema<Deck> make_schema() {
-  Schema<Deck> schema("A structure, its loads, and the path that is to be followed.");
+/// Of a deck, or of one as a file has it.
+template <class D>
+void add_deck(Schema<D>& schema) {
   schema.text("title", &Deck::title, {.fallback = "", .text = "What this deck is about."})
       .section("units", &Deck::units, units_schema())
       .section("scene", &Deck::scene, scene_schema());
@@ -126,7 +128,7 @@ Schema<Deck> make_schema() {
       "cracks", &Deck::cracks, crack_kind(),
       {.at_least = 0,
        .text = "Cracks that run through blocks, whatever their pattern, where the stress sends them."});
-  return schema.section("path", &Deck::path, path_schema())
+  schema.section("path", &Deck::path, path_schema())
       .section("motion", &Deck::motion, motion_schema())
       .section("record", &Deck::record, record_schema())
       .value("sweep", &Deck::sweep, anything_kind(),
@@ -135,13 +137,33 @@ Schema<Deck> make_schema() {
       .check(check_course);
 }
 
-void refuse_sweep(const Node& root) {
-  const Node* sweep = root.find("sweep");
-  if (sweep && !sweep->is_null())
-    throw InputError(
-        sweep->where,
-        "sweep: this is a deck of many runs, for `dda sweep` or `dda run`; `--set sweep=` leaves "
-        "the deck alone");
+template <class D>
+Schema<D> empty_schema() {
+  return Schema<D>("A structure, its loads, and the path that is to be followed.");
+}
+
+Schema<Deck> make_schema() {
+  Schema<Deck> schema = empty_schema<Deck>();
+  add_deck(schema);
+  return schema;
+}
+
+Schema<WrittenDeck> make_written_schema() {
+  using P = WrittenDeck;
+  Schema<P> schema = empty_schema<P>();
+  schema
+      .text("extends", &P::extends,
+            {.text = "A deck that this one is built on, from the folder of this file: keys of maps add up, "
+                     "everything else "
+                     "replaces what that deck says, and so does a map with another `type`."})
+      .value("variables", &P::variables, variables_kind(),
+             {.text = "Numbers by name, or expressions of others, in any order: {D: 100, a0: D/6}. Wherever "
+                      "a deck has a "
+                      "number, and in the values of --set and of sweeps, an expression may stand. `dda "
+                      "explain variables` "
+                      "has what is in one."});
+  add_deck(schema);
+  return schema;
 }
 
 }  // namespace
@@ -151,41 +173,15 @@ const Schema<Deck>& deck_schema() {
   return schema;
 }
 
-DeckSource read_source(const std::filesystem::path& path) {
-  std::string text = read_whole(path);
-  Node root = parse_yaml(text, path.string());
-  return {path, std::move(text), std::move(root)};
-}
-
-DeckFile read_deck(DeckSource source, const std::vector<std::string>& overrides) {
-  for (const std::string& assignment : overrides) set_value(source.root, assignment);
-  refuse_sweep(source.root);
-  std::vector<std::string> resolved = resolve_parameter_lists(source.root, source.path.parent_path());
-  resolved.insert(resolved.begin(), overrides.begin(), overrides.end());
-  DeckFile out{.path = std::move(source.path),
-               .text = std::move(source.text),
-               .overrides = std::move(resolved),
-               .deck = deck_schema().read(source.root)};
-  Deck& deck = out.deck;
-  if (deck.path.then == AfterPath::motion && !deck.motion) {
-    deck.motion = motion_schema().read(Node::map());
-    deck.motion->where = deck.path.where;
-  }
-  return out;
-}
-
-DeckFile read_deck(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
-  return read_deck(read_source(path), overrides);
-}
-
-DeckFile deck_from_text(const std::string& text, const std::filesystem::path& path,
-                        const std::vector<std::string>& overrides) {
-  return read_deck({path, text, parse_yaml(text, path.string())}, overrides);
+const Schema<WrittenDeck>& written_deck_schema() {
+  static const Schema<WrittenDeck> schema = make_written_schema();
+  return schema;
 }
 
 std::string effective_deck(const DeckFile& file) {
   std::string out = "# Every parameter of " + file.path.filename().string() + " as ddapath " +
                     provenance().version + " read it.\n";
+  for (const std::filesystem::path& plugin : loaded_plugins()) out += "# --plugin " + plugin.string() + "\n";
   for (const std::string& assignment : file.overrides) out += "# --set " + assignment + "\n";
   return out + to_yaml(deck_schema().echo(file.deck));
 }

@@ -16,4 +16,8 @@ struct PredictedMemory {
 /// Of the run of a simulation that is made and not prepared. Nothing is factorised.
 PredictedMemory predicted_memory(const Simulation& simulation);
 
+/// Of the same run on several ranks: factor of each. Rank 0 has the rest of `predicted_memory` beside it. A structure
+/// whose stiffness is indefinite from the beginning is rank 0's.
+std::vector<double> factors_by_rank(const Simulation& simulation, int ranks);
+
 }  // namespace dda

@@ -7,6 +7,7 @@
 #include "continuation/detour/dead_load.hpp"
 #include "continuation/handover/handover.hpp"
 #include "continuation/linear/matrix_quality.hpp"
+#include "continuation/ranks/ranks.hpp"
 #include "framework/base/memory.hpp"
 #include "framework/base/suggestion.hpp"
 #include "studies/dda/case/motion_columns.hpp"
@@ -33,6 +34,15 @@ std::vector<std::shared_ptr<const Material>> materials_of(const Assembly& assemb
   }
   findings.throw_if_any();
   return out;
+}
+
+/// Throws InputError for a solver that the ranks of this run cannot share.
+void require_shared_solver(const Deck& deck) {
+  constexpr std::string_view shared = "cholmod";
+  if (ranks_of_run() && deck.path.linear.name() != shared)
+    throw InputError(deck.path.linear.where(),
+                     fmt::format("path.linear: several ranks share '{}', not '{}', which is for one", shared,
+                                 deck.path.linear.name()));
 }
 
 bool is_zero(const std::vector<double>& numbers) {
@@ -66,7 +76,10 @@ Simulation::Simulation(const Deck& deck, Timings& timings) : deck_(deck), timing
                      fmt::format("record.stiffness: the structure has {} blocks; at most {} can be "
                                  "written by contribution",
                                  equilibrium_->num_blocks(), RecordParameters::most_stiffness_blocks));
-  if (deck.has_path()) require_control();
+  if (deck.has_path()) {
+    require_control();
+    require_shared_solver(deck);
+  }
   if (deck.moves()) {
     motion_column::require_free(deck, equilibrium_->interfaces().names);
     require_handover(*body_, *equilibrium_, *deck.motion);

@@ -8,6 +8,7 @@
 #include "studies/dda/case/bearings.hpp"
 #include "studies/dda/case/coarse_zones.hpp"
 #include "studies/dda/case/predicted_memory.hpp"
+#include "studies/dda/case/written_deck.hpp"
 #include "studies/dda/commands/commands.hpp"
 #include "studies/dda/sweep/sweep.hpp"
 
@@ -70,7 +71,20 @@ void print_interfaces(const Simulation& simulation) {
   for (const std::string& notice : set.notices) line("notice", notice);
 }
 
-void print_size(const Simulation& simulation) {
+/// Of a run that ranks share.
+void print_ranks(const Simulation& simulation, const PredictedMemory& least, int ranks) {
+  const auto mib = [](double bytes) { return bytes / bytes_per_mib; };
+  const std::vector<double> factors = factors_by_rank(simulation, ranks);
+  line("rank 0",
+       fmt::format("at least {:.0f} MiB: {:.0f} held now, {:.0f} its part of the factor, {:.0f} vectors",
+                   mib(least.held + factors.front() + least.vectors), mib(least.held), mib(factors.front()),
+                   mib(least.vectors)));
+  for (std::size_t rank = 1; rank < factors.size(); ++rank)
+    line(fmt::format("rank {}", rank),
+         fmt::format("at least {:.0f} MiB: its part of the factor", mib(factors[rank])));
+}
+
+void print_size(const Simulation& simulation, int ranks) {
   line("unknowns", fmt::format("{}", simulation.equilibrium().num_unknowns()));
   const PredictedMemory least = predicted_memory(simulation);
   const auto mib = [](double bytes) { return bytes / bytes_per_mib; };
@@ -78,6 +92,14 @@ void print_size(const Simulation& simulation) {
        fmt::format("at least {:.0f} MiB: {:.0f} held now, {:.0f} the factor, {:.0f} vectors; cracks "
                    "take more",
                    mib(least.total()), mib(least.held), mib(least.factor), mib(least.vectors)));
+  if (ranks > 1 && simulation.deck().has_path()) print_ranks(simulation, least, ranks);
+}
+
+/// What variables have come to.
+void print_variables(DeckTree& tree, const std::vector<std::string>& overrides) {
+  for (const std::string& assignment : overrides) tree.set(assignment);
+  for (const auto& [name, value] : variables_of(tree))
+    line("variable", fmt::format("{} = {:.10g}", name, value));
 }
 
 /// What a motion begins with, and how long its steps are at most.
@@ -141,16 +163,18 @@ int check_sweep(const CommandLine& command) {
 
 int command_check(const CommandLine& command) {
   DeckSource source = read_source(command.deck);
-  if (is_sweep(source.root, command.overrides)) return check_sweep(command);
+  DeckTree tree(source.root);
+  if (is_sweep(tree.root(), command.overrides)) return check_sweep(command);
   const DeckFile file = read_deck(std::move(source), command.overrides);
   Timings timings;
   const Simulation simulation(file.deck, timings);
   fmt::print("{} is valid{}\n", command.deck.string(), file.deck.title.empty() ? "" : ": " + file.deck.title);
+  print_variables(tree, command.overrides);
   print_blocks(simulation);
   print_interfaces(simulation);
   if (file.deck.has_path()) {
     print_groups(simulation);
-    print_size(simulation);
+    print_size(simulation, command.ranks);
     print_loading(simulation);
     print_warnings(simulation);
   } else {

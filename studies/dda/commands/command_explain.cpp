@@ -1,9 +1,13 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 
+#include "framework/deck/expression/expression.hpp"
 #include "framework/deck/writing/explain.hpp"
+#include "framework/deck/writing/keys.hpp"
 #include "studies/dda/case/parameter_list.hpp"
+#include "studies/dda/case/written_deck.hpp"
 #include "studies/dda/commands/commands.hpp"
 
 namespace dda {
@@ -42,15 +46,43 @@ sweep.json, curves.svg, sweep.yaml, claims. Cases whose settings stay the same a
 Exit codes: 0 all reached their goals, 3 some stopped early, 4 some failed, 2 some refused their deck, 130 interrupted.
 )";
 
+constexpr const char* variables_manual =
+    R"manual(Wherever a deck has a number an expression may stand, also in lists and points, and in values of --set:
+
+  variables: {D: 100, S: 4*D, t: "max(D/4, 10)"}      in quotes where YAML has a meaning for , : # { [ or a first * &
+  scene: {regions: [{material: concrete, vertices: [[-S/2, 0], [S/2, 0], [S/2, D], [-S/2, D]]}]}
+  thickness: t
+
+Names of materials, points and files are texts, in which nothing is computed. Variables may stand in any order; one that
+is used nowhere is refused. `--set variables.D=200` sets one, `sweep: {variables.D: [50, 100]}` varies it. A .geo file
+whose DefineConstant[...] has a constant of that name gets the value, unless `scene.parameters` has another. Tractions,
+pressures, body forces and initial stress may be expressions of the place (x, y), too. effective_deck.yaml has the
+numbers that came out.
+
+  + - * / ^ ( )   < <= > >= == != && ||   a > b ? c : d
+)manual";
+
+std::string manual_of(const std::string& topic) {
+  if (topic == "sweep") return sweep_manual;
+  if (topic != "variables") return "";
+  return fmt::format(
+      "{}  constants       {}\n  functions       {}\n"
+      "Angles are in radians, log and ln are natural logarithms, rint is the nearest integer.\n",
+      variables_manual, fmt::join(constants_of_expressions(), ", "),
+      fmt::join(functions_of_expressions(), ", "));
+}
+
 }  // namespace
 
 int command_explain(const CommandLine& line) {
   if (line.json)
-    fmt::print("{}\n", deck_schema().json_schema().dump(2));
+    fmt::print("{}\n", written_deck_schema().json_schema().dump(2));
+  else if (!line.find.empty())
+    fmt::print("{}", find_in_manual(written_deck_schema(), line.find));
   else if (line.topic == "parameters")
     fmt::print("{}", explain_parameter_lists());
   else
-    fmt::print("{}{}", explain(deck_schema(), line.topic), line.topic == "sweep" ? sweep_manual : "");
+    fmt::print("{}{}", explain(written_deck_schema(), line.topic), manual_of(line.topic));
   return 0;
 }
 

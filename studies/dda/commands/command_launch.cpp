@@ -9,6 +9,7 @@
 
 #include "studies/dda/commands/commands.hpp"
 #include "studies/dda/sweep/launch/launcher.hpp"
+#include "studies/dda/sweep/processes/processes.hpp"
 #include "studies/dda/sweep/sweep_entrance.hpp"
 
 namespace dda {
@@ -39,6 +40,11 @@ void refuse_wrong_options(const SharedSweep& shared) {
   if (shared.submit && shared.launcher != "slurm")
     throw InputError(Position{"--submit"},
                      "goes with --launcher slurm alone; the other lines are for a shell");
+  if (ranks_of_processes() > 1 && shared.launcher != "parallel")
+    throw InputError(
+        Position{"--ranks"},
+        "goes with runs that this process starts, and with --launcher parallel: mpirun within mpirun or "
+        "within a task of Slurm's array has no processors for its ranks");
   if (!shared.hosts.empty() && shared.launcher != "parallel")
     throw InputError(Position{"--hosts"},
                      "goes with --launcher parallel alone; Slurm and mpirun know their hosts themselves");

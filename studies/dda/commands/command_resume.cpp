@@ -2,6 +2,7 @@
 
 #include "framework/files/whole_file.hpp"
 #include "studies/dda/commands/commands.hpp"
+#include "studies/dda/commands/ranks.hpp"
 #include "studies/dda/run/motion_alone.hpp"
 #include "studies/dda/run/profile.hpp"
 #include "studies/dda/run/summary.hpp"
@@ -21,13 +22,17 @@ bool has_reached_goal(const std::filesystem::path& folder) {
 
 int command_resume(const CommandLine& line) {
   const std::filesystem::path& folder = line.runs.front();
-  if (std::filesystem::exists(folder / "sweep.json")) return resume_sweep(line);
+  if (std::filesystem::exists(folder / "sweep.json")) {
+    require_one_rank(folder, "a sweep is shared by the processes of `dda sweep`");
+    return resume_sweep(line);
+  }
   if (line.overrides.empty() && has_reached_goal(folder)) {
     fmt::print("{}: goal_reached before; `--set` another stopping rule or control to go on\n",
                folder.string());
     return 0;
   }
   if (is_motion_alone(folder)) {
+    require_one_rank(folder, "a motion without a path is computed by one process");
     const MotionResult moved = resume_motion_alone(folder, line.overrides, line.run);
     fmt::print("{}\n", last_line(moved));
     return exit_code_of(moved.ending);

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include "studies/dda/case/deck_tree.hpp"
 #include "studies/dda/commands/commands.hpp"
+#include "studies/dda/commands/ranks.hpp"
 #include "studies/dda/run/motion_alone.hpp"
 #include "studies/dda/run/profile.hpp"
 #include "studies/dda/run/summary.hpp"
@@ -10,9 +12,13 @@ namespace dda {
 
 int command_run(const CommandLine& line) {
   DeckSource source = read_source(line.deck);
-  if (is_sweep(source.root, line.overrides)) return command_sweep(line);
+  if (is_sweep(DeckTree(source.root).root(), line.overrides)) {
+    require_one_rank(line.deck, "a sweep is shared by the processes of `dda sweep`");
+    return command_sweep(line);
+  }
   const DeckFile deck = read_deck(std::move(source), line.overrides);
   if (!deck.deck.has_path()) {
+    require_one_rank(line.deck, "a motion without a path is computed by one process");
     const MotionResult moved = run_motion_alone(deck, line.run);
     fmt::print("{}\n", last_line(moved));
     return exit_code_of(moved.ending);

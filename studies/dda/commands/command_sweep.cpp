@@ -19,7 +19,8 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 int num_jobs(const CommandLine& line) {
-  return line.jobs > 0 ? line.jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const int processors = static_cast<int>(std::thread::hardware_concurrency());
+  return line.jobs > 0 ? line.jobs : std::max(1, processors / ranks_of_processes());
 }
 
 /// 130 interrupted, 4 a run broke, 2 a run refused its deck, 3 a run stopped early, 0 all reached their goals; those

@@ -22,17 +22,21 @@ struct SharedSweep {
 
 /// What the program's commands take from the command line.
 struct CommandLine {
-  std::filesystem::path deck;                ///< run, sweep, check, compare
-  std::vector<std::filesystem::path> runs;   ///< plot, verify, and the one of resume and report
-  std::vector<std::string> overrides;        ///< --set
-  std::vector<std::string> controls;         ///< compare
-  std::string topic;                         ///< explain
-  std::filesystem::path out = "curves.svg";  ///< plot
-  int jobs = 0;                              ///< runs of a sweep at a time; 0: one per processor
-  bool dry_run = false;                      ///< sweep
-  int only_case = 0;                         ///< sweep; 0: all
+  std::filesystem::path deck;                  ///< run, sweep, check, compare
+  std::vector<std::filesystem::path> runs;     ///< plot, verify, and the one of resume and report
+  std::vector<std::string> overrides;          ///< --set
+  std::vector<std::string> controls;           ///< compare
+  std::vector<std::filesystem::path> plugins;  ///< libraries to be loaded before a deck is read
+  std::string topic;                           ///< explain, new, completion, man
+  std::string find;                            ///< explain
+  std::vector<std::string> words;              ///< complete
+  std::filesystem::path out = "curves.svg";    ///< plot
+  int ranks = 1;                               ///< check: those whose memory is told
+  int jobs = 0;                                ///< runs of a sweep at a time; 0: one per processor
+  bool dry_run = false;                        ///< sweep
+  int only_case = 0;                           ///< sweep; 0: all
   SharedSweep shared;
-  std::filesystem::path page;  ///< report; report.html in the folder when empty
+  std::filesystem::path page;  ///< report: report.html in the folder when empty; new: <kind>.yaml
   bool json = false;
   std::vector<std::string> animation;  ///< animate; options as Python takes them
   RunOptions run;
@@ -56,6 +60,9 @@ int launch_sweep(const Sweep& sweep, const std::filesystem::path& folder, const 
 /// Does again what `dda sweep` was told when it made the folder `line.runs.front()`, with the copy of its
 /// file there where the file itself is gone.
 int resume_sweep(const CommandLine& line);
+int command_new(const CommandLine& line);
+/// Kinds of decks that `dda new` writes.
+std::vector<std::string> deck_template_names();
 int command_report(const CommandLine& line);
 /// Becomes Python's `ddapath.verify` on `line.runs`; 0 all checks hold, 3 some are refused, 2 no run.
 int command_verify(const CommandLine& line);

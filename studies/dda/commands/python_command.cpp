@@ -9,7 +9,7 @@
 #include <filesystem>
 
 #include "framework/base/errors.hpp"
-#include "studies/dda/sweep/processes/processes.hpp"
+#include "framework/base/loaded.hpp"
 
 namespace dda {
 namespace {
@@ -30,9 +30,9 @@ except ModuleNotFoundError as error:
 sys.exit(main(arguments))
 )";
 
-/// The folder that holds the package: lib/python next to the program's bin.
+/// The folder that holds the package: share/ddapath/python next to the program's bin.
 fs::path package_folder(const std::string& module) {
-  const fs::path folder = fs::path(program_file()).parent_path().parent_path() / "lib" / "python";
+  const fs::path folder = installation() / "share" / "ddapath" / "python";
   if (!fs::exists(folder / "ddapath" / module / "__main__.py"))
     throw OutputError(
         fmt::format("'{}' does not hold the Python package ddapath, which belongs beside the program; "

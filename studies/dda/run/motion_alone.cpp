@@ -9,7 +9,6 @@
 #include "framework/base/threads.hpp"
 #include "framework/files/whole_file.hpp"
 #include "framework/messages/interrupt.hpp"
-#include "framework/messages/provenance.hpp"
 #include "studies/dda/run/motion_run.hpp"
 #include "studies/dda/run/new_run.hpp"
 #include "studies/dda/run/summary.hpp"
@@ -23,17 +22,18 @@ nlohmann::ordered_json summary_of(const Simulation& simulation, const MotionReco
                                   const Timings& timings) {
   const Equilibrium& equilibrium = simulation.equilibrium();
   const Units& units = simulation.deck().units;
-  return {{"title", simulation.deck().title},
-          {"status", status_of(motion.ending)},
-          {"reason", motion.ending.reason},
-          {"blocks", equilibrium.num_blocks()},
-          {"interface_points", equilibrium.num_points()},
-          {"motion", motion.summary},
-          {"notices", equilibrium.interfaces().notices},
-          {"units", {{"length", units.length}, {"force", units.force}}},
-          {"timings", to_json(timings)},
-          {"threads", num_threads()},
-          {"version", provenance().version}};
+  nlohmann::ordered_json out{{"title", simulation.deck().title},
+                             {"status", status_of(motion.ending)},
+                             {"reason", motion.ending.reason},
+                             {"blocks", equilibrium.num_blocks()},
+                             {"interface_points", equilibrium.num_points()},
+                             {"motion", motion.summary},
+                             {"notices", equilibrium.interfaces().notices},
+                             {"units", {{"length", units.length}, {"force", units.force}}},
+                             {"timings", to_json(timings)},
+                             {"threads", num_threads()}};
+  add_program(out);
+  return out;
 }
 
 /// A structure that is let go without a path.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "continuation/linear/direct/strip_part.hpp"
 #include "framework/files/whole_file.hpp"
 #include "framework/messages/provenance.hpp"
 #include "studies/dda/case/coarse_zones.hpp"
@@ -26,14 +27,20 @@ namespace fs = std::filesystem;
 /// What a run may lose when it is killed or the machine goes down; a shorter run is sooner repeated [s].
 constexpr double bearable_loss = 1.0;
 
+/// Whether couples are all that the load factor multiplies: then the load is that factor.
+bool is_couple(const Deck& deck) {
+  const auto stages = deck.loaded_stages();
+  return !stages.empty() && std::ranges::all_of(stages.back().loads, [](const LoadChoice& load) {
+    return load.name() == "moment";
+  });
+}
+
 Measures measures_of(const Simulation& simulation, const RecordedColumns& others) {
   const Deck& deck = simulation.deck();
   const Loading& loading = simulation.loading();
-  Dimension dimension =
-      loading.load.rows.empty() && loading.load.per_load_factor == 1 ? dimension::none : dimension::force;
+  Dimension dimension = is_couple(deck) ? dimension::none : dimension::force;
   for (const NamedGauge& gauge : loading.gauges)
     if (gauge.name == deck.path.load_gauge) dimension = gauge.dimension;
-  if (deck.path.load_gauge.empty() && dimension == dimension::none) dimension = dimension::force;
   return {loading, simulation.path().load_gauge(), unit_of(dimension, deck.units), deck.units, others};
 }
 
@@ -42,6 +49,22 @@ ResultsTexts texts_of(const DeckFile& deck, const std::string& effective) {
   out["deck"] = deck.text;
   out["effective_deck"] = effective;
   return out;
+}
+
+nlohmann::ordered_json ranks_summary(Ranks& ranks) {
+  constexpr double bytes_per_mib = 1024 * 1024;
+  std::vector<double> memory = memory_by_rank(ranks);
+  for (double& bytes : memory) bytes /= bytes_per_mib;
+  return {{"count", ranks.size()}, {"peak_memory_mib", memory}};
+}
+
+/// Of the run that has never switched.
+nlohmann::ordered_json primary_summary(const fs::path& file) {
+  const auto other = nlohmann::ordered_json::parse(read_whole(file));
+  return {{"folder", "primary"},
+          {"status", other["status"]},
+          {"peak", other["peak"]},
+          {"dissipated_energy", other["dissipated_energy"]}};
 }
 
 RecordedColumns joined(RecordedColumns first, const RecordedColumns& second) {
@@ -306,14 +329,10 @@ nlohmann::ordered_json RunRecorder::finish(const Ending& ending) {
     const auto scope = timings_.measure("stiffness quality");
     out["stiffness"] = stiffness_quality(simulation_);
   }
-  if (const auto primary = folder_.file("primary") / "summary.json"; fs::exists(primary)) {
-    const auto other = nlohmann::ordered_json::parse(read_whole(primary));
-    out["without_switching"] = {{"folder", "primary"},
-                                {"status", other["status"]},
-                                {"peak", other["peak"]},
-                                {"dissipated_energy", other["dissipated_energy"]}};
-  }
+  if (const auto primary = folder_.file("primary") / "summary.json"; fs::exists(primary))
+    out["without_switching"] = primary_summary(primary);
   out["peak_memory_mib"] = peak_memory_mib();
+  if (ranks_of_run()) out["ranks"] = ranks_summary(*ranks_of_run());
   out["timings"] = to_json(timings_);
   out["profile"] = profile_of(timings_, simulation_);
   write_whole(folder_.file("summary.json"), out.dump(2) + "\n", durability());

@@ -5,6 +5,7 @@
 #include "continuation/linear/matrix_quality.hpp"
 #include "framework/base/threads.hpp"
 #include "framework/messages/provenance.hpp"
+#include "framework/plugin/plugin.hpp"
 #include "studies/dda/record/path/small_extrema.hpp"
 
 namespace dda {
@@ -97,6 +98,11 @@ void add_effort(const Effort& effort, Json& out) {
 
 }  // namespace
 
+void add_program(Json& summary) {
+  summary["version"] = provenance().version;
+  for (const std::filesystem::path& plugin : loaded_plugins()) summary["plugins"].push_back(plugin.string());
+}
+
 Json summarise(const Simulation& simulation, const RunMemory& memory, const Measures& measures,
                const Ending& ending) {
   const Walker& walker = simulation.walker();
@@ -131,7 +137,7 @@ Json summarise(const Simulation& simulation, const RunMemory& memory, const Meas
   out["jump_energy"] = jump_energy;
   out["units"] = units_of(simulation.deck().units);
   out["threads"] = num_threads();
-  out["version"] = provenance().version;
+  add_program(out);
   return out;
 }
 

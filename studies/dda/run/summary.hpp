@@ -20,6 +20,9 @@ double energy_balance_error(const Measurement& start, const Measurement& end, do
 /// Step, load factor, load and gauges of the largest load.
 nlohmann::ordered_json peak_of(const RunMemory& memory, const Measures& measures);
 
+/// Adds what computed a run: `version`, and `plugins` where there were any.
+void add_program(nlohmann::ordered_json& summary);
+
 /// The content of summary.json, but for the log's notices.
 nlohmann::ordered_json summarise(const Simulation& simulation, const RunMemory& memory,
                                  const Measures& measures, const Ending& ending);

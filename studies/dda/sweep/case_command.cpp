@@ -19,6 +19,7 @@ void add_settings(const std::vector<std::string>& overrides, Words& out) {
 /// The sweep's own words, those that begin with the program.
 std::string line_of_sweep(const Sweep& sweep, const fs::path& folder) {
   Words words{program_file(), "sweep", sweep.file.string(), "--quiet", "--folder", folder.string()};
+  if (ranks_of_processes() > 1) words.push_back(fmt::format("--ranks={}", ranks_of_processes()));
   for (const std::string& option : options_of_processes()) words.push_back(option);
   add_settings(sweep.overrides, words);
   std::string out;

@@ -7,8 +7,7 @@
 
 #include "framework/deck/dimension_of.hpp"
 #include "framework/deck/settings.hpp"
-#include "framework/files/whole_file.hpp"
-#include "studies/dda/case/deck.hpp"
+#include "studies/dda/case/written_deck.hpp"
 #include "studies/dda/sweep/sweep_decks.hpp"
 
 namespace dda {
@@ -45,18 +44,17 @@ Node without(const Node& map, const std::string& key) {
 /// Makes the cases of a sweep; one wrong key is one finding, in however many cases it stands.
 class SweepReader {
  public:
-  SweepReader(const fs::path& file, const std::vector<std::string>& overrides) {
-    sweep_.file = file;
-    sweep_.text = read_whole(file);
+  SweepReader(DeckSource source, const std::vector<std::string>& overrides) : tree_(std::move(source.root)) {
+    sweep_.file = std::move(source.path);
+    sweep_.text = std::move(source.text);
     sweep_.overrides = overrides;
-    root_ = parse_yaml(sweep_.text, file.string());
     for (const std::string& text : overrides)
       (concerns_section(text) ? section_overrides_ : deck_overrides_).push_back(text);
-    for (const std::string& text : section_overrides_) set_in_section(root_, text);
+    for (const std::string& text : section_overrides_) set_in_section(tree_.root(), text);
   }
 
   Sweep read() {
-    const Node* entries = root_.find(section);
+    const Node* entries = tree_.root().find(section);
     if (!entries || entries->is_null())
       throw InputError(Position{sweep_.file.string()},
                        "has no section `sweep`; `dda explain sweep` says what stands in it");
@@ -70,10 +68,10 @@ class SweepReader {
     sweep_.key_units.resize(keys_.size());
     has_decks_ = !base_.is_null() || std::ranges::find(keys_, deck_key, &SweptKey::name) != keys_.end();
     refuse_second_deck();
-    SweepDecks decks(sweep_.file, has_decks_ ? Node{} : without(root_, section), deck_overrides_);
+    SweepDecks decks(sweep_.file, has_decks_ ? std::nullopt : std::optional(tree_), deck_overrides_);
     for (const auto& places : cases_of(sweep_.axes)) add_case(places, decks);
     findings_.throw_if_any();
-    if (sweep_.title.empty()) sweep_.title = title_of(root_);
+    if (sweep_.title.empty()) sweep_.title = title_of(tree_.root());
     return std::move(sweep_);
   }
 
@@ -81,7 +79,7 @@ class SweepReader {
   /// A file that names its decks may have a title beside the sweep, and nothing else.
   void refuse_second_deck() {
     if (!has_decks_) return;
-    for (const NodeEntry& entry : root_.entries)
+    for (const NodeEntry& entry : tree_.root().entries)
       if (entry.key != section && entry.key != "title")
         findings_.add(entry.where,
                       fmt::format("'{}' belongs to a deck, and the sweep names decks of its own; "
@@ -113,32 +111,32 @@ class SweepReader {
     Node name = base_;
     for (std::size_t k = 0; k < keys_.size(); ++k)
       if (keys_[k].name == deck_key) name = one.values[k];
-    Node root = decks.root(name);
+    DeckTree tree = decks.tree(name);
     one.deck = decks.path(name);
     if (!has_decks_) one.overrides.push_back(assignment(section, Node{}));
     std::ranges::copy(deck_overrides_, std::back_inserter(one.overrides));
     for (std::size_t k = 0; k < keys_.size(); ++k) {
       if (keys_[k].name == deck_key || keys_[k].name == seed_key) continue;
       one.overrides.push_back(assignment(keys_[k].name, one.values[k]));
-      set_value(root, keys_[k].name, one.values[k], keys_[k].where);
+      tree.set(keys_[k].name, one.values[k], keys_[k].where);
     }
     for (std::size_t k = 0; k < keys_.size(); ++k)
-      if (keys_[k].name == seed_key) set_seeds(one, root, k);
-    conclude(one, root);
+      if (keys_[k].name == seed_key) set_seeds(one, tree, k);
+    conclude(one, tree);
   }
 
-  void set_seeds(SweepCase& one, Node& root, std::size_t k) {
-    one.seeds = paths_to(deck_schema().echo(deck_schema().read(root)), seed_key);
+  void set_seeds(SweepCase& one, DeckTree& tree, std::size_t k) {
+    one.seeds = paths_to(deck_schema().echo(values_of(tree)), seed_key);
     if (one.seeds.empty())
       throw InputError(keys_[k].where, fmt::format("seed: {} has no key of that name", one.deck.string()));
     for (const std::string& path : one.seeds) {
       one.overrides.push_back(assignment(path, one.values[k]));
-      set_value(root, path, one.values[k], keys_[k].where);
+      tree.set(path, one.values[k], keys_[k].where);
     }
   }
 
-  void conclude(SweepCase& one, const Node& root) {
-    const Deck deck = deck_schema().read(root);
+  void conclude(SweepCase& one, const DeckTree& tree) {
+    const Deck deck = values_of(tree);
     const Node effective = deck_schema().echo(deck);
     one.effective = to_yaml(effective);
     if (!sweep_.cases.empty()) return;
@@ -150,7 +148,7 @@ class SweepReader {
   }
 
   Sweep sweep_;
-  Node root_;
+  DeckTree tree_;
   Node base_;  ///< the deck of all cases, null when it is the file itself
   std::vector<SweptKey> keys_;
   std::vector<std::string> section_overrides_, deck_overrides_;
@@ -188,7 +186,7 @@ bool is_sweep(const Node& root, const std::vector<std::string>& overrides) {
 }
 
 Sweep read_sweep(const fs::path& file, const std::vector<std::string>& overrides) {
-  return SweepReader(file, overrides).read();
+  return SweepReader(read_source(file), overrides).read();
 }
 
 std::string setting_text(const Sweep& sweep, const SweepCase& one, std::size_t key) {

@@ -14,8 +14,8 @@ namespace dda {
 
 /// What a process wants of the sweep that it shares with others.
 struct SharedWork {
-  std::string attempt;                   ///< name of what several processes do together; "" = none
-  std::optional<std::size_t> only_case;  ///< from 0; all when empty
+  std::string attempt = {};                   ///< name of what several processes do together; "" = none
+  std::optional<std::size_t> only_case = {};  ///< from 0; all when empty
 };
 
 /// The cases of a sweep as its folder tells them, and those that this process has claimed.

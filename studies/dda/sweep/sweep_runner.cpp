@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <csignal>
 #include <cstring>
+#include <sstream>
 #include <thread>
 
 #include "framework/messages/interrupt.hpp"
@@ -27,11 +28,13 @@ constexpr auto between_looks = std::chrono::seconds(1);
 
 constexpr int signal_base = 128;  ///< exit code of a process that a signal ended, less the signal
 
+/// Lines of a file that a message shows begin with a space, and are none of its own.
 std::string last_line_of(const std::string& text) {
-  const auto end = text.find_last_not_of(" \n");
-  if (end == std::string::npos) return "";
-  const auto begin = text.rfind('\n', end);
-  return begin == std::string::npos ? text.substr(0, end + 1) : text.substr(begin + 1, end - begin);
+  std::istringstream lines(text);
+  std::string last;
+  for (std::string line; std::getline(lines, line);)
+    if (!line.empty() && line.front() != ' ') last = line.substr(0, line.find_last_not_of(' ') + 1);
+  return last;
 }
 
 /// The last line that a failed run said, or what ended it.

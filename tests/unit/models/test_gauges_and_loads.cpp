@@ -161,6 +161,37 @@ TEST_F(OnSquare, RotationOfAPatchIsThatOfARigidMotion) {
   EXPECT_NEAR(rotation.value(square_.field({1, 2}, turn), 0), 0.3, 1e-14);
 }
 
+TEST_F(OnSquare, AMomentWorksOnTheRotationAlone) {
+  Mat2 turn;
+  turn << 0, -0.3, 0.3, 0;
+  for (const char* place : {"at: [0.8, 0.8]", "at: [0.6, 0.45]", "over: [[1, 0.2], [1, 0.9]]"}) {
+    const StageLoads found = load(std::string("{type: moment, moment: 5, ") + place + "}");
+    EXPECT_NEAR(power(found, {1, 2}, Mat2::Zero()), 0, 1e-13) << place;
+    EXPECT_NEAR(power(found, {1, 2}, turn), 5 * 0.3, 1e-13) << place;
+    EXPECT_EQ(found.resultant, 0);
+  }
+}
+
+TEST_F(OnSquare, AMomentOverAPatchIsATractionThatGrowsFromItsMiddle) {
+  // t = 12 M s/(L³ thickness) along the normal, M = 5, over the whole right side; counter-clockwise is outward below.
+  const StageLoads moment = load("{type: moment, over: [[1, 0], [1, 1]], moment: 5}");
+  const StageLoads traction = load("{type: edge_traction, on: right, traction: [12*5/0.7*(0.5 - y), 0]}");
+  for (std::size_t i = 0; i < moment.force.size(); ++i) EXPECT_NEAR(moment.force[i], traction.force[i], 1e-9);
+}
+
+TEST_F(OnSquare, RotationIsDualToAMoment) {
+  const std::vector<double> d = random_.vector(24, 1);
+  EXPECT_EQ(gauge("{type: rotation, at: [0.8, 0.8]}").value(d, 0), d[6 * 2 + 2]);
+  for (const char* place : {"at: [0.6, 0.45]", "over: [[1, 0.2], [1, 0.9]]", "over: [[0, 0], [1, 0]]"}) {
+    const std::string where(place);
+    const StageLoads unit = load("{type: moment, moment: 1, " + where + "}");
+    double work = 0;
+    for (std::size_t i = 0; i < d.size(); ++i) work += unit.force[i] * d[i];
+    EXPECT_NEAR(gauge("{type: rotation, " + where + "}").value(d, 0), work, 1e-12) << place;
+    EXPECT_NEAR(gauge("{type: rotation, scale: -2, " + where + "}").value(d, 0), -2 * work, 1e-12);
+  }
+}
+
 TEST_F(OnSquare, WhatIsNoPatchIsRefused) {
   const auto refusal = [&](const std::string& place) {
     try {

@@ -13,7 +13,7 @@ struct Forecast {
   double least_memory = 0;  ///< that the largest case takes which was looked at [MiB]; 0: not known
   double peak_memory = 0;   ///< the most that a finished case took [MiB]; 0: none has finished
   double longest = 0;       ///< time that a finished case took [s]; 0: none has finished
-  std::string memory_text, time_text;  ///< where these come from, in words
+  std::string memory_text = {}, time_text = {};  ///< where these come from, in words
 
   /// Memory to ask for [MiB]; 0: not known.
   double memory_to_ask() const;

@@ -28,7 +28,6 @@ void die_with(pid_t parent, int signal) {
   if (getppid() != parent) _exit(exit_code_not_started);  // it died before the line above
 }
 
-/// /proc/self/exe is the running program even when its file has been replaced in the meantime.
 [[noreturn]] void begin(const KeptProcess& kept, pid_t keeper) {
   die_with(keeper, SIGKILL);
   const sigset_t awaited = awaited_signals();
@@ -37,7 +36,7 @@ void die_with(pid_t parent, int signal) {
   dup2(nothing, STDIN_FILENO);
   dup2(kept.output, STDOUT_FILENO);
   dup2(kept.output, STDERR_FILENO);
-  execv("/proc/self/exe", kept.words);
+  execvp(kept.file, kept.words);
   _exit(exit_code_not_started);
 }
 
@@ -69,7 +68,7 @@ void keep(const KeptProcess& kept) {
   if (run < 0) _exit(exit_code_not_started);
   const timespec pause = time_of(kept.between_beats);
   for (std::uint64_t beats = 2;; ++beats) {
-    if (sigtimedwait(&awaited, nullptr, &pause) == SIGTERM) kill(run, SIGTERM);
+    if (sigtimedwait(&awaited, nullptr, &pause) == SIGTERM) kill(run, kept.end_signal);
     int status = 0;
     if (waitpid(run, &status, WNOHANG) == run) _exit(exit_code_of_status(status));
     if (!beat(kept.claim, beats)) give_up(run);

@@ -8,7 +8,10 @@ namespace dda {
 
 /// What a keeper starts and keeps.
 struct KeptProcess {
+  /// The running program is /proc/self/exe even when its file has been replaced in the meantime; others are looked up.
+  const char* file = nullptr;
   char* const* words = nullptr;  ///< program and arguments, as execv wants them
+  int end_signal = 0;            ///< at which it ends with a restart file
   int output = -1;               ///< where it writes to
   pid_t parent = 0;              ///< of the keeper
   ClaimFiles claim;

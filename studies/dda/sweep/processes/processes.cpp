@@ -14,6 +14,7 @@
 
 #include "framework/base/errors.hpp"
 #include "framework/base/memory.hpp"
+#include "framework/plugin/plugin.hpp"
 #include "meshing/files/gmsh_model.hpp"
 #include "studies/dda/sweep/processes/keeper.hpp"
 
@@ -27,10 +28,24 @@ constexpr double beats_per_lease = 6;
   throw OutputError(fmt::format("cannot start a process: {}: {}", what, std::strerror(errno)));
 }
 
+int& rank_count() {
+  static int count = 1;
+  return count;
+}
+
+/// Several mpirun on one machine would bind their ranks to the same processors.
+std::vector<std::string> line_of(const std::vector<std::string>& arguments) {
+  std::vector<std::string> out;
+  if (rank_count() > 1) out = {"mpirun", "--quiet", "--bind-to", "none", "-n", std::to_string(rank_count())};
+  out.push_back(program_file());
+  out.insert(out.end(), arguments.begin(), arguments.end());
+  return out;
+}
+
 /// As execv wants them.
-std::vector<char*> words_of(const std::string& program, const std::vector<std::string>& arguments) {
-  std::vector<char*> words{const_cast<char*>(program.c_str())};
-  for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
+std::vector<char*> words_of(const std::vector<std::string>& line) {
+  std::vector<char*> words;
+  for (const std::string& word : line) words.push_back(const_cast<char*>(word.c_str()));
   words.push_back(nullptr);
   return words;
 }
@@ -70,12 +85,18 @@ Processes::~Processes() {
 void Processes::start(std::size_t id, const std::vector<std::string>& arguments, const Claims& claims,
                       Claim& claim) {
   setenv("OMP_NUM_THREADS", threads_of_processes().c_str(), 1);
-  const std::string program = program_file();
-  const std::vector<char*> words = words_of(program, arguments);
+  const std::vector<std::string> line = line_of(arguments);
+  const std::vector<char*> words = words_of(line);
   const int output = memfd_create("output", MFD_CLOEXEC);
   if (output < 0) fail("memfd_create");
-  const KeptProcess kept{words.data(), output, getpid(), claims.files_of(claim),
-                         claim.lease / beats_per_lease};
+  const bool is_alone = rank_count() == 1;  // mpirun passes SIGUSR1 on, and gives time after it
+  const KeptProcess kept{.file = is_alone ? "/proc/self/exe" : line.front().c_str(),
+                         .words = words.data(),
+                         .end_signal = is_alone ? SIGTERM : SIGUSR1,
+                         .output = output,
+                         .parent = getpid(),
+                         .claim = claims.files_of(claim),
+                         .between_beats = claim.lease / beats_per_lease};
   const pid_t keeper = forked([&] { keep(kept); });
   if (keeper < 0) {
     close(output);
@@ -101,6 +122,9 @@ void Processes::stop() {
   for (const Running& one : running_) kill(one.keeper, SIGTERM);
 }
 
+int ranks_of_processes() { return rank_count(); }
+void set_ranks_of_processes(int count) { rank_count() = count; }
+
 std::string program_file() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
 
 std::vector<std::string> options_of_processes() {
@@ -108,6 +132,7 @@ std::vector<std::string> options_of_processes() {
   if (trusts_geo()) out.emplace_back("--trust-geo");
   if (has_memory_limit())
     out.push_back(fmt::format("--memory-limit={:.17g}", memory_limit() / bytes_per_gib));
+  for (const std::filesystem::path& plugin : loaded_plugins()) out.push_back("--plugin=" + plugin.string());
   return out;
 }
 

@@ -18,7 +18,7 @@ struct EndedProcess {
   std::string said;    ///< the end of what it wrote to standard output and standard error
 };
 
-/// This very program, as often as there is something to do, each with a keeper (keeper.hpp) for its claim.
+/// This very program, as often as there is something to do, or mpirun with so many ranks of it, each with a keeper (keeper.hpp) for its claim.
 ///
 /// Keeper and process have a group of their own, so that the terminal's Ctrl-C reaches them through `stop` alone: a
 /// second signal would end the process before it has written its restart file. When this process dies, however it
@@ -35,7 +35,7 @@ class Processes {
   void start(std::size_t id, const std::vector<std::string>& arguments, const Claims& claims, Claim& claim);
   /// One that is over; nothing when none is.
   std::optional<EndedProcess> take_ended();
-  /// Asks all of them to end: SIGTERM, at which a run writes its restart file.
+  /// Asks all of them to end: SIGTERM to the keepers, at which a run writes its restart file.
   void stop();
   std::size_t size() const { return running_.size(); }
 
@@ -51,7 +51,11 @@ class Processes {
 /// The file of this program.
 std::string program_file();
 
-/// What the command line allowed this process, for those that it starts: --trust-geo, --memory-limit.
+/// How many ranks each of them is; more than one are started by mpirun.
+int ranks_of_processes();
+void set_ranks_of_processes(int count);
+
+/// What the command line allowed this process, for those that it starts: --trust-geo, --memory-limit, --plugin.
 std::vector<std::string> options_of_processes();
 
 /// OMP_NUM_THREADS of processes that run side by side: as it is set, else 1.

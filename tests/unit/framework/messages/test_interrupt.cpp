@@ -20,6 +20,16 @@ TEST(Interrupt, TerminationCountsToo) {
   EXPECT_TRUE(interrupted());
 }
 
+/// What mpirun passes on, and batch queues send ahead of the end.
+TEST(Interrupt, SignalsOfUsersCountToo) {
+  for (const int signal : {SIGUSR1, SIGUSR2}) {
+    const InterruptGuard guard;
+    EXPECT_FALSE(interrupted());
+    std::raise(signal);
+    EXPECT_TRUE(interrupted());
+  }
+}
+
 TEST(Interrupt, SecondSignalEndsTheProcessWith130) {
   EXPECT_EXIT(
       {

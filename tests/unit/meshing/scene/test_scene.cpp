@@ -46,12 +46,17 @@ INSTANTIATE_TEST_SUITE_P(Scene, EverySubdivision,
                                            "{type: voronoi, size: 15, seed: 9}",
                                            "{type: grid, columns: 6, rows: 5}",
                                            "{type: grid, columns: 6, rows: 5, shape: triangles}",
-                                           "{type: squares, size: 12, angle: 30}"));
+                                           "{type: squares, size: 12, angle: 30}",
+                                           "{type: bricks, length: 24, height: 9}",
+                                           "{type: bricks, length: 24, height: 10, bond: flemish}",
+                                           "{type: bricks, length: 20, height: 10, bond: stack}",
+                                           "{type: bricks, length: 25, height: 12, bond: english}"));
 
 /// A plate on a beam: one block beside many, joined along all of what they share.
 TEST(Scene, LeavesARegionUndividedBesideEverySubdivision) {
-  for (const char* subdivision : {"given", "{type: triangles, size: 12}", "{type: quads, size: 12}",
-                                  "{type: voronoi, size: 15}", "{type: squares, size: 12, angle: 30}"}) {
+  for (const char* subdivision :
+       {"given", "{type: triangles, size: 12}", "{type: quads, size: 12}", "{type: voronoi, size: 15}",
+        "{type: squares, size: 12, angle: 30}", "{type: bricks, length: 24, height: 9}"}) {
     const Assembly a = mesh_of(std::string(R"({regions: [
       {material: concrete, vertices: [[0, 0], [300, 0], [300, 100], [0, 100]]},
       {material: steel, undivided: true, vertices: [[131, 100], [172, 100], [172, 110], [131, 110]]}],
@@ -79,7 +84,8 @@ TEST(Quads, DoNotFoldOver) {
 TEST(Scene, EveryRegisteredSubdivisionIsTestedHere) {
   std::vector<std::string> names;
   for (const FamilyMember* member : subdivisions().entries()) names.push_back(member->name);
-  EXPECT_EQ(names, (std::vector<std::string>{"given", "grid", "quads", "squares", "triangles", "voronoi"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"bricks", "given", "grid", "quads", "squares", "triangles",
+                                             "voronoi"}));
 }
 
 TEST(Scene, ARegionAloneIsSubdivided) {

@@ -9,7 +9,7 @@ namespace dda {
 namespace {
 
 BlockVector vector_of(const std::vector<double>& values) {
-  BlockVector out(Teuchos::rcp(new TpetraMap(values.size(), 0, all_ranks())));
+  BlockVector out(Teuchos::rcp(new TpetraMap(values.size(), 0, this_rank())));
   std::copy(values.begin(), values.end(), out.local().begin());
   return BlockVector(out, NOX::DeepCopy);
 }

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <functional>
+
+#include "meshing/geometry/polygon.hpp"
+
+namespace dda {
+
+/// Up to six integrals at once.
+using Integrals = Eigen::Matrix<double, 6, 1>;
+
+/// ∫ f dt from a to b. Gauss-Lobatto's rule with five points, exact to degree 7, on as many parts as it takes: an interval is halved
+/// until both halves together say what it says itself, to 1e-11 of the whole. A kink or a jump of f costs some dozens of
+/// halvings where it is; after 2000 it is left at what has been reached.
+Integrals integral(double a, double b, const std::function<Integrals(double)>& f);
+
+/// ∫ f dA over a simple polygon, which is cut into trapezoids between its vertices' abscissae: f is asked inside only.
+Integrals integral(const Polygon& polygon, const std::function<Integrals(const Vec2&)>& f);
+
+}  // namespace dda

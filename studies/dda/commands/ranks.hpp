@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+
+namespace dda {
+
+/// Does what the command line asks for as the processes of an MPI launcher, if this is one of several: `run` and
+/// `resume` share one run, rank 0 does what the command says and the others help it; each process of a `sweep` does
+/// cases of its own; no other command is for several. Returns the exit code.
+int on_all_ranks(int argc, char** argv, const std::function<int()>& command);
+
+/// Throws InputError, about a file or folder, where several ranks have been started for what one process does.
+void require_one_rank(const std::filesystem::path& of, const char* what);
+
+}  // namespace dda
