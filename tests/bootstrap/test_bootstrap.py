@@ -36,7 +36,7 @@ class Commands(unittest.TestCase):
         self.assertIn("chromium", groups["test"])
         result = self.toy.run("packages", "tests")
         self.assertEqual(result.returncode, 2)
-        self.assertIn("has the groups run, python and test, not 'tests'", result.stderr)
+        self.assertIn("has the groups run, python, site and test, not 'tests'", result.stderr)
 
 
 class Packages(unittest.TestCase):
