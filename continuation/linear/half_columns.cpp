@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "continuation/linear/cholesky/half_solver.hpp"
 #include "continuation/linear/direct/bordered_solver.hpp"
-#include "continuation/linear/direct/half_solver.hpp"
 #include "continuation/linear/update_columns.hpp"
 #include "framework/base/threads.hpp"
 

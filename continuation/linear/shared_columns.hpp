@@ -1,6 +1,6 @@
 #pragma once
 
-#include "continuation/linear/direct/shared_matrix.hpp"
+#include "continuation/linear/strips/shared_matrix.hpp"
 #include "continuation/linear/update_columns.hpp"
 
 namespace dda {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <sstream>
 
+#include "framework/deck/changes/settings.hpp"
 #include "framework/deck/family.hpp"
-#include "framework/deck/settings.hpp"
 
 namespace dda {
 namespace {

@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "framework/deck/expression/reading_scope.hpp"
 #include "framework/deck/messages.hpp"
-#include "framework/deck/reading_scope.hpp"
 
 namespace dda {
 

@@ -7,9 +7,9 @@
 #include <cctype>
 
 #include "framework/base/suggestion.hpp"
+#include "framework/deck/expression/reading_scope.hpp"
 #include "framework/deck/family.hpp"
 #include "framework/deck/messages.hpp"
-#include "framework/deck/reading_scope.hpp"
 
 namespace dda {
 

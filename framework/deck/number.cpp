@@ -7,9 +7,9 @@
 #include <charconv>
 #include <cmath>
 
+#include "framework/deck/expression/reading_scope.hpp"
 #include "framework/deck/expression/variables.hpp"
 #include "framework/deck/messages.hpp"
-#include "framework/deck/reading_scope.hpp"
 
 namespace dda {
 

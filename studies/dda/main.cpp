@@ -1,6 +1,6 @@
 #include <malloc.h>
 
-#include "studies/dda/commands/command_line.hpp"
+#include "studies/dda/line/command_line.hpp"
 
 namespace {
 

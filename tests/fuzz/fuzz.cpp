@@ -25,7 +25,7 @@
 
 #include "framework/base/loaded.hpp"
 #include "fuzz/mutator.hpp"
-#include "studies/dda/commands/command_line.hpp"
+#include "studies/dda/line/command_line.hpp"
 
 namespace dda::fuzz {
 namespace {
@@ -64,7 +64,8 @@ struct Options {
 /// Loads what every process would load by itself, which takes longer than to read a small deck: a process
 /// that is forked has it, and finds nothing of it begun.
 void load_modules() {
-  for (const char* module : {"dda_muparser.so", "dda_gmsh.so", "dda_geos.so", "dda_loca.so", "dda_trilinos.so"})
+  for (const char* module :
+       {"dda_muparser.so", "dda_gmsh.so", "dda_geos.so", "dda_loca.so", "dda_trilinos.so"})
     if (!dlopen(module_file(module).c_str(), RTLD_LAZY | RTLD_LOCAL)) throw std::runtime_error(dlerror());
 }
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "continuation/linear/direct/strip_part.hpp"
+#include "continuation/linear/strips/strip_part.hpp"
 #include "continuation/ranks/ranks.hpp"
 
 namespace dda {

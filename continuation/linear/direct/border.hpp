@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "continuation/linear/direct/half_solver.hpp"
+#include "continuation/linear/cholesky/half_solver.hpp"
 #include "models/body/block_matrix.hpp"
 
 namespace dda {

@@ -1,10 +1,10 @@
 #include <memory>
 #include <optional>
 
-#include "continuation/linear/direct/cholmod_matrix.hpp"
+#include "continuation/linear/cholesky/cholmod_matrix.hpp"
 #include "continuation/linear/direct/direct_solver.hpp"
 #include "continuation/linear/direct/mumps_matrix.hpp"
-#include "continuation/linear/direct/shared_matrix.hpp"
+#include "continuation/linear/strips/shared_matrix.hpp"
 
 namespace dda {
 namespace {

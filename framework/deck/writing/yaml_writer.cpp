@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "framework/deck/settings.hpp"
+#include "framework/deck/changes/settings.hpp"
 
 namespace dda {
 

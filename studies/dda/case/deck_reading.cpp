@@ -1,5 +1,5 @@
-#include "framework/deck/reading_scope.hpp"
-#include "framework/deck/settings.hpp"
+#include "framework/deck/changes/settings.hpp"
+#include "framework/deck/expression/reading_scope.hpp"
 #include "framework/files/whole_file.hpp"
 #include "meshing/files/geo_constants.hpp"
 #include "studies/dda/case/parameter_list.hpp"

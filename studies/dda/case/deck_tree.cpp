@@ -1,8 +1,8 @@
 #include "studies/dda/case/deck_tree.hpp"
 
+#include "framework/deck/changes/extended.hpp"
+#include "framework/deck/changes/settings.hpp"
 #include "framework/deck/expression/variables.hpp"
-#include "framework/deck/extended.hpp"
-#include "framework/deck/settings.hpp"
 
 namespace dda {
 

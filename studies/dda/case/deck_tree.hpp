@@ -24,7 +24,7 @@ class DeckTree {
   /// Files that the deck is built on, as positions name them.
   const std::set<std::string>& bases() const { return bases_; }
 
-  /// `--set path.to.key=value`, and the same with the value as a node; see framework/deck/settings.hpp.
+  /// `--set path.to.key=value`, and the same with the value as a node; see framework/deck/changes/settings.hpp.
   void set(const std::string& assignment);
   void set(const std::string& path, Node value, const Position& where);
 

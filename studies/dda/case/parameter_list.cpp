@@ -8,7 +8,7 @@
 
 #include "continuation/solve/loca.hpp"
 #include "framework/base/suggestion.hpp"
-#include "framework/deck/settings.hpp"
+#include "framework/deck/changes/settings.hpp"
 #include "framework/files/whole_file.hpp"
 
 namespace dda {

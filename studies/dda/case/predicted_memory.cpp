@@ -1,6 +1,6 @@
 #include "studies/dda/case/predicted_memory.hpp"
 
-#include "continuation/linear/direct/shared_matrix.hpp"
+#include "continuation/linear/strips/shared_matrix.hpp"
 #include "continuation/state/least_memory.hpp"
 #include "framework/base/memory.hpp"
 

@@ -5,11 +5,11 @@
 
 #include "continuation/handover/regions.hpp"
 #include "models/loading.hpp"
-#include "studies/dda/case/bearings.hpp"
-#include "studies/dda/case/coarse_zones.hpp"
 #include "studies/dda/case/predicted_memory.hpp"
 #include "studies/dda/case/written_deck.hpp"
 #include "studies/dda/commands/commands.hpp"
+#include "studies/dda/record/warnings/bearings.hpp"
+#include "studies/dda/record/warnings/coarse_zones.hpp"
 #include "studies/dda/sweep/sweep.hpp"
 
 namespace dda {

@@ -2,8 +2,8 @@
 
 #include "studies/dda/case/deck_tree.hpp"
 #include "studies/dda/commands/commands.hpp"
-#include "studies/dda/commands/ranks.hpp"
 #include "studies/dda/run/motion_alone.hpp"
+#include "studies/dda/run/one_rank.hpp"
 #include "studies/dda/run/profile.hpp"
 #include "studies/dda/run/summary.hpp"
 #include "studies/dda/sweep/sweep.hpp"

@@ -5,15 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "continuation/linear/direct/strip_part.hpp"
+#include "continuation/linear/strips/strip_part.hpp"
 #include "framework/files/whole_file.hpp"
 #include "framework/messages/provenance.hpp"
-#include "studies/dda/case/coarse_zones.hpp"
 #include "studies/dda/case/model_tables.hpp"
 #include "studies/dda/figures/pictures.hpp"
 #include "studies/dda/figures/stability_pictures.hpp"
 #include "studies/dda/record/path/peak.hpp"
 #include "studies/dda/record/stability_record.hpp"
+#include "studies/dda/record/warnings/coarse_zones.hpp"
 #include "studies/dda/record/warnings/turning_contacts.hpp"
 #include "studies/dda/run/profile.hpp"
 #include "studies/dda/run/restart.hpp"

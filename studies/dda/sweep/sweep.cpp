@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <set>
 
+#include "framework/deck/changes/settings.hpp"
 #include "framework/deck/dimension_of.hpp"
-#include "framework/deck/settings.hpp"
 #include "studies/dda/case/written_deck.hpp"
 #include "studies/dda/sweep/sweep_decks.hpp"
 

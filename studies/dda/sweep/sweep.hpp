@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "framework/deck/axes.hpp"
+#include "framework/deck/changes/axes.hpp"
 #include "framework/deck/units.hpp"
 
 namespace dda {

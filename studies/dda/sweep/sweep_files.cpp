@@ -4,7 +4,7 @@
 #include <array>
 #include <map>
 
-#include "framework/deck/settings.hpp"
+#include "framework/deck/changes/settings.hpp"
 #include "framework/deck/writing/node_json.hpp"
 #include "framework/files/curve_table.hpp"
 #include "framework/files/whole_file.hpp"

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "studies/dda/case/bearings.hpp"
+#include "studies/dda/record/warnings/bearings.hpp"
 
 namespace dda {
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <map>
 
-#include "framework/deck/settings.hpp"
+#include "framework/deck/changes/settings.hpp"
 #include "framework/files/whole_file.hpp"
 #include "studies/dda/sweep/sweep_cases.hpp"
 #include "studies/dda/sweep/sweep_progress.hpp"

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "framework/deck/expression/reading_scope.hpp"
 #include "framework/deck/expression/variables.hpp"
 #include "framework/deck/messages.hpp"
-#include "framework/deck/reading_scope.hpp"
 #include "unit/framework/deck/messages.hpp"
 
 namespace dda {
