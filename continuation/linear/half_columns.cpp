@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "continuation/linear/cholesky/half_solver.hpp"
+#include "continuation/linear/column_groups.hpp"
 #include "continuation/linear/direct/bordered_solver.hpp"
 #include "continuation/linear/update_columns.hpp"
 #include "framework/base/threads.hpp"
@@ -13,8 +13,6 @@ namespace dda {
 namespace {
 
 using Matrix = Eigen::MatrixXd;
-
-Eigen::Index row_of(std::size_t place) { return 2 * static_cast<Eigen::Index>(place); }
 
 /// Half of Z: with K = L Lᵀ and Y = L⁻¹ Uᵀ,
 ///
@@ -40,7 +38,7 @@ class HalfColumns final : public UpdateColumns {
       groups_.push_back({places_.size() - group.size(), {}, {}});
     }
     parallel_for(new_groups.size(), 1, [&](std::size_t i) {
-      const std::vector<HalfSolver::Entry> entries = entries_of(new_groups[i]);
+      const std::vector<HalfSolver::Entry> entries = entries_of(equilibrium_, new_groups[i]);
       Group& group = groups_[first + i];
       group.y = border_.half_solve(entries);
       border_.extend(group.y, entries, group.border);
@@ -75,7 +73,8 @@ class HalfColumns final : public UpdateColumns {
     parallel_for(groups_.size(), 1, [&](std::size_t i) {
       Group& group = groups_[i];
       if (group.border.rows() > rows) group.border.conservativeResize(rows, Eigen::NoChange);
-      border_.extend(group.y, entries_of(points.subspan(group.first, size_of(i))), group.border);
+      border_.extend(group.y, entries_of(equilibrium_, points.subspan(group.first, size_of(i))),
+                     group.border);
     });
     parallel_for(groups_.size(), 1, [&](std::size_t left) {
       for (std::size_t right = left; right < groups_.size(); ++right) correct(left, right, first, g);
@@ -129,7 +128,6 @@ class HalfColumns final : public UpdateColumns {
   std::size_t most_at_once() const override { return std::numeric_limits<std::size_t>::max(); }
 
  private:
-  static constexpr std::size_t largest_group = 4;
   struct Group {
     std::size_t first;  ///< place
     HalfSolution y;
@@ -145,15 +143,6 @@ class HalfColumns final : public UpdateColumns {
     return static_cast<std::size_t>(groups_[group].y.columns / 2);
   }
   Eigen::Index border_rows() const { return groups_.empty() ? 0 : groups_.front().border.rows(); }
-
-  std::vector<HalfSolver::Entry> entries_of(std::span<const std::size_t> points) const {
-    std::vector<HalfSolver::Entry> out;
-    for (std::size_t i = 0; i < points.size(); ++i)
-      equilibrium_.point(points[i]).for_each_part([&](BlockId part, const Mat26& rows) {
-        out.push_back({part, rows.transpose(), static_cast<Eigen::Index>(i)});
-      });
-    return out;
-  }
 
   /// Groups all of whose places stay.
   void keep(std::span<const std::size_t> kept) {

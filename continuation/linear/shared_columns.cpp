@@ -5,14 +5,13 @@
 #include <utility>
 #include <vector>
 
+#include "continuation/linear/column_groups.hpp"
 #include "framework/base/threads.hpp"
 
 namespace dda {
 namespace {
 
 using Matrix = Eigen::MatrixXd;
-
-Eigen::Index row_of(std::size_t place) { return 2 * static_cast<Eigen::Index>(place); }
 
 /// Half of Z as HalfColumns has it, Y = L⁻¹ Uᵀ: rows of the strips with their ranks, those between the strips here.
 class SharedColumns final : public UpdateColumns {
@@ -28,7 +27,7 @@ class SharedColumns final : public UpdateColumns {
     for (const std::span<const std::size_t> group : neighbours(points, group_size_)) {
       for (std::size_t i = 0; i < group.size(); ++i) places_.push_back({groups_.size(), row_of(i)});
       groups_.push_back({places_.size() - group.size(), row_of(group.size()), {}});
-      entries.push_back(entries_of(group));
+      entries.push_back(entries_of(equilibrium_, group));
     }
     const Eigen::Index all = row_of(places_.size()), old = row_of(first_place);
     g.block(0, old, all, all - old).setZero();
@@ -89,7 +88,6 @@ class SharedColumns final : public UpdateColumns {
   std::size_t most_at_once() const override { return std::numeric_limits<std::size_t>::max(); }
 
  private:
-  static constexpr std::size_t largest_group = 4;  // as HalfColumns
   struct Group {
     std::size_t first;  ///< place
     Eigen::Index columns;
@@ -100,15 +98,6 @@ class SharedColumns final : public UpdateColumns {
     std::size_t group;
     Eigen::Index column;
   };
-
-  SharedMatrix::Entries entries_of(std::span<const std::size_t> points) const {
-    SharedMatrix::Entries out;
-    for (std::size_t i = 0; i < points.size(); ++i)
-      equilibrium_.point(points[i]).for_each_part([&](BlockId part, const Mat26& rows) {
-        out.push_back({part, rows.transpose(), static_cast<Eigen::Index>(i)});
-      });
-    return out;
-  }
 
   Eigen::Block<Matrix> block_of(std::size_t left, std::size_t right, Matrix& g) const {
     return g.block(row_of(groups_[left].first), row_of(groups_[right].first), groups_[left].columns,

@@ -5,6 +5,7 @@
 #include <map>
 #include <vector>
 
+#include "continuation/linear/column_groups.hpp"
 #include "continuation/linear/direct/bordered_solver.hpp"
 #include "continuation/linear/shared_columns.hpp"
 
@@ -12,8 +13,6 @@ namespace dda {
 namespace {
 
 using Matrix = Eigen::MatrixXd;
-
-Eigen::Index row_of(std::size_t place) { return 2 * static_cast<Eigen::Index>(place); }
 
 /// Z column by column. It is kept while it is small and replaced by a solution per product from then on, so
 /// that memory follows the factor and not the cracks.
@@ -155,15 +154,6 @@ std::size_t most_columns_beside(double factor_flops) {
   constexpr double iterations_per_base = 5, sparse_over_dense = 20, fewest = 48;
   return static_cast<std::size_t>(
       std::max(fewest, std::cbrt(1.5 * sparse_over_dense * factor_flops / iterations_per_base)));
-}
-
-std::vector<std::span<const std::size_t>> neighbours(std::span<const std::size_t> points, std::size_t most) {
-  std::vector<std::span<const std::size_t>> out;
-  for (std::size_t begin = 0, end; begin < points.size(); begin = end) {
-    for (end = begin + 1; end < points.size() && points[end] / most == points[begin] / most;) ++end;
-    out.push_back(points.subspan(begin, end - begin));
-  }
-  return out;
 }
 
 std::unique_ptr<UpdateColumns> update_columns(const Equilibrium& equilibrium, BorderedSolver& solver,

@@ -53,9 +53,6 @@ class UpdateColumns {
   std::size_t num_solves_ = 0;
 };
 
-/// Runs of points between the multiples of a number.
-std::vector<std::span<const std::size_t>> neighbours(std::span<const std::size_t> points, std::size_t most);
-
 /// Columns for what the solver has factorised last and its border; points between two multiples of `batch` are
 /// always added together, in order.
 std::unique_ptr<UpdateColumns> update_columns(const Equilibrium& equilibrium, BorderedSolver& solver,

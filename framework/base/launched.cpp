@@ -16,11 +16,11 @@ std::optional<int> number_in(const char* name) {
 }
 
 /// The variables of one launcher.
-struct Names {
+struct LauncherNames {
   const char *size, *rank, *size_here;
 };
 
-constexpr Names known[] = {
+constexpr LauncherNames known[] = {
     {"OMPI_COMM_WORLD_SIZE", "OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_LOCAL_SIZE"},  // mpirun of Open MPI
     {"SLURM_STEP_NUM_TASKS", "SLURM_PROCID", "SLURM_STEP_TASKS_PER_NODE"},           // srun: 2, 2(x3), 2,1
     {"PMI_SIZE", "PMI_RANK", "MPI_LOCALNRANKS"},                                     // mpiexec of MPICH
@@ -29,7 +29,7 @@ constexpr Names known[] = {
 }  // namespace
 
 Launched launched() {
-  for (const Names& names : known) {
+  for (const LauncherNames& names : known) {
     const auto size = number_in(names.size), rank = number_in(names.rank);
     if (!size || !rank || *size < 1 || *rank < 0 || *rank >= *size) continue;
     return {*size, *rank, std::clamp(number_in(names.size_here).value_or(*size), 1, *size)};

@@ -3,12 +3,10 @@
     test_extends.py      with PYTHONPATH=python, and DDA naming the program
 """
 
-import subprocess
-import tempfile
 import unittest
-from pathlib import Path
 
 import ddapath
+from program_case import ProgramCase
 
 BASE = """\
 title: A bar
@@ -36,22 +34,15 @@ Physical Curve("interface:crack") = {2}; Physical Curve("boundary:left") = {4}; 
 """
 
 
-class Extends(unittest.TestCase):
+class Extends(ProgramCase):
     def setUp(self):
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.folder = Path(scratch.name)
+        super().setUp()
         (self.folder / "base").mkdir()
         self.write("base/bar.geo", GEO)
         self.write("base/bar.yaml", BASE)
 
     def write(self, name, text):
         (self.folder / name).write_text(text, encoding="utf-8")
-
-    def dda(self, *words, code=0):
-        said = subprocess.run([str(ddapath.find_program()), *words], capture_output=True, text=True, cwd=self.folder)
-        self.assertEqual(said.returncode, code, said.stdout + said.stderr)
-        return said.stdout + said.stderr
 
     def peak(self, *options):
         self.dda("run", "deck.yaml", "--folder", "run", "--overwrite", "--quiet", *options)

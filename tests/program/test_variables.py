@@ -5,12 +5,10 @@
 
 import json
 import shutil
-import subprocess
-import tempfile
 import unittest
-from pathlib import Path
 
 import ddapath
+from program_case import ProgramCase
 
 BAR = """\
 variables: {f: ft, ft: 3, L: 100, b: L/2}
@@ -44,17 +42,7 @@ Physical Curve("interface:crack") = {2}; Physical Curve("boundary:left") = {4}; 
 """
 
 
-class Variables(unittest.TestCase):
-    def setUp(self):
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.folder = Path(scratch.name)
-
-    def dda(self, *words, code=0):
-        said = subprocess.run([str(ddapath.find_program()), *words], capture_output=True, text=True, cwd=self.folder)
-        self.assertEqual(said.returncode, code, said.stdout + said.stderr)
-        return said.stdout + said.stderr
-
+class Variables(ProgramCase):
     def write(self, text, name="deck.yaml"):
         (self.folder / name).write_text(text, encoding="utf-8")
 

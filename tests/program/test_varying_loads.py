@@ -3,13 +3,11 @@
     test_varying_loads.py      with PYTHONPATH=python, and DDA naming the program
 """
 
-import subprocess
-import tempfile
 import unittest
-from pathlib import Path
 
 import ddapath
 from ddapath.verify import verify
+from program_case import ProgramCase
 
 DAM = """\
 title: A dam on two bearings, water up to a level within a side of a block
@@ -68,17 +66,7 @@ motion: {time: 2, held: [ground]}
 """
 
 
-class Computed(unittest.TestCase):
-    def setUp(self):
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.folder = Path(scratch.name)
-
-    def dda(self, *words, code=0):
-        said = subprocess.run([str(ddapath.find_program()), *words], capture_output=True, text=True, cwd=self.folder)
-        self.assertEqual(said.returncode, code, said.stdout + said.stderr)
-        return said.stdout + said.stderr
-
+class Computed(ProgramCase):
     def run_deck(self, text, *options, folder="run"):
         (self.folder / "deck.yaml").write_text(text, encoding="utf-8")
         self.dda("run", "deck.yaml", "--folder", folder, "--overwrite", "--quiet", *options)

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "continuation/linear/cholesky/half_solver.hpp"
+#include "models/equilibrium.hpp"
+
+namespace dda {
+
+/// Points whose half columns are made together: more share no more of their way through the factor.
+inline constexpr std::size_t largest_group = 4;
+
+/// First of the two rows, or columns, that belong to the point at a place.
+inline Eigen::Index row_of(std::size_t place) { return 2 * static_cast<Eigen::Index>(place); }
+
+/// Runs of points between the multiples of a number.
+std::vector<std::span<const std::size_t>> neighbours(std::span<const std::size_t> points, std::size_t most);
+
+/// Rows Bᵀ of some points, by the blocks and nodes they act on; entry i of `points` has the columns 2 i and 2 i + 1.
+std::vector<HalfSolver::Entry> entries_of(const Equilibrium& equilibrium,
+                                          std::span<const std::size_t> points);
+
+}  // namespace dda
