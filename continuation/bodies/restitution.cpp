@@ -18,7 +18,7 @@ struct Side {
   double speed(const RigidMotion& of) const { return along.dot(of.velocity) + moment * of.spin; }
 };
 
-struct Contact {
+struct ImpactContact {
   std::array<Side, 2> sides;
   double target;       ///< speed of parting that is missing [L/T]
   double impulse = 0;  ///< λ
@@ -51,7 +51,7 @@ double parting(const std::array<Side, 2>& sides, const Poses& at, const Poses& v
 std::vector<RigidMotion> rebound(const MovingScene& scene, const Impact& impact) {
   constexpr int sweeps = 200;
   constexpr double hardly = 1e-10;
-  std::vector<Contact> contacts;
+  std::vector<ImpactContact> contacts;
   double largest = 0;
   for (const Meeting& meeting : impact.meetings) {
     const std::size_t i = meeting.key.body, j = meeting.key.other;
@@ -69,7 +69,7 @@ std::vector<RigidMotion> rebound(const MovingScene& scene, const Impact& impact)
   std::vector<RigidMotion> out(scene.num_bodies());
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     double change = 0;
-    for (Contact& contact : contacts) {
+    for (ImpactContact& contact : contacts) {
       double speed = 0;
       for (const Side& side : contact.sides) speed += side.speed(out[side.body]);
       const double compliance = contact.compliance();
