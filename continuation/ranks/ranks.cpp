@@ -77,6 +77,7 @@ Ranks Ranks::of_launcher(Answer answer) {
 Message Ranks::reply_of(std::size_t rank, Message& request) {
   if (rank < answers_.size()) return answers_[rank](request);
   Message reply(transport_->receive(rank));
+  traffic_.received += reply.bytes().size();
   if (reply.take<bool>()) return reply;
   const std::vector<char> words = reply.take_all<char>();
   throw std::runtime_error(
@@ -87,6 +88,7 @@ void Ranks::exchange(const std::function<std::optional<Message>(std::size_t)>& r
                      const std::function<void(std::size_t, Message&)>& take) {
   std::vector<std::optional<Message>> own(size());
   std::vector<bool> is_asked(size(), false);
+  ++traffic_.exchanges;
   std::exception_ptr failure;
   const auto attempt = [&](const auto& what) {
     try {
@@ -99,10 +101,12 @@ void Ranks::exchange(const std::function<std::optional<Message>(std::size_t)>& r
     attempt([&] {
       auto message = request(rank);
       if (!message) return;
-      if (rank < answers_.size())
+      if (rank < answers_.size()) {
         own[rank] = std::move(message);
-      else
+      } else {
         transport_->send(rank, message->bytes());
+        traffic_.sent += message->bytes().size();
+      }
       is_asked[rank] = true;
     });
   for (std::size_t rank = 0; rank < size(); ++rank)

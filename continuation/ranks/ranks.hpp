@@ -15,6 +15,12 @@ namespace dda {
 /// What a rank does when it is asked: the reply to a request.
 using Answer = std::function<Message(Message& request)>;
 
+/// What has gone between rank 0 and the others.
+struct Traffic {
+  std::size_t exchanges = 0;           ///< of all ranks at once
+  std::size_t sent = 0, received = 0;  ///< bytes, by rank 0
+};
+
 /// The processes of one run. Rank 0 follows the path, alone: it decides, reads and writes. What others do, and what it
 /// does itself beside them, it asks for by requests, and takes the replies in the order of the ranks, so that sums
 /// are the same bits each time.
@@ -30,6 +36,8 @@ class Ranks {
   /// Ranks on this machine with rank 0, itself among them.
   const std::vector<std::size_t>& beside() const { return beside_; }
 
+  const Traffic& traffic() const { return traffic_; }
+
   /// Sends every rank its request, if there is one, and hands over the replies. Where ranks fail all are waited for;
   /// throws what rank 0 threw, or std::runtime_error with the rank, its machine and its words.
   void exchange(const std::function<std::optional<Message>(std::size_t rank)>& request,
@@ -44,6 +52,7 @@ class Ranks {
   Transport* transport_ = nullptr;
   std::vector<std::string> machines_;
   std::vector<std::size_t> beside_;
+  Traffic traffic_;
 };
 
 /// Answers rank 0 until it ends; what another rank does. Signals are left to rank 0.

@@ -43,18 +43,19 @@ def processor_seconds():
     return used.ru_utime + used.ru_stime
 
 
-def measured(deck, folder, settings=None, *, threads=1, limit=None, environment=None, program=None):
+def measured(deck, folder, settings=None, *, threads=1, limit=None, environment=None, program=None, launcher=()):
     """Runs a deck, a file or a dictionary, into a folder, whose results it replaces; any exit code is a result.
 
     settings: as those of ddapath.run; limit: seconds after which it is given up; environment: variables beside those
-    of this process; program: that is run, by default the one of `dda`.
+    of this process; program: that is run, by default the one of `dda`; launcher: words that start
+    it, such as mpirun and its options.
     """
     with tempfile.TemporaryDirectory(prefix="ddapath-") as scratch:
         file = deck
         if isinstance(deck, dict):  # JSON is YAML, and sooner written
             file = Path(scratch) / "deck.json"
             file.write_text(json.dumps(decks.plain(decks.with_absolute_files(deck, Path.cwd()))), encoding="utf-8")
-        command = [program or find_program(), "run", file, "--folder", folder, "--overwrite", "--quiet", "--threads", str(threads),
+        command = [*launcher, program or find_program(), "run", file, "--folder", folder, "--overwrite", "--quiet", "--threads", str(threads),
                    *setting_options(settings)]
         before, start = processor_seconds(), time.perf_counter()
         try:

@@ -187,6 +187,8 @@ class Ranks(unittest.TestCase):
         self.assertEqual(summary["ranks"]["count"], 2)
         self.assertEqual(len(summary["ranks"]["peak_memory_mib"]), 2)
         self.assertTrue(all(mib > 1 for mib in summary["ranks"]["peak_memory_mib"]))
+        self.assertGreater(summary["ranks"]["exchanges"], summary["factorisations"])
+        self.assertGreater(summary["ranks"]["received_mib"], 0)
         self.assertNotIn("ranks", json.loads((self.folder / "one" / "summary.json").read_text()))
 
     def test_a_plain_run_loads_nothing_of_it(self):

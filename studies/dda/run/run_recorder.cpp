@@ -55,7 +55,12 @@ nlohmann::ordered_json ranks_summary(Ranks& ranks) {
   constexpr double bytes_per_mib = 1024 * 1024;
   std::vector<double> memory = memory_by_rank(ranks);
   for (double& bytes : memory) bytes /= bytes_per_mib;
-  return {{"count", ranks.size()}, {"peak_memory_mib", memory}};
+  const Traffic& traffic = ranks.traffic();
+  return {{"count", ranks.size()},
+          {"peak_memory_mib", memory},
+          {"exchanges", traffic.exchanges},
+          {"sent_mib", static_cast<double>(traffic.sent) / bytes_per_mib},
+          {"received_mib", static_cast<double>(traffic.received) / bytes_per_mib}};
 }
 
 /// Of the run that has never switched.
