@@ -2,17 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "framework/figure/axis.hpp"
 #include "framework/figure/canvas.hpp"
 #include "framework/figure/colour_map.hpp"
+#include "framework/figure/symbols.hpp"
+#include "framework/figure/view.hpp"
 
 namespace dda::svg {
 namespace {
 
 constexpr double small = 10, normal = 11.5, large = 14;  // font sizes [px]
-constexpr double margin = 16, bar_width = 14;
-constexpr double least_height = 120;  // a colour bar needs that much
+constexpr double margin = drawing_margin, bar_width = 14;
 
 /// Values of strokes and what they look like.
 struct Scale {
@@ -24,34 +26,6 @@ struct Scale {
     const Range wide = range.widened(0);
     return colour(ColourMap::crack, (value - wide.low) / (wide.high - wide.low));
   }
-};
-
-/// From the plane to the picture: equal scale, y upwards, centred in a frame.
-class View {
- public:
-  View(const Range& x, const Range& y, const Drawing& drawing) : x_(x), y_(y) {
-    const double width = std::max(x.high - x.low, 1e-300), height = std::max(y.high - y.low, 1e-300);
-    scale_ = std::min(drawing.width / width, drawing.height / height);
-    frame_ = {margin, margin, std::max(width * scale_, 2 * least_height),
-              std::max(height * scale_, least_height)};
-  }
-
-  const Box& frame() const { return frame_; }
-  void move_down(double more) { frame_.y += more; }
-  double across(const Vec2& point) const {
-    return frame_.x + frame_.width / 2 + scale_ * (point.x() - x_.low - (x_.high - x_.low) / 2);
-  }
-  double down(const Vec2& point) const {
-    return frame_.y + frame_.height / 2 - scale_ * (point.y() - y_.low - (y_.high - y_.low) / 2);
-  }
-  std::string place(const Vec2& point) const {
-    return coordinate(across(point)) + " " + coordinate(down(point));
-  }
-
- private:
-  Range x_, y_;
-  Box frame_;
-  double scale_ = 1;
 };
 
 View view_of(const Drawing& drawing) {
@@ -66,12 +40,15 @@ View view_of(const Drawing& drawing) {
     include(stroke.end);
   }
   for (const Note& note : drawing.notes) include(note.at);
-  return {x, y, drawing};
+  View out(x, y, drawing.width, drawing.height);
+  if (!drawing.symbols.empty()) out.move_by(symbol_reach, symbol_reach);
+  return out;
 }
 
 Scale scale_of(const Drawing& drawing) {
   Range range;
-  for (const Stroke& stroke : drawing.strokes) range.include(stroke.value);
+  for (const Stroke& stroke : drawing.strokes)
+    if (stroke.colour < 0) range.include(stroke.value);
   return {range, drawing.stroke_label};
 }
 
@@ -85,11 +62,13 @@ std::string path_of(const View& view, const Fill& fill) {
   return data + 'Z';
 }
 
-/// All polygons are one path.
+/// All polygons of one tint are one path.
 void paint_polygons(Canvas& canvas, const View& view, const Drawing& drawing) {
-  std::string all;
-  for (const Fill& fill : drawing.polygons) all += path_of(view, fill);
-  canvas.path(all, block_fill, {"#a0a0a0", 0.4});
+  std::map<int, std::string> by_tint;
+  for (const Fill& fill : drawing.polygons) by_tint[fill.tint] += path_of(view, fill);
+  for (const auto& [tint, all] : by_tint)
+    canvas.path(all, tint < 0 ? block_fill : tints[static_cast<std::size_t>(tint) % tints.size()],
+                {"#a0a0a0", 0.4});
 }
 
 void paint_marks(Canvas& canvas, const View& view, const Drawing& drawing) {
@@ -100,7 +79,10 @@ void paint_marks(Canvas& canvas, const View& view, const Drawing& drawing) {
 void paint_strokes(Canvas& canvas, const View& view, const Drawing& drawing, const Scale& scale) {
   for (const Stroke& stroke : drawing.strokes) {
     if (!finite(stroke.start) || !finite(stroke.end)) continue;
-    const std::string paint = scale.shown() ? scale.colour_of(stroke.value) : "#8b0000";
+    const std::string paint = stroke.colour >= 0
+                                  ? palette[static_cast<std::size_t>(stroke.colour) % palette.size()]
+                              : scale.shown() ? scale.colour_of(stroke.value)
+                                              : "#8b0000";
     canvas.path("M" + view.place(stroke.start) + "L" + view.place(stroke.end), "none", {paint, stroke.width});
   }
 }
@@ -159,25 +141,29 @@ std::string to_svg(const Drawing& drawing) {
   Canvas canvas;
   View view = view_of(drawing);
   const Scale scale = scale_of(drawing);
-  view.move_down((drawing.title.empty() ? 0 : large + 10) + (scale.shown() ? 14 : 0) +
-                 (drawing.notes.empty() ? 0 : 2 * small));
+  view.move_by(0, (drawing.title.empty() ? 0 : large + 10) + (scale.shown() ? 14 : 0) +
+                      (drawing.notes.empty() ? 0 : 2 * small));
   const Box& frame = view.frame();
-  double right = frame.right();
+  const double reach = drawing.symbols.empty() ? 0 : symbol_reach;
+  double right = frame.right() + reach;
   if (scale.shown()) right += 20 + paint_bar(canvas, scale, {right + 20, frame.y, 0, frame.height});
+  if (!drawing.key.empty()) right += 12 + paint_key(canvas, drawing.key, {right + 12, frame.y});
   canvas.text(margin, margin + large, fitted(drawing.title, large, right - margin),
               {large, Anchor::start, true});
   paint_polygons(canvas, view, drawing);
   paint_strokes(canvas, view, drawing, scale);
   paint_marks(canvas, view, drawing);
+  paint_symbols(canvas, view, drawing.symbols);
   for (const Note& note : drawing.notes)
     canvas.text(view.across(note.at), view.down(note.at), note.text, {small, Anchor::middle});
   if (drawing.polygons.empty() && drawing.strokes.empty()) {
     canvas.text(frame.x + frame.width / 2, frame.y + frame.height / 2, "nothing to draw",
                 {normal, Anchor::middle});
   }
-  const double caption =
-      paint_caption(canvas, drawing.caption, {margin, frame.bottom() + 8, right - margin, 0});
-  return canvas.document(right + margin, frame.bottom() + 8 + caption + margin);
+  const double bottom =
+      std::max(frame.bottom() + reach, frame.y + key_line * static_cast<double>(drawing.key.size()));
+  const double caption = paint_caption(canvas, drawing.caption, {margin, bottom + 8, right - margin, 0});
+  return canvas.document(right + margin, bottom + 8 + caption + margin);
 }
 
 }  // namespace dda::svg

@@ -7,17 +7,39 @@
 
 namespace dda::svg {
 
-/// A polygon in pale grey.
+/// A polygon in pale grey, or in one of the tints (style.hpp).
 struct Fill {
   std::vector<Vec2> outline = {};
   bool is_marked = false;  ///< gets a red outline, above everything
+  int tint = -1;           ///< place among the tints
 };
 
-/// A segment coloured by its value; NaN is drawn light grey. Width in points.
+/// A segment coloured by its value, or in a colour of the palette; NaN is drawn light grey. Width in points.
 struct Stroke {
   Vec2 start, end;
   double value = 0;
   double width = 1.5;
+  int colour = -1;  ///< place in the palette
+};
+
+/// What stands at a place: a force (an arrow whose length tells its size), what is held along a direction (a
+/// triangle), what is measured along one (a dot with a tail).
+enum class Mark { force, held, measured };
+
+struct Symbol {
+  Mark mark = Mark::force;
+  Vec2 at;
+  Vec2 along;        ///< direction, and of a force its size, in any unit
+  int colour = 0;    ///< place in the palette
+  std::string name;  ///< beside the first of that name; "" for none
+};
+
+/// A line of the legend: the colour of a tint, or of the palette.
+struct KeyEntry {
+  enum class Kind { fill, line, force, held, measured };
+  Kind kind = Kind::fill;
+  int colour = 0;
+  std::string name;
 };
 
 /// A short text centred at a place.
@@ -34,6 +56,8 @@ struct Drawing {
   std::vector<Stroke> strokes = {};
   std::string stroke_label = {};  ///< quantity and unit, such as "opening [mm]"
   std::vector<Note> notes = {};
+  std::vector<Symbol> symbols = {};
+  std::vector<KeyEntry> key = {};    ///< legend, right of the picture
   double width = 680, height = 460;  ///< room for the picture [px]
 };
 

@@ -12,6 +12,10 @@ inline constexpr std::array palette = {"#0072B2", "#D55E00", "#009E73", "#CC79A7
                                        "#E69F00", "#56B4E9", "#000000"};
 inline constexpr int blue = 0, vermilion = 1, black = palette.size() - 1;  ///< places in the palette
 
+/// The palette mixed with white: for surfaces under lines and words.
+inline constexpr std::array tints = {"#dbe9f4", "#f8e2d3", "#d5ece3", "#f5e6ee",
+                                     "#faeed3", "#e3f2fb", "#e0e0e0"};
+
 inline constexpr const char* ink = "#222222";
 inline constexpr const char* faint = "#e3e3e3";
 inline constexpr const char* grey = "#808080";

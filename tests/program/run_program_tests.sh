@@ -12,7 +12,7 @@ status_is() { grep -q "\"status\": \"$2\"" "$1/summary.json" || complain "$1 is 
 
 whole_run() {
   expect 0 "run" "$program" run "$bar" --folder whole --quiet
-  for file in deck.yaml effective_deck.yaml log.jsonl curve.csv curve.svg deformed.svg summary.json fields/mesh.h5 run.xdmf restart.h5
+  for file in deck.yaml effective_deck.yaml model.svg log.jsonl curve.csv curve.svg deformed.svg summary.json fields/mesh.h5 run.xdmf restart.h5
   do exists whole/$file; done
   same whole/deck.yaml "$bar"
   head -n 1 whole/curve.csv |
@@ -21,6 +21,15 @@ whole_run() {
   status_is whole goal_reached
   expect 0 "run of the effective deck" "$program" run whole/effective_deck.yaml --folder again --quiet
   same whole/curve.csv again/curve.csv
+}
+
+pictures_of_models() {
+  expect 0 "check with a picture" "$program" check "$beam" --svg model.svg
+  for text in left right concrete '× load factor' 'stroke="#000000"'
+  do grep -qF -e "$text" model.svg || complain "no '$text' in model.svg"; done
+  expect 0 "run beside it" "$program" run "$beam" --folder drawn --quiet
+  same model.svg drawn/model.svg
+  expect 4 "a picture without a place" "$program" check "$beam" --svg /proc/model.svg
 }
 
 condition() {
@@ -225,6 +234,6 @@ comparing() {
   exists overlay.svg
 }
 
-for part in ${PARTS:-whole_run condition eigenvalues folders resume_after_steps peak_before_release resume_without_summary limits resume_under_another_control interrupted no_place_to_write command_line comparing}
+for part in ${PARTS:-whole_run pictures_of_models condition eigenvalues folders resume_after_steps peak_before_release resume_without_summary limits resume_under_another_control interrupted no_place_to_write command_line comparing}
 do $part; done
 exit $failed

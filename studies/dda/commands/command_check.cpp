@@ -4,10 +4,12 @@
 #include <map>
 
 #include "continuation/handover/regions.hpp"
+#include "framework/files/whole_file.hpp"
 #include "models/loading.hpp"
 #include "studies/dda/case/predicted_memory.hpp"
 #include "studies/dda/case/written_deck.hpp"
 #include "studies/dda/commands/commands.hpp"
+#include "studies/dda/figures/model_picture.hpp"
 #include "studies/dda/record/warnings/bearings.hpp"
 #include "studies/dda/record/warnings/coarse_zones.hpp"
 #include "studies/dda/sweep/sweep.hpp"
@@ -181,6 +183,10 @@ int command_check(const CommandLine& command) {
     print_gauges(simulation);
   }
   if (file.deck.moves()) print_motion(simulation);
+  if (!command.picture.empty()) {
+    write_whole(command.picture, model_picture(simulation), Flush::to_system);
+    line("picture", command.picture.string());
+  }
   return 0;
 }
 

@@ -31,6 +31,7 @@ struct CommandLine {
   std::string find;                            ///< explain
   std::vector<std::string> words;              ///< complete
   std::filesystem::path out = "curves.svg";    ///< plot
+  std::filesystem::path picture;               ///< check: of the model; none when empty
   int ranks = 1;                               ///< check: those whose memory is told
   int jobs = 0;                                ///< runs of a sweep at a time; 0: one per processor
   bool dry_run = false;                        ///< sweep

@@ -10,6 +10,7 @@
 #include "framework/figure/drawing.hpp"
 #include "framework/figure/style.hpp"
 #include "framework/files/whole_file.hpp"
+#include "studies/dda/figures/material_colours.hpp"
 #include "studies/dda/figures/stability_pictures.hpp"
 
 namespace dda {
@@ -94,11 +95,20 @@ constexpr std::array<CrackQuantity, 2> crack_quantities{
     {{"opening", "", [](const Vec2& w) { return std::max(w.x(), 0.0); }},
      {"sliding", "-sliding", [](const Vec2& w) { return std::abs(w.y()); }}}};
 
-/// Draws one deformed state, shifted.
+/// Openings that a picture does not show, as part of the structure's size in it.
+constexpr double hairline = 2e-3;
+constexpr double hairline_width = 0.6, crack_width = 1.5;  // [pt]
+
+/// Draws one deformed state, shifted. Blocks have the colour of their material where there are several.
 class DeformedState {
  public:
   DeformedState(const Fields& fields, const StoredState& at, Vec2 shift, double scale)
-      : fields_(fields), at_(at), shift_(std::move(shift)), scale_(scale) {}
+      : fields_(fields),
+        at_(at),
+        shift_(std::move(shift)),
+        scale_(scale),
+        colours_(material_colours(fields.body().assembly)),
+        visible_(hairline * bounds(fields).size() / scale) {}
 
   DeformedState& coloured_by(const CrackQuantity& quantity) {
     quantity_ = &quantity;
@@ -123,6 +133,7 @@ class DeformedState {
       if (!shows(fields_.body().block(BlockId(b)).moments.centroid)) continue;
       for (const auto& part : fields_.moved_parts(BlockId(b), at_.state.d)) {
         svg::Fill fill;
+        if (colours_.names.size() > 1) fill.tint = colours_.of(fields_.body().block(BlockId(b)));
         fill.is_marked = std::ranges::find(marked_, BlockId(b)) != marked_.end();
         for (const auto& [x, u] : part) fill.outline.push_back(moved(x, u));
         drawing.polygons.push_back(std::move(fill));
@@ -145,7 +156,9 @@ class DeformedState {
         return moved(x, fields_.displacement_between(p, x, at_.state.d));
       };
       const auto& [start, end] = fields_.segment(p);
-      drawing.strokes.push_back({between(start), between(end), quantity_->value(interface.opening[p])});
+      const Vec2& w = interface.opening[p];
+      drawing.strokes.push_back({between(start), between(end), quantity_->value(w),
+                                 w.norm() < visible_ ? hairline_width : crack_width});
     }
   }
 
@@ -153,6 +166,8 @@ class DeformedState {
   const StoredState& at_;
   Vec2 shift_;
   double scale_;
+  MaterialColours colours_;
+  double visible_;  ///< least jump that is seen [L]
   const CrackQuantity* quantity_ = crack_quantities.data();
   std::optional<Box> box_;
   std::vector<BlockId> marked_;
@@ -192,6 +207,7 @@ svg::Drawing deformed(const Fields& fields, const PictureContent& content, const
   out.caption =
       fmt::format("above: at the peak (step {}), displacements × {:g}; below: at the end (step {}), × {:g}",
                   memory.peak_state->step, of_peak, end.step, of_end);
+  out.caption += "; thin lines: cracks whose jump is too small to be seen here";
   if (!torn.empty()) out.caption += "; red: torn out";
   return out;
 }
@@ -218,8 +234,7 @@ void write_pictures(const RunFolder& folder, const Fields& fields, const Measure
     write_whole(folder.file(name + ".svg"), text, Flush::to_system);
   };
   write("curve", svg::to_svg(curves(folder, measures, memory, record.reference_peak)));
-  constexpr std::size_t most_blocks = 20000;
-  if (fields.equilibrium().num_blocks() > most_blocks) return;
+  if (fields.equilibrium().num_blocks() > most_drawn_blocks) return;
   for (const CrackQuantity& quantity : crack_quantities) {
     write(std::string("deformed") + quantity.suffix, svg::to_svg(deformed(fields, content, quantity)));
     if (record.detail)

@@ -8,6 +8,9 @@
 
 namespace dda {
 
+/// Blocks beyond which none are drawn: a picture would be too large for a browser.
+inline constexpr std::size_t most_drawn_blocks = 20000;
+
 /// What the pictures of a run show beside its curve.
 struct PictureContent {
   const RunMemory& memory;

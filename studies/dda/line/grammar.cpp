@@ -261,6 +261,8 @@ void Grammar::add_looking() {
       ->add_option("--ranks", line_.ranks,
                    "Tell the memory that each of so many ranks takes, as `mpirun -n N dda run` starts them")
       ->check(CLI::Range(1, 4096));
+  check->add_option("--svg", line_.picture, "Draw the model: materials, interfaces, supports, loads, gauges")
+      ->type_name("FILE");
   add_permissions(check);
   add_threads(check);
   CLI::App* plot = add("plot", "Overlay the load-displacement curves of runs", command_plot);

@@ -19,6 +19,7 @@ struct Limits {
   std::size_t cells = 250'000;      ///< of the curve (11 characters each); of all curves of a sweep (5 each)
   std::size_t events = 400;         ///< of the log
   std::size_t text = 400'000;       ///< characters of each deck
+  std::size_t picture = 4'000'000;  ///< of the model's picture
 };
 
 /// Whether a folder looks like what `dda run` (finished or not) or `dda sweep` writes.

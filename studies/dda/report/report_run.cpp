@@ -76,6 +76,8 @@ int peak_step(const CsvTable& curve) {
 }
 
 void add_decks(const fs::path& folder, Json& data, const Limits& limits) {
+  if (fs::exists(folder / "model.svg") && fs::file_size(folder / "model.svg") <= limits.picture)
+    data["model"] = read_whole(folder / "model.svg");
   data["deck"] = read_text(folder / "deck.yaml", limits.text);
   data["effective_deck"] = read_text(folder / "effective_deck.yaml", limits.text);
   data["overrides"] = overrides_in(data["effective_deck"]);

@@ -11,6 +11,7 @@
 #include "framework/files/run/results.hpp"
 #include "framework/files/whole_file.hpp"
 #include "framework/messages/interrupt.hpp"
+#include "studies/dda/figures/model_picture.hpp"
 #include "studies/dda/run/motion_run.hpp"
 #include "studies/dda/run/new_run.hpp"
 #include "studies/dda/run/restart.hpp"
@@ -90,7 +91,7 @@ RunResult conclude(const RunFolder& folder, RunRecorder& recorder, const Ending&
 /// The files that a continued run goes on with.
 void copy_run(const fs::path& from, const RunFolder& to) {
   for (const char* name :
-       {"curve.csv", "curve.units.json", "log.jsonl", fields_folder, "run.xdmf", "restart.h5"}) {
+       {"curve.csv", "curve.units.json", "log.jsonl", "model.svg", fields_folder, "run.xdmf", "restart.h5"}) {
     std::error_code error;
     fs::copy(from / name, to.file(name), fs::copy_options::overwrite_existing | fs::copy_options::recursive,
              error);
@@ -134,6 +135,7 @@ RunResult run_deck(const DeckFile& deck, const RunOptions& options) {
   const RunFolder folder = new_folder(deck, options);
   const std::string effective = effective_deck(deck);
   write_decks(folder, deck, effective);
+  write_model_picture(folder, simulation);
   simulation.stepper().log_to(folder.file("nox.log"));
   const std::string obstacle = simulation.apply_dead_loads();
   simulation.walker().effort().count_steps_anew();

@@ -14,7 +14,7 @@ class RunPage {
 
   elements() {
     return [
-      ...this.top(), this.pathSection(), this.cracksSection(), this.stabilitySection(), this.energySection(),
+      ...this.top(), this.modelSection(), this.pathSection(), this.cracksSection(), this.stabilitySection(), this.energySection(),
       this.motionSection(), this.askedSection(), this.logSection(), this.timeSection(), this.provenanceSection()
     ].filter(Boolean);
   }
@@ -71,6 +71,14 @@ class RunPage {
     if (!this.curve || !load) return [];
     const row = load.reduce((best, value, i) => (Math.abs(value) > Math.abs(load[best]) ? i : best), 0);
     return [["highest load so far", this.table.column(COLUMN.load).textAt(row), `step ${this.curve.steps[row]}`]];
+  }
+
+  /** What was asked: blocks, interfaces, supports, loads, gauges. */
+  modelSection() {
+    if (!this.data.model) return null;
+    const source = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(this.data.model)}`;
+    const picture = element("img", {id: "model-picture", src: source, alt: "Blocks, interfaces, supports, loads and gauges"});
+    return section("model", "Model", picture);
   }
 
   motionSection() {

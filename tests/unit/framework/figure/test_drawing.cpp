@@ -77,5 +77,59 @@ TEST(ColourMap, EndsAndLimits) {
   EXPECT_EQ(colour(ColourMap::viridis, std::nan("")), "#d9d9d9");
 }
 
+TEST(Drawing, TintsAndPaletteColours) {
+  Drawing drawing = two_blocks();
+  drawing.polygons[1].tint = 1;
+  drawing.strokes[0].colour = 2;
+  const std::string svg = to_svg(drawing);
+  EXPECT_THAT(svg, HasSubstr(block_fill));
+  EXPECT_THAT(svg, HasSubstr(tints[1]));
+  EXPECT_THAT(svg, HasSubstr(std::string("stroke=\"") + palette[2]));
+}
+
+/// Numbers of the first element whose text begins so.
+std::vector<double> numbers_of(const std::string& svg, const std::string& begin) {
+  const std::size_t at = svg.find(begin);
+  EXPECT_NE(at, std::string::npos) << begin;
+  const std::string element = svg.substr(at, svg.find('>', at) - at);
+  std::vector<double> out;
+  const std::regex number("\"(-?[0-9.]+)\"");
+  for (std::sregex_iterator it(element.begin(), element.end(), number), end; it != end; ++it)
+    out.push_back(std::stod((*it)[1]));
+  return out;
+}
+
+TEST(Drawing, ForcesThatPressEndWhereTheyActAndThoseThatPullBeginThere) {
+  Drawing drawing = two_blocks();
+  drawing.strokes.clear();
+  drawing.symbols = {{.mark = Mark::force, .at = {2, 1}, .along = {0, -5}}};
+  const double top = first_polygon(to_svg(drawing))[2].y();
+  std::vector<double> shaft = numbers_of(to_svg(drawing), "<line");
+  ASSERT_GE(shaft.size(), 4u);
+  EXPECT_LT(shaft[1], shaft[3]) << "downwards";
+  EXPECT_LE(shaft[3], top);
+  drawing.symbols[0].along = {0, 5};
+  shaft = numbers_of(to_svg(drawing), "<line");
+  EXPECT_NEAR(shaft[1], top, 0.02);
+  EXPECT_LT(shaft[3], top);
+}
+
+TEST(Drawing, SymbolsThatWouldCoverEachOtherAreDrawnOnceAndNamedOnce) {
+  Drawing drawing = two_blocks();
+  for (int i = 0; i <= 1000; ++i)
+    drawing.symbols.push_back({.mark = Mark::held, .at = {0.004 * i, 0}, .along = {0, 1}, .name = "foot"});
+  drawing.key = {{KeyEntry::Kind::held, 0, "held"}};
+  const std::string svg = to_svg(drawing);
+  const auto count = [&](const std::string& text) {
+    std::size_t found = 0;
+    for (std::size_t at = svg.find(text); at != std::string::npos; at = svg.find(text, at + 1)) ++found;
+    return found;
+  };
+  EXPECT_EQ(count(">foot<"), 1u);
+  EXPECT_EQ(count(">held<"), 1u);
+  EXPECT_LT(count("fill=\"#ffffff\""), 100u);
+  EXPECT_GT(count("fill=\"#ffffff\""), 20u);
+}
+
 }  // namespace
 }  // namespace dda::svg

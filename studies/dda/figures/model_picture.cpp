@@ -1,0 +1,170 @@
+#include "studies/dda/figures/model_picture.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "framework/figure/drawing.hpp"
+#include "framework/figure/style.hpp"
+#include "framework/files/whole_file.hpp"
+#include "studies/dda/figures/material_colours.hpp"
+#include "studies/dda/figures/pictures.hpp"
+
+namespace dda {
+namespace {
+
+using svg::KeyEntry;
+using svg::Mark;
+
+/// Adds part after part to the drawing, each with its lines of the legend.
+class ModelPicture {
+ public:
+  explicit ModelPicture(const Simulation& simulation)
+      : simulation_(simulation), equilibrium_(simulation.equilibrium()), body_(simulation.body()) {
+    drawing_.title = simulation.deck().title.empty() ? "The model" : simulation.deck().title;
+  }
+
+  std::string text() {
+    add_blocks();
+    add_interfaces();
+    add_supports();
+    if (simulation_.deck().has_path()) add_stages();
+    add_gauges();
+    drawing_.caption =
+        fmt::format("{} blocks, {} unknowns", equilibrium_.num_blocks(), equilibrium_.num_unknowns());
+    return svg::to_svg(drawing_);
+  }
+
+ private:
+  void add_key(KeyEntry::Kind kind, int colour, std::string name) {
+    drawing_.key.push_back({kind, colour, std::move(name)});
+  }
+
+  void add_blocks() {
+    const MaterialColours colours = material_colours(body_.assembly);
+    for (const Block& block : body_.assembly.blocks)
+      drawing_.polygons.push_back({.outline = block.outline.vertices, .tint = colours.of(block)});
+    for (std::size_t i = 0; i < colours.names.size(); ++i)
+      add_key(KeyEntry::Kind::fill, static_cast<int>(i), colours.names[i]);
+  }
+
+  /// Those that can crack, slide or open; bonds are lines between blocks like others.
+  void add_interfaces() {
+    std::map<int, int> colours;
+    for (const InterfacePoint& point : equilibrium_.interfaces().points) {
+      if (!point.is_active() || point.interface < 0) continue;
+      const auto [at, is_new] = colours.try_emplace(point.interface, static_cast<int>(colours.size()));
+      if (is_new)
+        add_key(KeyEntry::Kind::line, at->second,
+                equilibrium_.interfaces().names[static_cast<std::size_t>(point.interface)]);
+      const Vec2 half = 0.5 * point.weight / body_.thickness * Vec2(-point.normal.y(), point.normal.x());
+      drawing_.strokes.push_back({.start = point.x - half, .end = point.x + half, .colour = at->second});
+    }
+  }
+
+  void add_symbols(const Functional& of, svg::Symbol symbol) {
+    for (const auto& [node, row] : of.rows) {
+      if (node.value() >= equilibrium_.num_blocks()) continue;  // a jump moves with its block
+      const ActingForce acting = acts_at(row);
+      symbol.at = body_.block(node).moments.centroid + acting.offset;
+      symbol.along = acting.force;
+      drawing_.symbols.push_back(symbol);
+    }
+  }
+
+  void add_supports() {
+    for (const Spring& spring : equilibrium_.supports())
+      add_symbols(spring.displacement, {.mark = Mark::held, .colour = svg::black, .name = spring.reaction});
+    for (const Spring& spring : equilibrium_.driven_springs())
+      add_symbols(spring.displacement,
+                  {.mark = Mark::held, .colour = svg::vermilion, .name = spring.reaction});
+    if (!equilibrium_.supports().empty()) add_key(KeyEntry::Kind::held, svg::black, "held");
+    if (!equilibrium_.driven_springs().empty())
+      add_key(KeyEntry::Kind::held, svg::vermilion, "displacement prescribed");
+  }
+
+  /// The forces of each stage in a colour of its own.
+  void add_stages() {
+    const auto& stages = equilibrium_.stages();
+    for (std::size_t s = 0; s < stages.size(); ++s) {
+      const bool is_last = s + 1 == stages.size();
+      const int colour = is_last ? svg::vermilion : static_cast<int>(s) + 2;
+      Functional acting;
+      acting.add_rows(1, stages[s].reference_work);
+      const std::size_t as_a_whole = gather_body_forces(acting, colour);
+      add_symbols(acting, {.mark = Mark::force, .colour = colour});
+      if (acting.rows.empty() && as_a_whole == 0) continue;
+      std::string name = stages[s].name + (is_last ? ", × load factor" : ", in full first");
+      if (as_a_whole > 0) name += fmt::format(" (at the middle: on {} blocks as a whole)", as_a_whole);
+      add_key(KeyEntry::Kind::force, colour, std::move(name));
+    }
+  }
+
+  /// Takes out what acts on blocks at their centroids, as weight does; of more than one it becomes one force at their
+  /// middle. How many these are.
+  std::size_t gather_body_forces(Functional& acting, int colour) {
+    const auto is_body_force = [&](const std::pair<BlockId, Vec6>& part) {
+      constexpr double rounding = 1e-9;
+      if (part.first.value() >= equilibrium_.num_blocks()) return false;
+      const ActingForce at = acts_at(part.second);
+      return !at.force.isZero(0) &&
+             at.offset.norm() < rounding * equilibrium_.block_size()[part.first.value()];
+    };
+    const auto count = static_cast<std::size_t>(std::ranges::count_if(acting.rows, is_body_force));
+    if (count < 2) return 0;
+    svg::Symbol all{.mark = Mark::force, .at = Vec2::Zero(), .along = Vec2::Zero(), .colour = colour};
+    double area = 0;
+    for (const auto& part : acting.rows) {
+      if (!is_body_force(part)) continue;
+      const Moments& block = body_.block(part.first).moments;
+      all.along += part.second.head<2>();
+      all.at += block.area * block.centroid;
+      area += block.area;
+    }
+    all.at /= area;
+    drawing_.symbols.push_back(all);
+    std::erase_if(acting.rows, is_body_force);
+    return count;
+  }
+
+  void add_gauges() {
+    for (const NamedGauge& gauge : simulation_.gauges().gauges) {
+      if (gauge.dimension != dimension::length) continue;
+      add_symbols(gauge.functional, {.mark = Mark::measured, .colour = svg::blue, .name = gauge.name});
+    }
+    if (std::ranges::any_of(drawing_.symbols, [](const svg::Symbol& s) { return s.mark == Mark::measured; }))
+      add_key(KeyEntry::Kind::measured, svg::blue, "measured");
+  }
+
+  const Simulation& simulation_;
+  const Equilibrium& equilibrium_;
+  const Body& body_;
+  svg::Drawing drawing_;
+};
+
+}  // namespace
+
+ActingForce acts_at(const Vec6& row) {
+  ActingForce out;
+  const Vec2 force = row.head<2>();
+  const double square = force.squaredNorm(), of_shear = row[5], half_moment = row[2] / 2;
+  constexpr double rounding = 1e-12;
+  if (!(force.norm() > rounding * row.norm())) return out;
+  out.force = force;
+  out.offset = Vec2(force.x() * row[3] + force.y() * (of_shear + half_moment),
+                    force.x() * (of_shear - half_moment) + force.y() * row[4]) /
+               square;
+  return out;
+}
+
+std::string model_picture(const Simulation& simulation) { return ModelPicture(simulation).text(); }
+
+void write_model_picture(const RunFolder& folder, const Simulation& simulation) {
+  if (simulation.equilibrium().num_blocks() > most_drawn_blocks) return;
+  write_whole(folder.file("model.svg"), model_picture(simulation), Flush::to_system);
+}
+
+}  // namespace dda
