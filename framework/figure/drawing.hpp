@@ -28,10 +28,10 @@ enum class Mark { force, held, measured };
 
 struct Symbol {
   Mark mark = Mark::force;
-  Vec2 at;
-  Vec2 along;        ///< direction, and of a force its size, in any unit
-  int colour = 0;    ///< place in the palette
-  std::string name;  ///< beside the first of that name; "" for none
+  Vec2 at = Vec2::Zero();
+  Vec2 along = Vec2::Zero();  ///< direction, and of a force its size, in any unit
+  int colour = 0;             ///< place in the palette
+  std::string name = {};      ///< beside the first of that name; "" for none
 };
 
 /// A line of the legend: the colour of a tint, or of the palette.
@@ -39,7 +39,7 @@ struct KeyEntry {
   enum class Kind { fill, line, force, held, measured };
   Kind kind = Kind::fill;
   int colour = 0;
-  std::string name;
+  std::string name = {};
 };
 
 /// A short text centred at a place.

@@ -52,7 +52,7 @@ INSTANTIATE_TEST_SUITE_P(Registry, ContactLawContract, testing::ValuesIn([] {
                              names.push_back(member->name);
                            return names;
                          }()),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& tested) { return tested.param; });
 
 }  // namespace
 }  // namespace dda

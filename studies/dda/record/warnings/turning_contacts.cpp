@@ -9,16 +9,16 @@
 namespace dda {
 
 std::string note_on_turning_contacts(const Simulation& simulation) {
-  struct Contact {
+  struct SideContact {
     bool is_open = false, is_closed = false;
   };
   const InterfaceSet& set = simulation.equilibrium().interfaces();
   const LawValues laws = simulation.system().laws(simulation.walker().state());
-  std::map<std::pair<int, std::size_t>, Contact> sides;
+  std::map<std::pair<int, std::size_t>, SideContact> sides;
   for (std::size_t p = 0; p < laws.opening.size(); ++p) {
     const InterfacePoint& point = set.points[p];
     if (!point.is_separate() || point.interface < 0) continue;
-    Contact& side = sides[{point.interface, point.side}];
+    SideContact& side = sides[{point.interface, point.side}];
     (laws.opening[p].x() > 0 ? side.is_open : side.is_closed) = true;
   }
   std::set<std::string> names;

@@ -10,8 +10,8 @@ namespace dda {
 
 /// How a sweep is to be started by many processes.
 struct Launch {
-  std::size_t tasks = 1;           ///< processes, each of which runs one case at a time
-  std::vector<std::string> hosts;  ///< of GNU parallel; empty: this machine
+  std::size_t tasks = 1;                ///< processes, each of which runs one case at a time
+  std::vector<std::string> hosts = {};  ///< of GNU parallel; empty: this machine
 };
 
 /// A batch script for Slurm: an array of tasks that share the cases.

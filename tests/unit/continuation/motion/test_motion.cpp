@@ -51,7 +51,9 @@ TEST(Motion, SticksForGoodWhereFrictionHolds) {
     run(motion);
     const double now = motion.poses()[1][0] - 0.5;
     EXPECT_LT(now, 1e-5);
-    if (time > 1) EXPECT_NEAR(now, after, 1e-8);
+    if (time > 1) {
+      EXPECT_NEAR(now, after, 1e-8);
+    }
     after = now;
   }
 }

@@ -5,6 +5,7 @@
 
 #include "framework/figure/colour_map.hpp"
 #include "framework/figure/drawing.hpp"
+#include "framework/figure/style.hpp"
 
 namespace dda::svg {
 namespace {

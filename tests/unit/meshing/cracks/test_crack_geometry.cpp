@@ -56,7 +56,9 @@ void expect_sums(const CrackGeometry& cracks) {
     const auto parts = cracks.parts(BlockId{b});
     double area = 0;
     for (const Part& part : parts) area += signed_area(part.outline);
-    if (!parts.empty()) EXPECT_NEAR(area, all.blocks[b].moments.area, 1e-13 * area);
+    if (!parts.empty()) {
+      EXPECT_NEAR(area, all.blocks[b].moments.area, 1e-13 * area);
+    }
   }
   for (std::size_t s = 0; s < all.sides.size(); ++s) {
     double sum = 0;
@@ -96,7 +98,9 @@ TEST(CrackGeometry, ACrackDividesBlocksAndTheSidesItEndsOn) {
     const bool is_right = piece.start.x() + piece.end.x() > 2;
     EXPECT_EQ(piece.first.size(), is_right ? 1u : 0u);
     EXPECT_EQ(piece.second.size(), is_right ? 1u : 0u);
-    if (is_right) EXPECT_NE(piece.first[0], piece.second[0]);
+    if (is_right) {
+      EXPECT_NE(piece.first[0], piece.second[0]);
+    }
   }
   EXPECT_THAT(cracks.jumps_at(BlockId{0}, {0.5, 1}), IsEmpty());
   EXPECT_THAT(cracks.jumps_at(BlockId{0}, {1.5, 1}), ElementsAre(JumpId{0}));

@@ -48,7 +48,9 @@ void expect_right_order(const Tree& tree) {
   std::vector<int> visits(tree.parent.size(), 0);
   order.from_the_root([&](int s) {
     const int above = tree.parent[static_cast<std::size_t>(s)];
-    if (above >= 0) EXPECT_EQ(visits[static_cast<std::size_t>(above)], 1) << "parent of " << s;
+    if (above >= 0) {
+      EXPECT_EQ(visits[static_cast<std::size_t>(above)], 1) << "parent of " << s;
+    }
     ++visits[static_cast<std::size_t>(s)];
   });
   for (std::size_t s = 0; s < visits.size(); ++s) EXPECT_EQ(visits[s], tree.work[s] > 0) << s;
