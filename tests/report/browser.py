@@ -102,19 +102,21 @@ class Browser:
             raise BrowserError(f"{method}: {answer['error']['message']}")
         return answer["result"]
 
-    def open(self, path, width=1280, height=900):
-        return Page(self, path, width, height)
+    def open(self, path, width=1280, height=900, dark=False):
+        return Page(self, path, (width, height), dark)
 
 
 class Page:
     """An open page of a fixed size [px]; `errors` holds all that it complained of."""
 
-    def __init__(self, browser, path, width, height):
+    def __init__(self, browser, path, size, dark):
         self.browser = browser
         self.target = browser.call("Target.createTarget", url="about:blank")["targetId"]
         self.session = browser.call("Target.attachToTarget", targetId=self.target, flatten=True)["sessionId"]
         for domain in ("Page", "Runtime", "Log", "Network"):
             self.call(f"{domain}.enable")
+        width, height = size
+        self.call("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": "dark" if dark else "light"}])
         self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
         self.call("Page.navigate", url=path.resolve().as_uri())
         self.wait("document.readyState === 'complete'")

@@ -207,10 +207,16 @@ class Reports(unittest.TestCase):
         self.check(page)
 
     def saved(self, page, figure):
-        """The SVG that the figure's button would save."""
-        page.run("window.download = (name, text) => { window.savedText = [name, text]; }")
-        page.run(f"[...document.querySelectorAll('#{figure} button')].find((one) => one.textContent === 'Save SVG').click()")
-        return page.run("window.savedText")
+        """Name and text of the SVG that the figure's button would save."""
+        return self.given(page, figure, "SVG", "await blob.text()")
+
+    def given(self, page, figure, kind, what):
+        """Name of the file that a figure's button would save, and what a script makes of its `blob`."""
+        page.run("window.given = null; "
+                 f"window.download = async (name, blob) => {{ const made = {what}; window.given = [name, made]; }}")
+        page.run(f"[...document.querySelectorAll('#{figure} button')].find((one) => one.textContent === 'Save {kind}').click()")
+        page.wait("window.given !== null")
+        return page.run("window.given")
 
     def test_figures_are_saved_as_vectors(self):
         page = self.open(self.work / "beam")
@@ -222,6 +228,36 @@ class Reports(unittest.TestCase):
             self.assertIn("<path", text)
             self.assertNotIn("<image", text)
         self.check(page)
+
+    def test_figures_are_saved_as_images(self):
+        page = self.open(self.work / "beam")
+        size = "await createImageBitmap(blob).then((image) => [image.width, image.height, blob.type])"
+        for figure in ("curve", "deformed"):
+            name, (width, height, kind) = self.given(page, figure, "PNG", size)
+            self.assertTrue(name.endswith(".png"))
+            self.assertEqual(kind, "image/png")
+            shown = page.run(f"document.querySelector('#{figure} canvas').clientWidth")
+            self.assertLess(abs(width - 2 * shown), 3)
+            self.assertGreater(height, 200)
+        self.check(page)
+
+    def test_the_model_comes_first(self):
+        page = self.open(self.work / "beam")
+        self.assertEqual(page.run("document.querySelector('section').id"), "model")
+        self.assertGreater(page.run("document.querySelector('#model-picture').naturalWidth"), 300)
+        self.check(page)
+
+    def test_a_dark_screen(self):
+        page = self.browser.open(self.report(self.work / "beam"), dark=True)
+        page.wait("document.body.dataset.ready === 'true'")
+        red, green, blue = page.run("getComputedStyle(document.documentElement).backgroundColor.match(/\\d+/g).map(Number)")
+        self.assertLess(red + green + blue, 120)
+        corner = page.run("[...document.querySelector('#curve canvas').getContext('2d').getImageData(2, 2, 1, 1).data]")
+        self.assertEqual(corner[:3], [red, green, blue])
+        _, text = self.saved(page, "curve")
+        self.assertIn('fill="#fff"', text)
+        self.assertNotIn("#e4e6e8", text)  # the ink of the dark: files are for paper
+        self.assertEqual(page.errors(), [])
 
     def test_located_events_are_marked(self):
         folder = self.work / "eventful"
@@ -293,6 +329,20 @@ class Reports(unittest.TestCase):
         self.assertEqual(page.run("document.querySelector('#moving canvas').dataset.step"), "0")
         self.assertIn("external work", self.text(page, "#motion-energies"))
 
+    def test_laws_and_spreads_of_a_sweep(self):
+        page = self.open(self.work / "beam")  # the laws come with every page
+        sizes = [50, 100, 200, 400]
+
+        def told(law, strengths):
+            points = json.dumps(list(zip(sizes, strengths)))
+            return page.run(f"fittedLaw(SWEEP_LAWS.{law}, {points}).words")
+
+        self.assertIn("a = 12, b = -0.5;", told("power", [12 / size**0.5 for size in sizes]))
+        self.assertIn("B = 3, x₀ = 150;", told("size", [3 / (1 + size / 150) ** 0.5 for size in sizes]))
+        self.assertIn("none goes through", told("size", [1, 2, 3, 4]))  # it would grow with size
+        groups = page.run("spreads([[1, 2], [1, 4], [1, 6], [2, 5], [3, NaN]])")
+        self.assertEqual(groups, [{"x": 1, "mean": 4, "deviation": 2, "count": 3}])
+
     def test_a_sweep(self):
         folder = self.work / "sweep"
         sweep_folder.make(PROGRAM, BAR, folder)
@@ -303,6 +353,13 @@ class Reports(unittest.TestCase):
             self.assertIn("2 goal reached, 1 stopped early, 1 failed", self.text(page, "#status"))
             self.assertIn("fracture_energy", self.text(page, "#failures"))
             self.check(page)
+        for label, value in (("law", "power"), ("divided by", "peak.load")):
+            self.choose(page, "scatter", label, value)
+        self.assertIn("power law y = a xᵇ", self.text(page, "#scatter-words"))
+        page.run("[...document.querySelectorAll('#scatter input')].find((one) => one.type === 'checkbox').click()")
+        page.drawn()
+        self.assertTrue(page.run("thePage.scatter.plot.content.yLabel").startswith("log₁₀ "))
+        self.check(page)
         links = page.run("[...document.querySelectorAll('#cases a')].map((one) => one.getAttribute('href'))")
         self.assertEqual(links, ["./cases/001/report.html", "./cases/002/", "./cases/003/"])
         cases = "[...document.querySelectorAll('#cases tbody tr')].map((one) => one.firstChild.textContent)"

@@ -1,6 +1,35 @@
 // Colours that also colour-blind readers tell apart; they come with the page, from framework/figure.
 
-const {palette: PALETTE, ink: INK, grey: GREY, faint: FAINT} = STYLE;
+/** What a figure stands on and is written with: on paper, and on a screen that the reader has set dark. */
+const ON_PAPER = {
+  paper: "#ffffff",
+  ink: STYLE.ink,
+  grey: STYLE.grey,
+  faint: STYLE.faint,
+  block: STYLE.blockFill,
+  edge: "#b4b4b4",
+  black: STYLE.palette.at(-1)
+};
+const IN_THE_DARK = {
+  paper: "#15181b",
+  ink: "#e4e6e8",
+  grey: "#8f9499",
+  faint: "#2d3237",
+  block: "#343a40",
+  edge: "#5d646b",
+  black: "#f4f4f4"
+};
+const DARK_SCREEN = window.matchMedia("(prefers-color-scheme: dark)");
+const SCREEN = DARK_SCREEN.matches ? IN_THE_DARK : ON_PAPER;
+const {ink: INK, grey: GREY, faint: FAINT, paper: PAPER} = SCREEN;
+const PALETTE = [...STYLE.palette.slice(0, -1), SCREEN.black];
+
+const PAPER_COLOURS = new Map(Object.keys(ON_PAPER).map((name) => [SCREEN[name], ON_PAPER[name]]));
+
+/** A colour of the screen as it is on paper, to which figures are saved. */
+function onPaper(colour) {
+  return PAPER_COLOURS.get(colour) ?? colour;
+}
 
 /** Shapes of one step of colour are drawn as one. */
 const COLOUR_STEPS = STYLE.maps.viridis.length;

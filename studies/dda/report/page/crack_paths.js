@@ -12,7 +12,7 @@ class CrackPathFigure {
     const middle = () => [this.stage.clientWidth / 2, this.height / 2];
     this.figure = element(
         "figure", {id: "crack-paths"},
-        element("div", {class: "toolbar"}, figureButtons(this.actions(), middle, () => this.save())), this.stage,
+        element("div", {class: "toolbar"}, figureButtons(this.actions(), middle, () => this.vectors())), this.stage,
         element(
             "figcaption", {},
             "Undeformed blocks, cut ones in their parts at the end. A ring stands where a crack has begun, a dot where it " +
@@ -53,17 +53,17 @@ class CrackPathFigure {
   }
 
   paintPath(surface, track, colour) {
-    surface.tracks([track], {stroke: "#ffffff", width: 5});
+    surface.tracks([track], {stroke: PAPER, width: 5});
     surface.tracks([track], {stroke: colour, width: 2.6});
     for (let i = 2; i < track.length; i += 2) surface.circle(track[i], track[i + 1], 2.6, {fill: colour});
-    surface.circle(track[0], track[1], 5, {stroke: colour, width: 2, fill: "#ffffff"});
+    surface.circle(track[0], track[1], 5, {stroke: colour, width: 2, fill: PAPER});
   }
 
-  save() {
+  vectors() {
     const width = this.stage.clientWidth;
     const surface = new SvgSurface(width, this.height);
     this.paintOn(surface, width);
-    download(`${fileName(this.name, "crack-paths")}.svg`, surface.document(), "image/svg+xml");
+    return {name: fileName(this.name, "crack-paths"), text: surface.document()};
   }
 }
 

@@ -87,12 +87,12 @@ class Curve {
         (name) => [event[name], event.gauges?.[name], row === null ? undefined : this.table.numbers(name)?.[row]].find(
             Number.isFinite);
     const [px, py] = [at(x), at(y)];
-    const fill = MARK_COLOURS[event.kind] ?? "#fff";
+    const fill = MARK_COLOURS[event.kind] ?? PAPER;
     return px === undefined || py === undefined ? null : {x: px, y: py, label: eventName(event), fill};
   }
 }
 
-/** Other marks are white. */
+/** Other marks are empty. */
 const MARK_COLOURS = {
   turning_point: PALETTE[5],
   bifurcation: PALETTE[4]

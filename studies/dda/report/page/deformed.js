@@ -54,13 +54,14 @@ class DeformedFigure {
     const middle = () => [this.stage.clientWidth / 2, this.height / 2];
     const ofCracks = [
       chooser(
-          "cracks by", [["opening", "opening"], ["sliding", "sliding"], ["damage", "damage"], ["none", "not shown"]], "opening",
-          (value) => this.set("cracks", value)),
+          "cracks by", [["opening", "opening"], ["sliding", "sliding"], ["damage", "damage"], ["none", "not shown"]],
+          "opening", (value) => this.set("cracks", value)),
       this.blocks.stressUnit ? chooser("blocks by", fields, "none", (value) => this.set("field", value)) : null,
       checkbox("one scale for all steps", true, (value) => this.set("everyStep", value)),
     ];
     return element(
-        "div", {class: "toolbar"}, this.isTrue ? null : ofCracks, figureButtons(this.actions(), middle, () => this.save()));
+        "div", {class: "toolbar"}, this.isTrue ? null : ofCracks,
+        figureButtons(this.actions(), middle, () => this.vectors()));
   }
 
   player() {
@@ -171,13 +172,11 @@ class DeformedFigure {
     event.preventDefault();
   }
 
-  save() {
+  vectors() {
     const width = this.stage.clientWidth;
     const scales = this.scales();
     const surface = new SvgSurface(width, this.height + PicturePainter.barHeight(scales.list));
     new PicturePainter(this.blocks, this.current(), scales).paint(surface, width, this.height);
-    download(
-        `${fileName(this.name, this.id, this.blocks.steps[this.shown.value].step)}.svg`, surface.document(),
-        "image/svg+xml");
+    return {name: fileName(this.name, this.id, this.blocks.steps[this.shown.value].step), text: surface.document()};
   }
 }

@@ -46,14 +46,29 @@ function button(text, title, onClick) {
   return element("button", {type: "button", title, "aria-label": title, click: onClick}, text);
 }
 
-/** Gives a text to the user as a file. */
-function download(name, text, type) {
-  const address = URL.createObjectURL(new Blob([text], {type}));
+/** Gives the user a file. */
+function download(name, blob) {
+  const address = URL.createObjectURL(blob);
   const link = element("a", {href: address, download: name});
   document.body.append(link);
   link.click();
   link.remove();
   setTimeout(() => URL.revokeObjectURL(address), 1000);
+}
+
+function saveVectors({name, text}) {
+  download(`${name}.svg`, new Blob([text], {type: "image/svg+xml"}));
+}
+
+/** The same in pixels, twice as many each way as on the page: enough for a slide. */
+async function savePixels({name, text}) {
+  const density = 2;
+  const image = new Image();
+  image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(text)}`;
+  await image.decode();
+  const canvas = element("canvas", {width: density * image.width, height: density * image.height});
+  canvas.getContext("2d").drawImage(image, 0, 0, canvas.width, canvas.height);
+  canvas.toBlob((blob) => download(`${name}.png`, blob), "image/png");
 }
 
 /** A name that a file may have. */

@@ -27,8 +27,12 @@ function build() {
 function setColours() {
   const {style} = document.documentElement;
   style.setProperty("--ink", INK);
+  style.setProperty("--paper", PAPER);
+  style.colorScheme = DARK_SCREEN.matches ? "dark" : "light";
   PALETTE.forEach((colour, i) => style.setProperty(`--palette-${i}`, colour));
 }
+
+DARK_SCREEN.addEventListener("change", () => window.location.reload());
 
 setColours();
 build();

@@ -75,7 +75,7 @@ class PicturePainter {
     const bins = new Map();
     for (const {block, outline} of moved) {
       if (!isInView(outline, width, height)) continue;
-      const fill = values ? scales.field.colourOfBin(scales.field.binOf(values[block])) : STYLE.blockFill;
+      const fill = values ? scales.field.colourOfBin(scales.field.binOf(values[block])) : SCREEN.block;
       if (!bins.has(fill)) bins.set(fill, []);
       bins.get(fill).push(outline);
     }
@@ -88,7 +88,7 @@ class PicturePainter {
     const area = (blocks.box.x[1] - blocks.box.x[0]) * (blocks.box.y[1] - blocks.box.y[0]);
     const side = view.scale * Math.sqrt(area / Math.max(1, blocks.numBlocks));
     if (side < 4) return null;
-    return this.scales.field ? "rgba(0,0,0,0.13)" : "#b4b4b4";
+    return this.scales.field ? "rgba(0,0,0,0.13)" : SCREEN.edge;
   }
 
   paintCracks(surface) {
@@ -105,7 +105,7 @@ class PicturePainter {
     // The widest are drawn last, on top.
     const sorted = [...bins].sort(([one], [other]) => one - other);
     // A pale edge keeps a crack visible on blocks of its own colour.
-    if (scales.field) sorted.forEach(([, tracks]) => surface.tracks(tracks, {stroke: "#ffffff", width: 4.2}));
+    if (scales.field) sorted.forEach(([, tracks]) => surface.tracks(tracks, {stroke: PAPER, width: 4.2}));
     for (const [bin, tracks] of sorted) surface.tracks(tracks, {stroke: scales.cracks.colourOfBin(bin), width: 2.4});
   }
 }

@@ -32,7 +32,7 @@ class Plot {
 
   buttons() {
     const middle = () => [this.frame.x + this.frame.width / 2, this.frame.y + this.frame.height / 2];
-    return figureButtons(this.actions(), middle, () => this.save());
+    return figureButtons(this.actions(), middle, () => this.vectors());
   }
 
   /** Other curves or axes: everything is shown again. */
@@ -153,11 +153,11 @@ class Plot {
     if (i >= 0 && i < series.x.length) this.hover({series, i});
   }
 
-  save() {
+  vectors() {
     const [width, height] = [this.stage.clientWidth, this.options.height(this.stage.clientWidth)];
     const surface = new SvgSurface(width, height);
     new PlotPainter(surface, this.frameOf(width, height), {...this.content, cursor: null}).paint();
-    download(`${fileName(this.options.name)}.svg`, surface.document(), "image/svg+xml");
+    return {name: fileName(this.options.name), text: surface.document()};
   }
 }
 

@@ -120,7 +120,7 @@ class PlotPainter {
     const shown = (this.content.marks ?? [])
                       .map(({x, y, label, fill}) => ({x: this.frame.toX(x), y: this.frame.toY(y), label, fill}))
                       .filter(({x, y}) => Number.isFinite(x + y) && this.frame.holds(x, y));
-    for (const {x, y, fill} of shown) this.surface.circle(x, y, 4.5, {stroke: INK, fill: fill ?? "#fff", width: 1.5});
+    for (const {x, y, fill} of shown) this.surface.circle(x, y, 4.5, {stroke: INK, fill: fill ?? PAPER, width: 1.5});
     const curves = shown.length > 0 ? this.samples() : [];
     for (const {x, y, label} of shown)
       if (label) this.label(x, y, label, {taken, curves});

@@ -5,7 +5,7 @@ class Raster {
   constructor(width, height) {
     this.width = width;
     this.height = height;
-    this.pixels = new Uint32Array(width * height).fill(0xffffffff);
+    this.pixels = new Uint32Array(width * height).fill(Raster.colour(PAPER));
     this.crossings = [];
   }
 

@@ -14,8 +14,9 @@ class RunPage {
 
   elements() {
     return [
-      ...this.top(), this.modelSection(), this.pathSection(), this.cracksSection(), this.stabilitySection(), this.energySection(),
-      this.motionSection(), this.askedSection(), this.logSection(), this.timeSection(), this.provenanceSection()
+      ...this.top(), this.modelSection(), this.pathSection(), this.cracksSection(), this.stabilitySection(),
+      this.energySection(), this.motionSection(), this.askedSection(), this.logSection(), this.timeSection(),
+      this.provenanceSection()
     ].filter(Boolean);
   }
 
@@ -77,7 +78,8 @@ class RunPage {
   modelSection() {
     if (!this.data.model) return null;
     const source = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(this.data.model)}`;
-    const picture = element("img", {id: "model-picture", src: source, alt: "Blocks, interfaces, supports, loads and gauges"});
+    const picture =
+        element("img", {id: "model-picture", src: source, alt: "Blocks, interfaces, supports, loads and gauges"});
     return section("model", "Model", picture);
   }
 

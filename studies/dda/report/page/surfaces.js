@@ -13,7 +13,7 @@ class CanvasSurface {
     this.context = canvas.getContext("2d");
     this.density = density;
     this.context.scale(density, density);
-    this.context.fillStyle = "#fff";
+    this.context.fillStyle = PAPER;
     this.context.fillRect(0, 0, width, height);
   }
 
@@ -105,12 +105,12 @@ class SvgSurface {
     const dashes = dash?.length ? ` stroke-dasharray="${dash.join(" ")}"` : "";
     const line =
         stroke === "none" ? "" : ` stroke-width="${width}"${dashes} stroke-linejoin="round" stroke-linecap="round"`;
-    this.parts.push(`<path d="${data}" fill="${fill}" stroke="${stroke}"${line}/>`);
+    this.parts.push(`<path d="${data}" fill="${onPaper(fill)}" stroke="${onPaper(stroke)}"${line}/>`);
   }
 
   circle(x, y, radius, {stroke = "none", width = 1, fill = "none"}) {
     this.parts.push(
-        `<circle cx="${fixed(x)}" cy="${fixed(y)}" r="${radius}" fill="${fill}" stroke="${stroke}" ` +
+        `<circle cx="${fixed(x)}" cy="${fixed(y)}" r="${radius}" fill="${onPaper(fill)}" stroke="${onPaper(stroke)}" ` +
         `stroke-width="${width}"/>`);
   }
 
@@ -118,7 +118,7 @@ class SvgSurface {
     const turn = rotate ? ` transform="rotate(${rotate} ${fixed(x)} ${fixed(y)})"` : "";
     this.parts.push(
         `<text x="${fixed(x)}" y="${fixed(y)}" font-size="${size}" text-anchor="${anchor}" ` +
-        `fill="${fill}"${bold ? " font-weight=\"600\"" : ""}${turn}>${escapedText(text)}</text>`);
+        `fill="${onPaper(fill)}"${bold ? " font-weight=\"600\"" : ""}${turn}>${escapedText(text)}</text>`);
   }
 
   clipped({x, y, width, height}, draw) {

@@ -38,6 +38,7 @@ class SweepPage {
     this.legend = element("p", {class: "quiet"});
     this.curves = this.curvePlot();
     this.scatter = this.scatterPlot();
+    this.numbers = this.scatter ? new SweepScatter(this.sweep, this.scatter, () => this.draw()) : null;
     const out = section(
         "curves", "Curves and numbers", element("div", {class: "toolbar"}, choice), this.legend,
         element(
@@ -97,11 +98,19 @@ class SweepPage {
       name: fileName(this.data.name, "scatter"),
       label: "A number of each case against another",
       note: "One point per case; any column of sweep.csv against any other.",
-      describe: (series) =>
-          [...this.settingsOf(series.case),
-           ...Object.values(this.scatter.axes)
-               .map((name) => [this.sweep.shortName(name), this.cellText(series.case, name)])]
+      describe: (series, i) => (series.case ? this.numbersOf(series.case) : this.placeOf(series, i))
     });
+  }
+
+  numbersOf(one) {
+    const named =
+        Object.values(this.scatter.axes).map((name) => [this.sweep.shortName(name), this.cellText(one, name)]);
+    return [...this.settingsOf(one), ...named];
+  }
+
+  /** Of what is no case: a law, a spread. */
+  placeOf(series, i) {
+    return [[this.numbers.label("x"), formatNumber(series.x[i])], [this.numbers.label("y"), formatNumber(series.y[i])]];
   }
 
   settingsOf(one) {
@@ -135,32 +144,23 @@ class SweepPage {
                               colour: colour(one),
                               width: one === this.chosen.value ? 3.6 : 1.4
                             }));
-    this.showIn(plot, axes, columns, series);
+    const label = (name) => withUnit(this.sweep.shortName(name), columns.find((column) => column.name === name).unit);
+    this.showIn(plot, {xLabel: label(axes.x), yLabel: label(axes.y)}, series);
   }
 
   drawScatter(colour) {
     if (!this.scatter) return;
-    const {axes, columns, plot} = this.scatter;
-    const series = this.sweep.cases.filter(({row}) => row >= 0).map((one) => ({
-                                                                      case: one,
-                                                                      x: [one.cell(axes.x)],
-                                                                      y: [one.cell(axes.y)],
-                                                                      colour: colour(one),
-                                                                      onlyDots: true,
-                                                                      dots: true
-                                                                    }));
     const {value} = this.chosen;
-    this.showIn(plot, axes, columns, series);
-    plot.setCursor(value && value.row >= 0 ? {x: value.cell(axes.x), y: value.cell(axes.y)} : null);
+    const {numbers, scatter: {plot}} = this;
+    this.showIn(plot, {xLabel: numbers.label("x"), yLabel: numbers.label("y")}, numbers.content(colour, value));
+    plot.setCursor(value && value.row >= 0 ? numbers.place(value) : null);
   }
 
   /** The view is kept while the axes stay. */
-  showIn(plot, axes, columns, series) {
-    const [xLabel, yLabel] = [axes.x, axes.y].map(
-        (name) => withUnit(this.sweep.shortName(name), columns.find((column) => column.name === name).unit));
-    const sameAxes = plot.content.xLabel === xLabel && plot.content.yLabel === yLabel;
+  showIn(plot, labels, series) {
+    const sameAxes = plot.content.xLabel === labels.xLabel && plot.content.yLabel === labels.yLabel;
     const view = sameAxes ? plot.view : null;
-    plot.show({series, xLabel, yLabel});
+    plot.show({series, ...labels});
     plot.setView(view);
   }
 

@@ -74,11 +74,12 @@ class Gestures {
   }
 }
 
-/** Buttons for those without a wheel, and one that saves the figure; they stay together. */
-function figureButtons(actions, middle, save) {
+/** Buttons for those without a wheel, and two that save the figure, {name, text} of its vectors; they stay together. */
+function figureButtons(actions, middle, vectors) {
   return element(
       "span", {class: "group"}, button("+", "Closer", () => actions.zoom(1.5, ...middle())),
       button("−", "Farther", () => actions.zoom(1 / 1.5, ...middle())),
       button("Reset", "Show everything again", () => actions.reset()),
-      button("Save SVG", "Save this figure as vector graphics", save));
+      button("Save SVG", "Save this figure as vector graphics", () => saveVectors(vectors())),
+      button("Save PNG", "Save this figure as an image", () => savePixels(vectors())));
 }
