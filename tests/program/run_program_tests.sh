@@ -24,12 +24,23 @@ whole_run() {
 }
 
 pictures_of_models() {
-  expect 0 "check with a picture" "$program" check "$beam" --svg model.svg
+  expect 0 "check with a picture" "$program" check "$beam" --draw model.svg
   for text in left right concrete '× load factor' 'stroke="#000000"'
   do grep -qF -e "$text" model.svg || complain "no '$text' in model.svg"; done
   expect 0 "run beside it" "$program" run "$beam" --folder drawn --quiet
   same model.svg drawn/model.svg
-  expect 4 "a picture without a place" "$program" check "$beam" --svg /proc/model.svg
+  for kind in png pdf
+  do
+    expect 0 "as $kind" "$program" check "$beam" --draw model.$kind
+    is_absent model.$kind.svg
+  done
+  head -c 8 model.png | grep -qa PNG || complain "model.png is no image"
+  head -c 8 model.pdf | grep -qa PDF || complain "model.pdf is no document"
+  expect 2 "another kind of picture" "$program" check "$beam" --draw model.gif
+  said ".svg, .png or .pdf"
+  PATH=/nowhere expect 4 "without librsvg" "$program" check "$beam" --draw model.png
+  said "librsvg2-bin"
+  expect 4 "a picture without a place" "$program" check "$beam" --draw /proc/model.svg
 }
 
 condition() {

@@ -4,11 +4,11 @@
 #include <map>
 
 #include "continuation/handover/regions.hpp"
-#include "framework/files/whole_file.hpp"
 #include "models/loading.hpp"
 #include "studies/dda/case/predicted_memory.hpp"
 #include "studies/dda/case/written_deck.hpp"
 #include "studies/dda/commands/commands.hpp"
+#include "studies/dda/figures/figure_file.hpp"
 #include "studies/dda/figures/model_picture.hpp"
 #include "studies/dda/record/warnings/bearings.hpp"
 #include "studies/dda/record/warnings/coarse_zones.hpp"
@@ -164,6 +164,7 @@ int check_sweep(const CommandLine& command) {
 }  // namespace
 
 int command_check(const CommandLine& command) {
+  if (!command.picture.empty()) require_figure_name(command.picture);
   DeckSource source = read_source(command.deck);
   DeckTree tree(source.root);
   if (is_sweep(tree.root(), command.overrides)) return check_sweep(command);
@@ -184,7 +185,7 @@ int command_check(const CommandLine& command) {
   }
   if (file.deck.moves()) print_motion(simulation);
   if (!command.picture.empty()) {
-    write_whole(command.picture, model_picture(simulation), Flush::to_system);
+    write_figure(command.picture, model_picture(simulation));
     line("picture", command.picture.string());
   }
   return 0;

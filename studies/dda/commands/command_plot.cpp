@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include "framework/files/run/run_folder.hpp"
-#include "framework/files/whole_file.hpp"
 #include "studies/dda/commands/commands.hpp"
+#include "studies/dda/figures/figure_file.hpp"
 #include "studies/dda/figures/overlay.hpp"
 
 namespace dda {
@@ -17,6 +17,7 @@ void check_units(const std::vector<RunCurve>& runs) {
 }  // namespace
 
 int command_plot(const CommandLine& line) {
+  require_figure_name(line.out);
   std::vector<RunCurve> runs;
   for (const std::filesystem::path& folder : line.runs) {
     require_run_folder(folder);
@@ -28,7 +29,7 @@ int command_plot(const CommandLine& line) {
     throw InputError(Position{line.runs.front().string()}, "the runs have no displacement gauge in common");
   svg::Figure figure;
   for (const std::string& gauge : common) figure.panels.push_back(overlay(runs, gauge));
-  write_whole(line.out, svg::to_svg(figure), Flush::to_system);
+  write_figure(line.out, svg::to_svg(figure));
   fmt::print("{}\n", line.out.string());
   return 0;
 }

@@ -261,13 +261,17 @@ void Grammar::add_looking() {
       ->add_option("--ranks", line_.ranks,
                    "Tell the memory that each of so many ranks takes, as `mpirun -n N dda run` starts them")
       ->check(CLI::Range(1, 4096));
-  check->add_option("--svg", line_.picture, "Draw the model: materials, interfaces, supports, loads, gauges")
+  check
+      ->add_option("--draw", line_.picture,
+                   "Draw the model (.svg, .png, .pdf): materials, interfaces, supports, loads, gauges")
       ->type_name("FILE");
   add_permissions(check);
   add_threads(check);
   CLI::App* plot = add("plot", "Overlay the load-displacement curves of runs", command_plot);
   add_runs(plot);
-  plot->add_option("--out", line_.out, "The figure")->capture_default_str()->type_name("FILE");
+  plot->add_option("--out", line_.out, "The figure: .svg, .png or .pdf")
+      ->capture_default_str()
+      ->type_name("FILE");
   CLI::App* report =
       add("report", "Write one HTML page about a run or a sweep, to be read offline", command_report);
   report->add_option("folder", line_.runs, "The folder of the run or sweep")
