@@ -262,7 +262,7 @@ void Grammar::add_looking() {
                    "Tell the memory that each of so many ranks takes, as `mpirun -n N dda run` starts them")
       ->check(CLI::Range(1, 4096));
   check
-      ->add_option("--draw", line_.picture,
+      ->add_option("--draw,--svg", line_.picture,
                    "Draw the model (.svg, .png, .pdf): materials, interfaces, supports, loads, gauges")
       ->type_name("FILE");
   add_permissions(check);
