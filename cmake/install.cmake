@@ -4,7 +4,7 @@
 #   lib/ddapath               the modules, which the program finds by its own place (framework/base/loaded.hpp)
 #   lib/cmake/ddapath         find_package(ddapath), for plugins
 #   include/ddapath           headers that plugins may include
-#   share/ddapath             python, studies (decks to run), plugin (an example)
+#   share/ddapath             python, studies (decks to run), plugin (an example), deck.schema.json (for editors)
 #   share/doc/ddapath         README, CHANGELOG, LICENSE ...
 #   share/man, completions    written by the program
 include(CMakePackageConfigHelpers)
@@ -15,6 +15,7 @@ install(DIRECTORY python/ddapath DESTINATION share/ddapath/python FILES_MATCHING
 install(DIRECTORY studies/ DESTINATION share/ddapath/studies
   REGEX "/(dda|__pycache__)$" EXCLUDE PATTERN CMakeLists.txt EXCLUDE)
 install(DIRECTORY examples/plugin DESTINATION share/ddapath)
+install(FILES ${CMAKE_BINARY_DIR}/share/ddapath/deck.schema.json DESTINATION share/ddapath)
 install(FILES README.md CHANGELOG.md CONTRIBUTING.md CITATION.cff LICENSE DESTINATION share/doc/ddapath)
 
 install(DIRECTORY ${CMAKE_BINARY_DIR}/share/man ${CMAKE_BINARY_DIR}/share/bash-completion ${CMAKE_BINARY_DIR}/share/zsh

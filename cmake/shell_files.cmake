@@ -1,4 +1,4 @@
-# Has the program write what shells and man read, manual pages packed:
+# Has the program write what shells, man and editors read, manual pages packed:
 #   cmake -DPROGRAM=dda -DFOLDER=build/share -P shell_files.cmake
 function(written file)
   get_filename_component(folder ${FOLDER}/${file} DIRECTORY)
@@ -6,6 +6,7 @@ function(written file)
   execute_process(COMMAND ${PROGRAM} ${ARGN} OUTPUT_FILE ${FOLDER}/${file} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
 
+written(ddapath/deck.schema.json explain --json)
 written(bash-completion/completions/dda completion bash)
 written(zsh/site-functions/_dda completion zsh)
 written(fish/vendor_completions.d/dda.fish completion fish)

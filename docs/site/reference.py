@@ -107,11 +107,14 @@ def deck_page(schema):
            f"has an example.\n\n{table(schema, '')}"
 
 
+def members(family):
+    """Schemas of a family's members; where a name alone may stand they are behind `else`."""
+    return [case["then"] for case in family.get("else", family)["allOf"]]
+
+
 def family_page(name, family):
     out = f"# {name}\n\n{family['description']}\n"
-    for member in family["anyOf"]:
-        if "properties" not in member:
-            continue
+    for member in members(family):
         word = member["properties"]["type"]["const"]
         lone = " The name alone is enough: all of it has defaults." * (member.get("required") == ["type"])
         keys = table(member, "").replace("\n## ", "\n### ")

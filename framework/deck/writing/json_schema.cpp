@@ -127,14 +127,28 @@ class Writer {
     return {{"$ref", "#/definitions/" + family.name()}};
   }
 
+  /// Told apart by `type`, so that an editor offers and judges the keys of the member that was meant.
   Json members(const FamilyBase& family) {
-    Json bare = Json::array(), list = Json::array();
+    Json bare = Json::array(), names = Json::array(), cases = Json::array();
     for (const FamilyMember* member : family.entries()) {
       if (!member->schema->has_required()) bare.push_back(member->name);
-      list.push_back(tagged(*member));
+      names.push_back(member->name);
+      cases.push_back(
+          {{"if", {{"properties", {{"type", {{"const", member->name}}}}}}}, {"then", tagged(*member)}});
     }
-    if (!bare.empty()) list.push_back({{"enum", bare}});
-    return {{"description", family.text()}, {"anyOf", list}};
+    const Json one_of_them{
+        {"required", {"type"}}, {"properties", {{"type", {{"enum", names}}}}}, {"allOf", cases}};
+    Json out{{"description", family.text()}};
+    if (bare.empty()) {
+      out["type"] = "object";
+      out.update(one_of_them);
+    } else {
+      out["type"] = {"object", "string"};
+      out["if"] = {{"type", "string"}};
+      out["then"] = {{"enum", bare}};
+      out["else"] = one_of_them;
+    }
+    return out;
   }
 
   Json tagged(const FamilyMember& member) {
@@ -151,7 +165,7 @@ class Writer {
 
 Json SchemaBase::json_schema() const {
   Writer writer;
-  Json json = {{"$schema", "http://json-schema.org/draft-07/schema#"}};
+  Json json = {{"$schema", "http://json-schema.org/draft-07/schema#"}, {"$id", "urn:ddapath:deck"}};
   json.update(writer.object(*this));
   json["definitions"] = writer.definitions();
   return json;

@@ -11,6 +11,7 @@ TEST(JsonSchema, DescribesParameters) {
   const Json json = example::deck_schema().json_schema();
   const Json& properties = json.at("properties");
   EXPECT_EQ(json.at("$schema"), "http://json-schema.org/draft-07/schema#");
+  EXPECT_EQ(json.at("$id"), "urn:ddapath:deck");
   EXPECT_EQ(json.at("required"), Json::array({"young_modulus"}));
   EXPECT_EQ(json.at("additionalProperties"), false);
   EXPECT_EQ(properties.at("young_modulus").at("exclusiveMinimum"), 0);
@@ -22,14 +23,18 @@ TEST(JsonSchema, DescribesParameters) {
   EXPECT_EQ(properties.at("curves").at("additionalProperties").at("minItems"), 2);
 }
 
-TEST(JsonSchema, FamiliesAreDefinitions) {
+TEST(JsonSchema, FamiliesAreDefinitionsWhoseMembersAreToldByType) {
   const Json json = example::deck_schema().json_schema();
-  const Json& list = json.at("definitions").at("test_law").at("anyOf");
+  const Json& family = json.at("definitions").at("test_law");
   EXPECT_EQ(json.at("properties").at("layers").at("items").at("$ref"), "#/definitions/test_law");
-  ASSERT_EQ(list.size(), 3u) << "two members and the names that need no parameters";
-  EXPECT_EQ(list[1].at("properties").at("type").at("const"), "softening");
-  EXPECT_EQ(list[1].at("required"), Json::array({"strength", "energy", "type"}));
-  EXPECT_EQ(list[2].at("enum"), Json::array({"bonded"}));
+  EXPECT_EQ(family.at("then").at("enum"), Json::array({"bonded"}))
+      << "a name alone, of what needs no parameters";
+  const Json& tagged = family.at("else");
+  EXPECT_EQ(tagged.at("required"), Json::array({"type"}));
+  EXPECT_EQ(tagged.at("properties").at("type").at("enum"), Json::array({"bonded", "softening"}));
+  const Json& softening = tagged.at("allOf").at(1);
+  EXPECT_EQ(softening.at("if").at("properties").at("type").at("const"), "softening");
+  EXPECT_EQ(softening.at("then").at("required"), Json::array({"strength", "energy", "type"}));
 }
 
 struct Composite;
@@ -43,9 +48,15 @@ TEST(JsonSchema, AFamilyMayContainItself) {
   family.add("sum", Schema<Inner>("A sum.").list("parts", &Inner::parts, family, {.text = "What is summed."}),
              [](const Inner&) { return std::make_unique<Composite>(); });
   const Json json = family.find("sum")->schema->json_schema();
-  EXPECT_EQ(
-      json.at("definitions").at("self").at("anyOf")[0].at("properties").at("parts").at("items").at("$ref"),
-      "#/definitions/self");
+  EXPECT_EQ(json.at("definitions")
+                .at("self")
+                .at("allOf")[0]
+                .at("then")
+                .at("properties")
+                .at("parts")
+                .at("items")
+                .at("$ref"),
+            "#/definitions/self");
 }
 
 }  // namespace

@@ -1,0 +1,78 @@
+"""The schema that editors judge decks by: every deck of the studies obeys it, and mistakes are told where they are.
+
+    test_schema.py DDA
+"""
+
+import copy
+import json
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+import jsonschema
+import yaml
+
+ROOT = Path(__file__).resolve().parents[2]
+PROGRAM = sys.argv.pop(1)
+
+
+def is_deck(tree):
+    return isinstance(tree, dict) and ("scene" in tree or "extends" in tree)
+
+
+def complaints(schema, deck):
+    """(path, message) of all that is wrong."""
+    return [(".".join(map(str, error.absolute_path)), error.message)
+            for error in jsonschema.Draft7Validator(schema).iter_errors(deck)]
+
+
+class Schema(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        said = subprocess.run([PROGRAM, "explain", "--json"], capture_output=True, text=True, check=True)
+        cls.schema = json.loads(said.stdout)
+        cls.deck = yaml.safe_load((ROOT / "studies/softening-bar/deck.yaml").read_text(encoding="utf-8"))
+
+    def test_is_a_schema(self):
+        jsonschema.Draft7Validator.check_schema(self.schema)
+
+    def test_decks_of_the_studies_obey_it(self):
+        decks = 0
+        for file in sorted((ROOT / "studies").rglob("*.yaml")):
+            tree = yaml.safe_load(file.read_text(encoding="utf-8"))
+            if not is_deck(tree) or "extends" in tree:  # what a deck extends has the keys it needs
+                continue
+            decks += 1
+            self.assertEqual(complaints(self.schema, tree), [], file)
+        self.assertGreater(decks, 30)
+
+    def changed(self, change):
+        deck = copy.deepcopy(self.deck)
+        change(deck)
+        return complaints(self.schema, deck)
+
+    def test_a_misspelt_key_of_a_law_is_told_as_such(self):
+        def misspell(deck):
+            law = next(iter(deck["interfaces"].values()))["law"]
+            law["tensil_strength"] = law["tensile_strength"]
+
+        [(place, message)] = self.changed(misspell)
+        self.assertTrue(place.endswith(".law"), place)
+        self.assertIn("'tensil_strength'", message)
+
+    def test_an_unknown_kind_of_law_is_told_with_those_there_are(self):
+        def rename(deck):
+            next(iter(deck["interfaces"].values()))["law"]["type"] = "softning"
+
+        found = [message for place, message in self.changed(rename) if place.endswith("law.type")]
+        self.assertEqual(len(found), 1)
+        self.assertIn("linear_softening", found[0])
+
+    def test_what_is_missing_is_told(self):
+        found = self.changed(lambda deck: deck.pop("thickness"))
+        self.assertIn(("", "'thickness' is a required property"), found)
+
+
+if __name__ == "__main__":
+    unittest.main()
