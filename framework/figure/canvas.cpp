@@ -96,9 +96,12 @@ void Canvas::text(double x, double y, std::string_view text, const TextStyle& st
   const std::string turn = style.rotate == 0 ? ""
                                              : fmt::format(" transform=\"rotate({} {} {})\"", style.rotate,
                                                            coordinate(x), coordinate(y));
-  body_ += fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"{}\"{}{}>{}</text>\n",
+  const char* halo =
+      style.halo ? " paint-order=\"stroke\" stroke=\"#ffffff\" stroke-width=\"3\" stroke-linejoin=\"round\""
+                 : "";
+  body_ += fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"{}\"{}{}{}>{}</text>\n",
                        coordinate(x), coordinate(y), coordinate(style.size), name_of(style.anchor),
-                       style.bold ? " font-weight=\"bold\"" : "", turn, escaped(text));
+                       style.bold ? " font-weight=\"bold\"" : "", halo, turn, escaped(text));
 }
 
 void Canvas::path(const std::string& data, const std::string& fill, const LineStyle& style) {

@@ -14,6 +14,7 @@ struct TextStyle {
   Anchor anchor = Anchor::start;
   bool bold = false;
   double rotate = 0;  ///< [degrees], clockwise
+  bool halo = false;  ///< white around it, to be read on lines
 };
 
 struct LineStyle {

@@ -2,7 +2,7 @@
 
 #include <array>
 #include <cmath>
-#include <optional>
+#include <map>
 
 #include "framework/figure/placement.hpp"
 
@@ -50,7 +50,8 @@ class SymbolPainter {
       const Placed placed{&symbol, view.pixel(symbol.at), on_picture / size, size};
       if (std::ranges::any_of(placed_, [&](const Placed& p) { return p.resembles(placed); })) continue;
       placed_.push_back(placed);
-      if (symbol.mark == Mark::force) largest_ = std::max(largest_, size);
+      if (double& largest = largest_[symbol.colour]; symbol.mark == Mark::force)
+        largest = std::max(largest, size);
     }
   }
 
@@ -91,7 +92,8 @@ class SymbolPainter {
 
   /// What pulls begins where it acts, what presses ends there.
   void paint_force(const Placed& placed, const std::string& colour) {
-    const double length = shortest_arrow + (longest_arrow - shortest_arrow) * placed.size / largest_;
+    const double length =
+        shortest_arrow + (longest_arrow - shortest_arrow) * placed.size / largest_.at(placed.symbol->colour);
     const Vec2 way = length * placed.direction;
     const Vec2 start = is_outward(placed) ? placed.at : Vec2(placed.at - way), tip = start + way;
     const Vec2 neck = tip - 0.8 * head * placed.direction;
@@ -117,14 +119,14 @@ class SymbolPainter {
   void write_name(const Placed& placed) {
     const std::string& name = placed.symbol->name;
     const Box box = names_.place(placed.at.x(), placed.at.y(), text_width(name, text_size), text_size + 2);
-    canvas_.text(box.x, box.bottom() - 2, name, {text_size});
+    canvas_.text(box.x, box.bottom() - 2, name, {.size = text_size, .halo = true});
   }
 
   Canvas& canvas_;
   LabelPlacer names_;
   Vec2 centre_ = Vec2::Zero();
   std::vector<Placed> placed_;
-  double largest_ = 0;
+  std::map<int, double> largest_;  ///< force of each colour
 };
 
 }  // namespace
