@@ -11,9 +11,12 @@ import unittest
 from pathlib import Path
 
 import jsonschema
-import yaml
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "python"))
+
+from ddapath import deck as decks  # noqa: E402
+
 PROGRAM = sys.argv.pop(1)
 
 
@@ -32,20 +35,22 @@ class Schema(unittest.TestCase):
     def setUpClass(cls):
         said = subprocess.run([PROGRAM, "explain", "--json"], capture_output=True, text=True, check=True)
         cls.schema = json.loads(said.stdout)
-        cls.deck = yaml.safe_load((ROOT / "studies/softening-bar/deck.yaml").read_text(encoding="utf-8"))
+        cls.deck = decks.load((ROOT / "studies/softening-bar/deck.yaml").read_text(encoding="utf-8"))
 
     def test_is_a_schema(self):
         jsonschema.Draft7Validator.check_schema(self.schema)
 
     def test_decks_of_the_studies_obey_it(self):
-        decks = 0
+        count = 0
         for file in sorted((ROOT / "studies").rglob("*.yaml")):
-            tree = yaml.safe_load(file.read_text(encoding="utf-8"))
+            if file.name == "expect.yaml":
+                continue
+            tree = decks.load(file.read_text(encoding="utf-8"))
             if not is_deck(tree) or "extends" in tree:  # what a deck extends has the keys it needs
                 continue
-            decks += 1
+            count += 1
             self.assertEqual(complaints(self.schema, tree), [], file)
-        self.assertGreater(decks, 30)
+        self.assertGreater(count, 30)
 
     def changed(self, change):
         deck = copy.deepcopy(self.deck)
