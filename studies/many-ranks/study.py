@@ -2,7 +2,7 @@
 
     study.py --program DDA [--quick] [--repeats N] [--report] [--output FOLDER]
 
-Writes results/many-ranks.csv and the marked region of README.md into FOLDER: this folder, or with --quick runs/many-ranks.
+Writes results/many-ranks.csv, results/many-ranks.svg and the marked region of README.md into FOLDER: this folder, or with --quick runs/many-ranks.
 Runs are one after another, all ranks of a run on this machine; times are medians of the repeats of a run.
 """
 

@@ -9,6 +9,8 @@ import numpy as np
 
 from ddapath import study
 
+plt = study.plots("many-ranks")
+
 MIB = 2.0**20
 LARGE = 10_000_000  # blocks of the structure that is foreseen
 FORESEEN = (1, 4, 16, 64, 512)  # ranks of it
@@ -86,5 +88,26 @@ def text(rows):
         f"between them is least on {best_number(rows, rate)} ranks.", ""])
 
 
+def draw(rows, file):
+    """Memory of each rank, of the largest structure, beside the time of its shared work."""
+    last = [row for row in rows if row["blocks"] == rows[-1]["blocks"]]
+    figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6))
+    for k in range(int(last[-1]["ranks"])):
+        having = [row for row in last if row["ranks"] > k]
+        left.bar([row["ranks"] + 0.2 * (k - (row["ranks"] - 1) / 2) for row in having], [row[f"memory_{k}"] / 1024 for row in having],
+                 width=0.18, label=f"rank {k}")
+    left.set_ylabel("memory [GiB]")
+    left.legend(frameon=False, fontsize=8)
+    right.plot([row["ranks"] for row in last], [last[0]["shared"] / row["shared"] for row in last], marker="o", color="black")
+    right.set_ylabel("shared work, times as fast")
+    right.set_ylim(bottom=0)
+    for panel in (left, right):
+        panel.set_xlabel(f"ranks, {last[0]['blocks']:.0f} blocks")
+        panel.set_xticks([row["ranks"] for row in last])
+    figure.tight_layout()
+    study.save(figure, file)
+
+
 def write(output, rows):
+    draw(rows, output / "results" / "many-ranks.svg")
     study.write_region(output / "README.md", text(rows))

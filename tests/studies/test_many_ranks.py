@@ -55,6 +55,7 @@ class Quick(unittest.TestCase):
             self.assertEqual([row["ranks"] for row in found], [1, 2, 3, 4])
             for row in found:
                 self.assertAlmostEqual(row["peak_load"] / found[0]["peak_load"], 1, delta=1e-5)
+            self.assertTrue((output / "results" / "many-ranks.svg").exists())
             self.assertIn("### 10 million blocks", (output / "README.md").read_text(encoding="utf-8"))
 
 

@@ -54,6 +54,7 @@ class SweepReader {
   }
 
   Sweep read() {
+    refuse_deck_beside();
     const Node* entries = tree_.root().find(section);
     if (!entries || entries->is_null())
       throw InputError(Position{sweep_.file.string()},
@@ -76,6 +77,15 @@ class SweepReader {
   }
 
  private:
+  /// The deck that a file of its own varies is an entry of its section.
+  void refuse_deck_beside() const {
+    for (const NodeEntry& entry : tree_.root().entries)
+      if (entry.key == deck_key)
+        throw InputError(
+            entry.where,
+            "'deck' stands in the section `sweep`, as `sweep: {deck: base.yaml, some.key: [1, 2]}`");
+  }
+
   /// A file that names its decks may have a title beside the sweep, and nothing else.
   void refuse_second_deck() {
     if (!has_decks_) return;

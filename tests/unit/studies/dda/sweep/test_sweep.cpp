@@ -83,6 +83,8 @@ TEST(Sweep, RefusesDecksThatAreNone) {
   EXPECT_THAT(refusal("plane: stress\nsweep: {deck: [a.yaml]}\n"),
               HasSubstr("s.yaml:1:1: 'plane' belongs to a deck"));
   EXPECT_THAT(refusal("title: none\n"), HasSubstr("has no section `sweep`"));
+  EXPECT_THAT(refusal("deck: base.yaml\nsweep: {seed: [1, 2]}\n"),
+              HasSubstr("stands in the section `sweep`"));
   EXPECT_THAT(refusal("sweep: 3\n"), HasSubstr("s.yaml:1:8: sweep: expected a map"));
 }
 
