@@ -16,9 +16,9 @@ inline void check_place(const Place& place, const Position& where, Findings& fin
     findings.add(where, "the two ends of `over` are the same; for a point give `at`");
 }
 
-/// Declares `at`, `inside` and `over` of parameters that derive from Place.
+/// Declares `at`, `inside` and `over` of parameters that derive from Place, and checks nothing.
 template <class P>
-void add_place(Schema<P>& schema) {
+void declare_place(Schema<P>& schema) {
   schema.spot("at", &P::at, {.text = "The point, or the name of one in `scene.points`; or give `over`."})
       .spot("inside", &P::inside,
             {.text = "A point inside the block that is meant where several blocks meet at `at`, otherwise "
@@ -26,8 +26,15 @@ void add_place(Schema<P>& schema) {
       .spots("over", &P::over,
              {.text = "[from, to], two points of a straight boundary: what acts is spread evenly over the "
                       "sides of the blocks between them, a displacement is the mean there. Where blocks can "
-                      "be torn out under a point, a patch several blocks wide holds them."})
-      .check([](const P& p, const Position& where, Findings& findings) { check_place(p, where, findings); });
+                      "be torn out under a point, a patch several blocks wide holds them."});
+}
+
+/// The same, of which there must be one.
+template <class P>
+void add_place(Schema<P>& schema) {
+  declare_place(schema);
+  schema.check(
+      [](const P& p, const Position& where, Findings& findings) { check_place(p, where, findings); });
 }
 
 }  // namespace dda

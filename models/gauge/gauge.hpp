@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <span>
 
 #include "framework/deck/family.hpp"
 #include "models/body/body.hpp"
@@ -9,10 +10,11 @@
 
 namespace dda {
 
-/// What a gauge may read: places of the body and reactions by name.
+/// What a gauge may read: places of the body, reactions by name, and the stress that is there without strain.
 struct GaugeSources {
   const Body& body;
   const std::map<std::string, Functional>& reactions;
+  std::span<const Vec3> dead_stress = {}, reference_stress = {};  ///< σ0(λ) by block [F/L²]; empty when none
 };
 
 /// A scalar of the state recorded at every step, linear in (d, λ).

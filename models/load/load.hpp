@@ -15,6 +15,7 @@ struct DrivenSpring {
   std::string name;
   Functional displacement;  ///< l · u of the driven point
   double prescribed = 0;    ///< δ at full stage value [L]
+  double share = 1;         ///< of the stiffness p̄ that every driven spring has
 };
 
 /// What one stage adds at its full value.

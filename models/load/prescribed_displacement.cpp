@@ -1,3 +1,4 @@
+#include "models/body/motion.hpp"
 #include "models/body/place_schema.hpp"
 #include "models/load/load.hpp"
 
@@ -5,45 +6,77 @@ namespace dda {
 namespace {
 
 struct PrescribedDisplacementParameters : Place {
+  std::optional<std::string> on;
   std::string name = "driven";
   Vec2 direction = Vec2::Zero();
   double displacement = 1;
   Position where;
 };
 
-/// A point, or the mean of a patch of the boundary, driven through a stiff spring: the stage's factor
-/// multiplies the displacement δ of the spring's far end.
+/// A point, the mean of a patch of the boundary, or every point of a boundary as by a rigid platen, driven through
+/// stiff springs: the stage's factor multiplies the displacement δ of the springs' far ends.
 ///
 ///     K += p̄ Tᵀ l lᵀ T,   f += p̄ δ Tᵀ l,   reaction r = p̄ (δ − lᵀ u)
 ///
-/// The spring is there in every stage; before its own it holds the point. Source: Pearce et al. (2000), eqs
-/// 16-22.
+/// The spring is there in every stage; before its own it holds the point. Springs of a platen, two per side, are as
+/// stiff as the length that they stand for. Source: Pearce et al. (2000), eqs 16-22.
 class PrescribedDisplacement final : public Load {
  public:
   explicit PrescribedDisplacement(PrescribedDisplacementParameters p) : p_(std::move(p)) {}
   void add_to(StageLoads& stage, const Body& body) const override {
     if (p_.direction.norm() == 0) throw InputError(p_.where, "`direction` must not be zero");
-    stage.driven.push_back(
-        {p_.name, displacement_at(body, p_, p_.direction.normalized(), p_.where), p_.displacement});
+    if (p_.on)
+      add_platen(stage, body);
+    else
+      stage.driven.push_back(
+          {p_.name, displacement_at(body, p_, p_.direction.normalized(), p_.where), p_.displacement});
   }
-  std::optional<Action> action() const override { return Action{p_, p_.displacement * p_.direction}; }
+  std::optional<Action> action() const override {
+    if (p_.on) return {};
+    return Action{p_, p_.displacement * p_.direction};
+  }
 
  private:
+  void add_platen(StageLoads& stage, const Body& body) const {
+    const auto points = held_points(body, *p_.on, p_.where);
+    double length = 0;
+    for (const BoundaryPoint& point : points) length += point.length;
+    for (const BoundaryPoint& point : points) {
+      Functional along;
+      for (const auto& [node, rows] : motions_at(body, point.block, point.x))
+        along.rows.emplace_back(node, rows.transpose() * p_.direction.normalized());
+      const double share = static_cast<double>(points.size()) * point.length / length;
+      stage.driven.push_back({p_.name, std::move(along), p_.displacement, share});
+    }
+  }
+
   PrescribedDisplacementParameters p_;
 };
 
 Schema<PrescribedDisplacementParameters> schema() {
   using P = PrescribedDisplacementParameters;
   Schema<P> s(
-      "A point, or the mean over a patch, driven through a stiff spring; the load factor multiplies the "
-      "displacement.");
-  add_place(s);
+      "A point, the mean over a patch, or all of a boundary by a rigid platen, driven through stiff springs; "
+      "the load "
+      "factor multiplies the displacement.");
+  declare_place(s);
   return s
+      .text(
+          "on", &P::on,
+          {.text =
+               "Name of a boundary, every point of which is driven alike, as by a rigid platen that does not "
+               "turn; instead of `at` or `over`. Its reaction is the sum."})
       .text("name", &P::name, {.fallback = "driven", .text = "Name under which its reaction is recorded."})
       .point("direction", &P::direction,
              {.dimension = dimension::none, .text = "Direction (lx, ly), any length."})
       .number("displacement", &P::displacement,
-              {.fallback = 1.0, .dimension = dimension::length, .text = "Displacement δ at load factor 1."});
+              {.fallback = 1.0, .dimension = dimension::length, .text = "Displacement δ at load factor 1."})
+      .check([](const P& p, const Position& where, Findings& findings) {
+        if (!p.on)
+          check_place(p, where, findings);
+        else if (p.at || p.over || p.inside)
+          findings.add(where, "`on` names the whole of a boundary: leave out `at`, `over` and `inside`");
+      });
 }
 
 }  // namespace

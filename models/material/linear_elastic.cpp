@@ -26,6 +26,7 @@ class LinearElastic final : public Material {
     return e / (1 - nu * nu) * c;
   }
   double modulus() const override { return p_.young_modulus; }
+  double held_contraction() const override { return plane_ == Plane::strain ? p_.poisson_ratio : 0; }
   double density() const override { return p_.density; }
 
  private:

@@ -18,6 +18,9 @@ class Material {
   virtual Mat3 stiffness() const = 0;
   /// A modulus [F/L²] by which springs tied to the material are scaled (Young's modulus).
   virtual double modulus() const = 0;
+  /// Strain in both directions of the plane that a unit of free strain out of it makes where it is held: ν in plane
+  /// strain, 0 where nothing holds it.
+  virtual double held_contraction() const { return 0; }
   /// ρ [F T²/L⁴], of what moves; 0 where none is given.
   virtual double density() const = 0;
 };

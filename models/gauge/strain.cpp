@@ -1,0 +1,131 @@
+#include <algorithm>
+
+#include "models/body/place_schema.hpp"
+#include "models/gauge/gauge.hpp"
+#include "models/load/eigenstress.hpp"
+
+namespace dda {
+namespace {
+
+enum class Component { xx, yy, xy };
+
+struct MeanParameters : Place {
+  std::vector<std::string> regions;
+  Component component = Component::xx;
+  Position where;
+};
+
+/// A block and its share in a mean.
+struct Share {
+  BlockId block;
+  double weight;
+};
+
+/// Blocks that meet at a point in equal shares, or those of some regions by their areas.
+std::vector<Share> shares(const Body& body, const MeanParameters& p) {
+  std::vector<Share> out;
+  if (p.at) {
+    const auto blocks = blocks_of(body.assembly, p, p.where);
+    for (const BlockId id : blocks) out.push_back({id, 1 / static_cast<double>(blocks.size())});
+    return out;
+  }
+  const Chosen chosen{p.regions, {}};
+  chosen.require_known(body, p.where);
+  double area = 0;
+  for (std::size_t i = 0; i < body.assembly.num_blocks(); ++i)
+    if (const BlockId id{i}; chosen.has(body, id)) {
+      out.push_back({id, body.block(id).moments.area});
+      area += out.back().weight;
+    }
+  for (Share& share : out) share.weight /= area;
+  return out;
+}
+
+Vec3 unit(Component component) { return Vec3::Unit(static_cast<int>(component)); }
+
+Vec6 row_of(const Vec3& of_strain) {
+  Vec6 out = Vec6::Zero();
+  out.tail<3>() = of_strain;
+  return out;
+}
+
+/// Mean strain (εx, εy, γxy) of some blocks, e·ε.
+class StrainGauge final : public Gauge {
+ public:
+  explicit StrainGauge(MeanParameters p) : p_(std::move(p)) {}
+  Functional functional(const GaugeSources& sources) const override {
+    Functional out;
+    for (const auto& [block, weight] : shares(sources.body, p_))
+      out.rows.emplace_back(block, row_of(weight * unit(p_.component)));
+    return out;
+  }
+  Dimension dimension() const override { return dimension::none; }
+
+ private:
+  MeanParameters p_;
+};
+
+/// Mean stress of some blocks, e·σ with σ = C ε + σ0(λ).
+class StressGauge final : public Gauge {
+ public:
+  explicit StressGauge(MeanParameters p) : p_(std::move(p)) {}
+  Functional functional(const GaugeSources& sources) const override {
+    Functional out;
+    const Vec3 e = unit(p_.component);
+    const auto part = [&](std::span<const Vec3> stress, BlockId id) {
+      return stress.empty() ? 0 : e.dot(stress[id.value()]);
+    };
+    for (const auto& [block, weight] : shares(sources.body, p_)) {
+      out.rows.emplace_back(block, row_of(weight * sources.body.material(block).stiffness() * e));
+      out.constant += weight * part(sources.dead_stress, block);
+      out.per_load_factor += weight * part(sources.reference_stress, block);
+    }
+    return out;
+  }
+  Dimension dimension() const override { return dimension::stress; }
+
+ private:
+  MeanParameters p_;
+};
+
+Schema<MeanParameters> schema(const std::string& what) {
+  using P = MeanParameters;
+  return Schema<P>(what)
+      .spot("at", &P::at,
+            {.text = "The point, or the name of one in `scene.points`, in the block that is meant; or give "
+                     "`regions`."})
+      .spot("inside", &P::inside,
+            {.text =
+                 "A point inside the block that is meant where several blocks meet at `at`; otherwise it is "
+                 "their mean."})
+      .texts("regions", &P::regions,
+             {.fallback = std::vector<std::string>{}, .text = "Regions whose mean over the area is meant."})
+      .one_of("component", &P::component,
+              {{"xx", Component::xx}, {"yy", Component::yy}, {"xy", Component::xy}},
+              {.text = "Which component; `xy` of a strain is γxy, twice the tensor's."})
+      .check([](const P& p, const Position& where, Findings& findings) {
+        if (p.at.has_value() == !p.regions.empty())
+          findings.add(where, "give either `at`, a point, or `regions`, the mean of which is meant");
+      });
+}
+
+Schema<MeanParameters> strain_schema() {
+  return schema(
+      "Strain of the block at a point, or the mean of regions, initial strain included. In a motion that of "
+      "the "
+      "deformation with its turn, F − I.");
+}
+
+Schema<MeanParameters> stress_schema() {
+  return schema(
+      "Stress of the block at a point, or the mean of regions, initial stress included, tension positive. In "
+      "a "
+      "motion it is meant for small turns.");
+}
+
+}  // namespace
+
+DDA_REGISTER(gauges(), "strain", strain_schema(), make_of<StrainGauge>);
+DDA_REGISTER(gauges(), "stress", stress_schema(), make_of<StressGauge>);
+
+}  // namespace dda
