@@ -27,12 +27,12 @@ Eigen::Map<Eigen::MatrixXd> scratch(std::size_t rows, Eigen::Index columns) {
 }
 
 /// Rows of a half solution.
-using Part = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>;
+using RowMajorMap = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>;
 
 /// xᵀ y of a few columns from these places on, which fit in the registers: a general product would turn x and y
 /// first, which takes longer.
 template <int Rows, int Columns, class Tile>
-void add_tile(const Part& x, const Part& y, Tile out) {
+void add_tile(const RowMajorMap& x, const RowMajorMap& y, Tile out) {
   using Left = Eigen::Map<const Eigen::Matrix<double, Rows, 1>>;
   using Right = Eigen::Map<const Eigen::Matrix<double, 1, Columns>>;
   Eigen::Matrix<double, Rows, Columns> sum = Eigen::Matrix<double, Rows, Columns>::Zero();
@@ -43,7 +43,7 @@ void add_tile(const Part& x, const Part& y, Tile out) {
 }
 
 /// out += xᵀ y; columns come in pairs.
-void add_product(const Part& x, const Part& y, Eigen::MatrixXd& out) {
+void add_product(const RowMajorMap& x, const RowMajorMap& y, Eigen::MatrixXd& out) {
   for (Eigen::Index i = 0; i < x.cols(); i += 4)
     for (Eigen::Index j = 0; j < y.cols(); j += 4) {
       const bool is_low = i + 2 == x.cols(), is_narrow = j + 2 == y.cols();
@@ -313,7 +313,7 @@ void CholmodMatrix::add(const HalfSolution& y, Eigen::Index first, const Eigen::
   for (const int part : y.parts) {
     const int size = size_of(part);
     Eigen::Map<Eigen::VectorXd>(sum.data() + super_[part], size).noalias() +=
-        Part(values, size, y.columns).middleCols(first, s.size()) * s;
+        RowMajorMap(values, size, y.columns).middleCols(first, s.size()) * s;
     values += y.columns * size;
   }
 }

@@ -9,7 +9,7 @@
 namespace dda {
 namespace {
 
-using State = OpenCloseContact::State;
+using ContactState = OpenCloseContact::State;
 
 /// The way of the corner less that of the foot, along a direction.
 double moved_along(const Meeting& meeting, const Vec2& direction, const Poses& ways) {
@@ -36,27 +36,27 @@ double OpenCloseContact::slip(const Poses& ways) const {
 }
 
 double OpenCloseContact::normal_force(const Poses& ways) const {
-  return state == State::open ? 0 : -stiffness() * gap(ways);
+  return state == ContactState::open ? 0 : -stiffness() * gap(ways);
 }
 
 double OpenCloseContact::shear_force(const Poses& ways) const {
-  if (state == State::open) return 0;
-  return state == State::sticks ? slider.stiffness * slip(ways) : side * slider.bound;
+  if (state == ContactState::open) return 0;
+  return state == ContactState::sticks ? slider.stiffness * slip(ways) : side * slider.bound;
 }
 
 bool OpenCloseContact::change(const Poses& ways) {
-  const State before = state;
+  const ContactState before = state;
   const double force = -stiffness() * gap(ways), u = slip(ways);
   reached = friction * std::max(0.0, force);
-  if (force <= (before == State::open ? hardly : -hardly) * stiffness()) {
-    state = State::open;
-  } else if (before == State::open) {
-    state = friction > 0 ? State::sticks : State::slides;
-  } else if (before == State::sticks && std::abs(slider.stiffness * u) > reached) {
-    state = State::slides;
+  if (force <= (before == ContactState::open ? hardly : -hardly) * stiffness()) {
+    state = ContactState::open;
+  } else if (before == ContactState::open) {
+    state = friction > 0 ? ContactState::sticks : ContactState::slides;
+  } else if (before == ContactState::sticks && std::abs(slider.stiffness * u) > reached) {
+    state = ContactState::slides;
     side = u > 0 ? 1 : -1;
-  } else if (before == State::slides && friction > 0 && side * (u - slider.start) < 0) {
-    state = State::sticks;
+  } else if (before == ContactState::slides && friction > 0 && side * (u - slider.start) < 0) {
+    state = ContactState::sticks;
     const double most = reached / slider.stiffness;
     slider.start = std::clamp(slider.start, -most, most);
   }
@@ -65,11 +65,11 @@ bool OpenCloseContact::change(const Poses& ways) {
 
 double OpenCloseContact::kept(const Poses& ways) const {
   const double u = slip(ways), most = reached / slider.stiffness;
-  return state == State::slides ? std::clamp(u, -most, most) : u;
+  return state == ContactState::slides ? std::clamp(u, -most, most) : u;
 }
 
 double OpenCloseContact::spent(const Poses& ways) const {
-  return state == State::slides ? slider.bound * std::abs(slip(ways) - kept(ways)) : 0;
+  return state == ContactState::slides ? slider.bound * std::abs(slip(ways) - kept(ways)) : 0;
 }
 
 OpenCloseStep::OpenCloseStep(const Of& of, const Integrator& integrator, const MotionTolerances& tolerances)
@@ -103,7 +103,7 @@ OpenCloseContact OpenCloseStep::contact_at(const Meeting& meeting, const SliderM
   out.slider.bound = out.friction * force;
   const double shear = out.slider.stiffness * kept.slip;
   const bool slides = std::abs(shear) >= (1 - 1e-9) * out.slider.bound;
-  out.state = slides ? State::slides : State::sticks;
+  out.state = slides ? ContactState::slides : ContactState::sticks;
   out.side = shear > 0 ? 1 : -1;
   return out;
 }
@@ -206,10 +206,10 @@ bool OpenCloseStep::factor(double per_square_time) {
     if (rows_[b] >= 0) out.add(b, b, per_square_time * of_.scene.bodies[b].block.mass_matrix());
   first_order_.add_stiffness(ways_, out);
   for (const OpenCloseContact& contact : contacts_) {
-    if (contact.state == State::open) continue;
+    if (contact.state == ContactState::open) continue;
     const Meeting& meeting = contact.slider.meeting;
     out.add(bodies_of(meeting), rows_along(meeting, meeting.normal), contact.stiffness());
-    if (contact.state == State::sticks)
+    if (contact.state == ContactState::sticks)
       out.add(bodies_of(meeting), rows_along(meeting, contact.slider.tangent()), contact.slider.stiffness);
   }
   const BlockSum::Matrix& matrix = sum_.matrix();
@@ -241,7 +241,7 @@ std::string OpenCloseStep::balance(const Inertia& inertia, int& iterations) {
 void OpenCloseStep::tell(MotionStep& out) const {
   out.forces = first_order_.forces(ways_) + contact_forces();
   for (const OpenCloseContact& contact : contacts_) {
-    if (contact.state == State::open) continue;
+    if (contact.state == ContactState::open) continue;
     ++out.num_meetings;
     out.friction += contact.spent(ways_);
     out.has_slid = out.has_slid || contact.spent(ways_) > 0;
@@ -257,7 +257,7 @@ StoredEnergies OpenCloseStep::stored(const std::vector<BodyCourse>& at) const {
   for (std::size_t b = 0; b < at.size(); ++b)
     if (!of_.scene.bodies[b].is_held) out.strain += strain_energy_of(of_.scene.bodies[b].block, at[b]);
   for (const OpenCloseContact& contact : contacts_) {
-    if (contact.state == State::open) continue;
+    if (contact.state == ContactState::open) continue;
     out.contact += std::pow(contact.normal_force(ways_), 2) / (2 * contact.stiffness());
     out.friction += contact.slider.stiffness * std::pow(contact.kept(ways_), 2) / 2;
   }
