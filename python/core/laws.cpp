@@ -1,4 +1,5 @@
 #include <pybind11/eigen.h>
+#include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
 #include <map>
@@ -146,10 +147,38 @@ void bind_history(py::module_& module) {
            [at](History& h, std::size_t i, double value) { h.memory.numbers()[at(i)] = value; });
 }
 
+using Rows = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+/// What a law of a deck, given as YAML, answers to openings one after another, each accepted: tractions, damage, and what
+/// has been dissipated.
+py::tuple respond_along(const std::string& yaml, const Rows& openings, double k) {
+  if (openings.ndim() != 2 || openings.shape(1) != 2)
+    throw py::value_error("openings are n rows of (q_n, q_s)");
+  if (!(k > 0)) throw py::value_error("the trial stiffness is larger than 0");
+  const auto law = interface_laws().choose(parse_yaml(yaml, "law")).make();
+  const auto count = openings.shape(0);
+  py::array_t<double> tractions({count, py::ssize_t(2)}), damage(count), dissipated(count);
+  const auto q = openings.unchecked<2>();
+  auto t = tractions.mutable_unchecked<2>();
+  auto d = damage.mutable_unchecked<1>(), spent = dissipated.mutable_unchecked<1>();
+  History h;
+  for (py::ssize_t i = 0; i < count; ++i) {
+    const Vec2 at(q(i, 0), q(i, 1));
+    const Vec2 traction = law->respond(at, h, k).traction;
+    h = law->accept(at, h, k);
+    t(i, 0) = traction.x();
+    t(i, 1) = traction.y();
+    d(i) = law->damage(h, k);
+    spent(i) = h.dissipated;
+  }
+  return py::make_tuple(tractions, damage, dissipated);
+}
+
 }  // namespace
 
 void bind_laws(py::module_& module) {
   bind_history(module);
+  module.def("respond_along", &respond_along);
   module.def("register_law", [](const std::string& name, const py::object& type) {
     Registered law{.is_curve = type.attr("is_curve").cast<bool>(), .numbers = {}, .memory = {}, .type = type};
     for (const py::handle number : type.attr("declared_numbers")()) law.numbers.push_back(number_of(number));

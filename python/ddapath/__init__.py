@@ -15,7 +15,7 @@ from .deck import read_deck, write_deck
 from .errors import (DdapathError, InputError, Interrupted, NotFound, NothingStored, OutputError, ProgramFailed,
                      ProgramNotFound, StoppedEarly)
 from .fields import Fields, Mesh
-from .laws import InterfaceLaw, Number, SofteningCurve, register_law
+from .laws import InterfaceLaw, Number, SofteningCurve, register_law, respond
 from .program import check, find_program, report, resume, run, sweep
 from .run_folder import Run, read_run
 from .stepping import Path, Point, follow
@@ -23,5 +23,5 @@ from .sweep_folder import read_sweep
 
 __all__ = ["DdapathError", "Fields", "InputError", "InterfaceLaw", "Interrupted", "Mesh", "NotFound", "NothingStored", "Number",
            "OutputError", "Path", "Point", "ProgramFailed", "ProgramNotFound", "Run", "SofteningCurve", "StoppedEarly", "check",
-           "find_program", "follow", "read_deck", "read_run", "read_sweep", "register_law", "report", "resume", "run", "sweep",
+           "find_program", "follow", "read_deck", "read_run", "read_sweep", "register_law", "report", "respond", "resume", "run", "sweep",
            "write_deck"]

@@ -12,9 +12,11 @@ A deck of `ddapath.follow` in the same process then says `law: {type: straight, 
 What is good is worth a plugin in C++ (docs/manual/plugins.md), which has the same functions.
 """
 
+import json
 import math
 from dataclasses import dataclass
 
+from . import deck as decks
 from .compiled import core
 
 # Powers of force and length that a number may have.
@@ -292,6 +294,19 @@ class InterfaceLaw(_Declaring):
         reached, opening = self.kappa(h, k), self.equivalent_opening(qn, qs, h, k)
         damaged = reached > self.initial_kappa(k)
         return (1 if opening > reached else 0) + (2 if damaged and qn < 0 else 0) + (4 if opening >= self.rupture_kappa(k) else 0)
+
+
+def respond(law, openings, stiffness):
+    """What a law, as a deck has it, answers to a sequence of trial openings, each accepted before the next.
+
+        w = numpy.linspace(0, 0.05, 100)
+        tractions, damage, dissipated = ddapath.respond({"type": "linear_softening", "tensile_strength": 3,
+                                                         "fracture_energy": 0.05}, numpy.column_stack([w, 0 * w]), 1e5)
+
+    law: a name or a dictionary. openings: n × 2, (q_n, q_s) [L]. stiffness: k of the point [F/L³].
+    Gives tractions, n × 2 [F/L²], damage, n, and the energy dissipated so far, n [F/L]. Throws InputError for a wrong law.
+    """
+    return core().respond_along(json.dumps(decks.plain(law)), openings, stiffness)
 
 
 def register_law(name):

@@ -3,6 +3,8 @@
 import unittest
 from pathlib import Path
 
+import numpy as np
+
 import ddapath
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -126,6 +128,35 @@ class Curves(unittest.TestCase):
         for omega in (0.0, 0.3, 1.0, 1.7, 2.0, 3.0):
             for ratio in (0.5, 1.0, 3.0):
                 self.assertAlmostEqual(bisected.at_same_compliance(omega, ratio), exact.at_same_compliance(omega, ratio), delta=1e-13)
+
+
+class Responding(unittest.TestCase):
+    def test_a_sequence_of_openings(self):
+        stiffness, widest = 1e5, 2 * 0.05 / 3
+        opening = np.concatenate([np.linspace(0, 0.02, 50), np.linspace(0.02, 0, 5), np.linspace(0, 0.05, 60)])
+        openings = np.column_stack([opening, 0 * opening])
+        answers = [ddapath.respond(law, openings, stiffness)
+                   for law in ({"type": "linear_softening", "tensile_strength": 3, "fracture_energy": 0.05},
+                               {"type": "straight", "tensile_strength": 3, "fracture_energy": 0.05},
+                               {"type": "whole", "ft": 3, "energy": 0.05})]
+        for answer in answers[1:]:
+            for mine, theirs in zip(answer, answers[0]):
+                np.testing.assert_allclose(mine, theirs, rtol=1e-12, atol=1e-15)
+        tractions, damage, dissipated = answers[0]
+        slope = 3 / widest
+        on_curve = (opening > 3 / stiffness) & (np.arange(len(opening)) < 50)
+        np.testing.assert_allclose(tractions[on_curve, 0], (3 - slope * opening[on_curve]) / (1 - slope / stiffness), rtol=1e-12)
+        self.assertEqual(tractions[54, 0], 0)  # unloaded to the origin
+        self.assertEqual(damage[-1], 1)
+        self.assertAlmostEqual(dissipated[-1], 0.05, delta=1e-15)
+
+    def test_what_cannot_be(self):
+        with self.assertRaisesRegex(ddapath.InputError, "did you mean 'linear_softening'"):
+            ddapath.respond({"type": "linear_softenin"}, np.zeros((1, 2)), 1.0)
+        with self.assertRaisesRegex(ValueError, "n rows"):
+            ddapath.respond("bonded", np.zeros(3), 1.0)
+        with self.assertRaisesRegex(ValueError, "larger than 0"):
+            ddapath.respond("bonded", np.zeros((1, 2)), 0.0)
 
 
 class Failing(unittest.TestCase):

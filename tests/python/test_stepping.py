@@ -132,7 +132,7 @@ class Steering(Scratch):
         self.assertEqual((again.folder / "curve.csv").read_bytes(), (whole.folder / "curve.csv").read_bytes())
 
     def test_the_next_step(self):
-        path = ddapath.follow(DECK, {"path.control": {"type": "displacement", "gauge": "cmod"}})
+        path = ddapath.follow(DECK, {"path.control": {"type": "opening", "gauge": "cmod"}})
         self.assertEqual(path.next_step, 0)
         with self.assertRaisesRegex(ValueError, "path.step.first"):
             path.next_step = 1e-3
@@ -149,7 +149,7 @@ class Steering(Scratch):
             path.next_step = 0
 
     def test_another_control(self):
-        path = ddapath.follow(DECK, {"path.control": {"type": "displacement", "gauge": "cmod"}, **SHORT})
+        path = ddapath.follow(DECK, {"path.control": {"type": "opening", "gauge": "cmod"}, **SHORT})
         controls = []
         for point in path:
             controls.append(point.control)
@@ -167,7 +167,7 @@ class Steering(Scratch):
         with self.assertRaisesRegex(ddapath.InputError, "did you mean 'arc_length'"):
             path.control = "arc_lenght"
         with self.assertRaisesRegex(ddapath.InputError, "cmodd"):
-            path.control = {"type": "displacement", "gauge": "cmodd"}
+            path.control = {"type": "opening", "gauge": "cmodd"}
         self.assertEqual(path.control, before)
         self.assertEqual(len(list(path)), 3)
 
@@ -203,10 +203,10 @@ class Errors(Scratch):
     def test_of_a_file(self):
         deck = self.folder / "deck.yaml"
         deck.write_text(DECK.read_text(encoding="utf-8").replace("tensile_strength: 3", "tensile_strengt: 3"), encoding="utf-8")
-        with self.assertRaisesRegex(ddapath.InputError, "deck.yaml:13:.*did you mean 'tensile_strength'") as caught:
+        with self.assertRaisesRegex(ddapath.InputError, "deck.yaml:14:.*did you mean 'tensile_strength'") as caught:
             ddapath.follow(deck)
         place, what = caught.exception.findings[0]
-        self.assertTrue(place.startswith(f"{deck}:13:"), place)
+        self.assertTrue(place.startswith(f"{deck}:14:"), place)
         self.assertIn("tensile_strengt", what)
         with self.assertRaisesRegex(ddapath.NotFound, "nowhere.yaml"):
             ddapath.follow("nowhere.yaml")
