@@ -7,8 +7,8 @@
 
 namespace dda::python {
 
-/// An object of Python that any thread may ask and let go of.
-class Asked {
+/// An object of Python that any thread may ask and let go of. (What has members of pybind11 is seen here alone.)
+class __attribute__((visibility("hidden"))) Asked {
  public:
   explicit Asked(pybind11::object object) : object_(std::move(object)) {}
   Asked(const Asked&) = delete;
