@@ -1,10 +1,10 @@
 # What `cmake --install` puts below its prefix:
 #
 #   bin/dda
-#   lib/ddapath               the modules, which the program finds by its own place (framework/base/loaded.hpp)
+#   lib/ddapath               the modules, which the program finds by its own place (framework/base/loaded.hpp); Python's _core
 #   lib/cmake/ddapath         find_package(ddapath), for plugins
 #   include/ddapath           headers that plugins may include
-#   share/ddapath             python, studies (decks to run), plugin (an example), deck.schema.json (for editors)
+#   share/ddapath             python, studies (decks to run), plugin (an example), notebooks, deck.schema.json (for editors)
 #   share/doc/ddapath         README, CHANGELOG, LICENSE ...
 #   share/man, completions    written by the program
 include(CMakePackageConfigHelpers)
@@ -14,7 +14,7 @@ install(TARGETS ${DDA_MODULES} LIBRARY DESTINATION lib/ddapath)
 install(DIRECTORY python/ddapath DESTINATION share/ddapath/python FILES_MATCHING PATTERN *.py)
 install(DIRECTORY studies/ DESTINATION share/ddapath/studies
   REGEX "/(dda|__pycache__)$" EXCLUDE PATTERN CMakeLists.txt EXCLUDE)
-install(DIRECTORY examples/plugin DESTINATION share/ddapath)
+install(DIRECTORY examples/plugin examples/notebooks DESTINATION share/ddapath)
 install(FILES ${CMAKE_BINARY_DIR}/share/ddapath/deck.schema.json DESTINATION share/ddapath)
 install(FILES README.md CHANGELOG.md CONTRIBUTING.md CITATION.cff LICENSE DESTINATION share/doc/ddapath)
 

@@ -26,6 +26,13 @@ void Path::restore(const PathMemory& memory) {
   state_.control->restore(memory.control);
 }
 
+void Path::switch_control(const Aims& aims) {
+  state_.control.reset();
+  state_.look_up(aims);
+  state_.memory.step = 0;
+  state_.memory.step_kind.reset();
+}
+
 double Path::share_of_goals() const { return dda::share_of_goals(state_); }
 
 void Path::judge(Point& point) const { judge_stability(state_, point); }

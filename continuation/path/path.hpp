@@ -27,8 +27,15 @@ class Path {
   const Ending& ending() const { return state_.ending; }
   PathMemory memory() const;
   void restore(const PathMemory& memory);
-  /// Called before each attempt; true ends the path as interrupted.
+  /// Called before each step; true ends the path as interrupted.
   void interrupt_when(std::function<bool()> asked) { interrupted_ = std::move(asked); }
+  /// Goes on by the control that its parameters name by now; gauges and route are looked up again. Its first step has the
+  /// size that a first step has. Throws InputError for a gauge that there is not.
+  void switch_control(const Aims& aims);
+  /// Size of the next step in the quantity that the control prescribes; 0 where no step under one has been taken.
+  double next_step() const { return state_.memory.step_kind ? state_.memory.step : 0; }
+  /// Sets it: above 0, and only where it is known. The path may still shorten it.
+  void set_next_step(double size) { state_.memory.step = size; }
   /// Told about every rejected attempt and rescue, for the log.
   void report_to(std::function<void(const std::string& event, const std::string& text)> listener) {
     state_.listener = std::move(listener);

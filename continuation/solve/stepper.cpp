@@ -56,6 +56,7 @@ int Stepper::num_steps(Unknowns unknowns) const {
 }
 
 Attempt Stepper::find(const StepGoal& goal, Thoroughness thoroughness) {
+  if (watch_) watch_();
   const State& start = goal.start;
   const FrozenDamage frozen(system_, goal.control.freezes_damage());
   system_.set_multipliers(start.multipliers);

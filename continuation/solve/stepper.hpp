@@ -2,6 +2,7 @@
 
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
@@ -76,6 +77,8 @@ class Stepper {
   int num_steps(Unknowns unknowns) const;
   /// Iterations of NOX since they were last taken.
   int take_iterations(Unknowns unknowns) { return std::exchange(iterations_[place(unknowns)], 0); }
+  /// Called before each attempt. What it throws ends the step: the path stands where it stood.
+  void watch_by(std::function<void()> watch) { watch_ = std::move(watch); }
   /// Where NOX and LOCA print what `path.newton.output` asks for, from the first solve on.
   void log_to(const std::filesystem::path& file) { log_ = file; }
 
@@ -85,6 +88,7 @@ class Stepper {
 
   System& system_;
   StepperParameters parameters_;
+  std::function<void()> watch_;
   std::filesystem::path log_;
   std::array<std::unique_ptr<LocaStepper>, 2> loca_;
   std::array<int, 2> iterations_{};

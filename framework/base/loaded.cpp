@@ -16,6 +16,11 @@ void* symbol_of(const std::filesystem::path& library, const char* symbol) {
 }
 
 std::filesystem::path installation() {
+  Dl_info here{};
+  const bool is_told = dladdr(reinterpret_cast<void*>(&module_file), &here) != 0;
+  const std::filesystem::path file = is_told ? here.dli_fname : "";
+  if (file.extension() == ".so")
+    return std::filesystem::canonical(file).parent_path().parent_path().parent_path();
   return std::filesystem::read_symlink("/proc/self/exe").parent_path().parent_path();
 }
 

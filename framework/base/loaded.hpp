@@ -8,7 +8,8 @@ namespace dda {
 /// pay for at their start. Throws std::runtime_error with the loader's words.
 void* symbol_of(const std::filesystem::path& library, const char* symbol);
 
-/// The folder above that of this program: what it was built or installed into, wherever that has been moved.
+/// The folder above that of this program: what it was built or installed into, wherever that has been moved. Where this code
+/// is a library of Python, the folder above lib/ddapath, in which that lies.
 std::filesystem::path installation();
 
 /// A module of this program, such as "dda_gmsh.so": lib/ddapath below `installation()`.

@@ -29,7 +29,13 @@ class ProgramFailed(DdapathError):
 
 
 class InputError(ProgramFailed):
-    """Exit code 2: the deck or a setting is wrong; nothing was written. The message has every place."""
+    """Exit code 2: the deck or a setting is wrong; nothing was written. The message has every place and what to do.
+
+    `findings` are, of `follow`, all of them as pairs (place, what); the place in a dictionary is named by its keys,
+    "deck: interfaces.joints.law".
+    """
+
+    findings = ()
 
 
 class OutputError(ProgramFailed):

@@ -66,6 +66,43 @@ def sweep(deck, axes=None, folder=None, *, jobs=None, overwrite=False, check=Tru
     return started("sweep", (with_axes(deck, axes), folder, overwrite, check), arguments + plugin_options(plugins), read_sweep)
 
 
+def resume(folder, settings=None, into=None, *, check=True, plugins=()):
+    """Goes on with a run or a sweep that was interrupted, has stopped early, or is to go further; gives the Run or the table.
+
+    settings: values of the deck that have changed, {"path.stop.load_below": 0.05}. into: another folder, for a copy that goes
+    on while this one stays. See `run` for the rest.
+    """
+    path, options = Path(folder), setting_options(settings) + plugin_options(plugins)
+    if not path.is_dir():
+        raise NotFound(f"{path}: there is no such folder")
+    read = read_sweep if (path / "sweep.json").exists() else read_run
+    target = [] if into is None else ["--folder", str(into)]
+    code, said = called("resume", str(path), "--quiet", *target, *options)
+    return concluded(code, said, (path if into is None else Path(into), read), check)
+
+
+def check(deck, settings=None, *, plugins=()):
+    """What `dda check` tells of a deck, a file or a dictionary, as a text: blocks, interfaces, unknowns, memory, gauges, and
+    warnings of results that are none. It is meshed, nothing is computed or written. Throws InputError for a wrong one."""
+    with tempfile.TemporaryDirectory(prefix="ddapath-") as scratch:
+        code, said = called("check", str(as_file(deck, Path(scratch))), *setting_options(settings), *plugin_options(plugins))
+    if code != 0:
+        raise failure(code, said, None)
+    return said
+
+
+def report(folder, page=None):
+    """Writes the report of a run or a sweep, one page of HTML that needs nothing else, and gives its path.
+
+    folder: or a Run. page: where it goes, by default report.html in the folder.
+    """
+    path = Path(getattr(folder, "folder", folder))
+    code, said = called("report", str(path), *([] if page is None else ["--out", str(page)]))
+    if code != 0:
+        raise failure(code, said, None)
+    return path / "report.html" if page is None else Path(page)
+
+
 def with_axes(deck, axes):
     """The file or dictionary of a sweep."""
     if axes is None:
@@ -97,11 +134,22 @@ def started(command, what, arguments, read):
     with tempfile.TemporaryDirectory(prefix="ddapath-") as scratch:
         file = as_file(deck, Path(scratch))
         options = ["--folder", folder, "--quiet", *(["--overwrite"] if overwrite else []), *arguments]
-        done = subprocess.run([find_program(), command, file, *options], capture_output=True, text=True, check=False)
-    said = "\n".join(part.strip() for part in (done.stdout, done.stderr) if part.strip())
-    if done.returncode == 0 or (done.returncode == 3 and not check):
+        code, said = called(command, file, *options)
+    return concluded(code, said, (folder, read), check)
+
+
+def called(*words):
+    """Exit code of `dda WORDS`, and what it said."""
+    done = subprocess.run([find_program(), *words], capture_output=True, text=True, check=False)
+    return done.returncode, "\n".join(part.strip() for part in (done.stdout, done.stderr) if part.strip())
+
+
+def concluded(code, said, results, check):
+    """What `results`, (folder, its reader), are, or the error of the exit code."""
+    folder, read = results
+    if code == 0 or (code == 3 and not check):
         return read(folder)
-    raise failure(done.returncode, said, (folder, read))
+    raise failure(code, said, results)
 
 
 def failure(code, said, results):

@@ -5,6 +5,7 @@ import json
 import re
 import zlib
 from contextlib import contextmanager
+from html import escape
 from pathlib import Path
 
 import h5py
@@ -61,6 +62,7 @@ class Run:
     cracks(step)   the pieces of cracks through blocks at a stored step, a DataFrame: Fields.cracks
     crack_path(crack, step)   corners of the line along which a crack has grown until then, n × 2
     motion     what has moved from the end of the path on, see Motion
+    to_pyvista(step), to_meshio(step)   the fields of a stored step as a mesh of these libraries
     animate(file, fps, speed, path, magnification)   writes the motion as a GIF or MP4, see ddapath.animation
     """
 
@@ -124,6 +126,33 @@ class Run:
         if not folder.is_dir():
             raise NothingStored(f"{self.folder}: nothing has moved (yet); `motion` in the deck lets the structure go")
         return Motion(folder)
+
+    def to_pyvista(self, step=None):
+        """The fields of a stored step as pyvista.PolyData: deformed outlines of the blocks, with displacement, strain ..."""
+        from .meshes import fields_to_pyvista  # pyvista is loaded by none who does not ask
+
+        return fields_to_pyvista(self.fields(step))
+
+    def to_meshio(self, step=None):
+        """The fields of a stored step as meshio.Mesh: outlines of the blocks, undeformed, with displacement, strain ..."""
+        from .meshes import fields_to_meshio
+
+        return fields_to_meshio(self.fields(step))
+
+    def _repr_svg_(self):
+        """The curve, for a notebook; None as long as there is no figure."""
+        file = self.folder / f"{self.TABLE}.svg"
+        return file.read_text(encoding="utf-8") if file.exists() else None
+
+    def _repr_html_(self):
+        """Status, peak and the curve, for a notebook."""
+        summary = self.summary
+        lines = [f"<b>{escape(str(self.folder))}</b>: {escape(self.status)} {escape(summary.get('reason', ''))}"]
+        if "peak" in summary:
+            unit = summary.get("units", {}).get("force", "")
+            lines.append(f"peak {summary['peak']['load']:.6g} {escape(unit)} at step {summary['peak']['step']}, "
+                         f"{summary['steps']} steps")
+        return f"<div>{'<br>'.join(lines)}{self._repr_svg_() or ''}</div>"
 
     def animate(self, file=None, **wishes):
         from .animation import Wishes, animate  # matplotlib is loaded by none who does not draw

@@ -41,6 +41,7 @@ LIBRARIES = (
     Library("libyaml", r"yaml\.h", "framework", only_cpp=True),
     Library("muParser", r"muParser\w*\.h", "framework", only_cpp=True),
     Library("CLI11", r"CLI/", "studies"),
+    Library("pybind11", r"pybind11/", "python"),
 )
 
 

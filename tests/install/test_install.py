@@ -7,7 +7,7 @@ from installation import BUILD, ROOT, called, install, scratch
 
 FILES = """bin/dda lib/ddapath/dda_gmsh.so lib/ddapath/dda_loca.so lib/ddapath/dda_mumps.so lib/cmake/ddapath/ddapathConfig.cmake
 include/ddapath/models/interface/law.hpp include/ddapath/framework/plugin/interface.hpp share/ddapath/python/ddapath/verify/laws.py
-share/ddapath/studies/notched-beam/deck.yaml share/ddapath/studies/notched-beam/beam.geo share/ddapath/plugin/straight_softening.cpp
+share/ddapath/notebooks/own-law.ipynb share/ddapath/studies/notched-beam/deck.yaml share/ddapath/studies/notched-beam/beam.geo share/ddapath/plugin/straight_softening.cpp
 share/doc/ddapath/CHANGELOG.md share/doc/ddapath/CITATION.cff share/man/man1/dda.1.gz share/man/man5/dda-deck.5.gz
 share/bash-completion/completions/dda share/zsh/site-functions/_dda share/fish/vendor_completions.d/dda.fish""".split()
 
@@ -61,6 +61,17 @@ class Installation(unittest.TestCase):
         places = f"import sys; sys.path.insert(0, {str(self.prefix / 'share/ddapath/python')!r})"
         done = called("/usr/bin/python3", "-B", "-c", f"{places}; import ddapath; print(ddapath.find_program())", environment={"DDA": ""})
         self.assertEqual(done.stdout.strip(), str(self.prefix / "bin" / "dda"), done.stderr)
+
+    def test_the_package_follows_a_path(self):
+        if not list((BUILD / "lib" / "ddapath").glob("_core.*.so")):
+            self.skipTest("built without pybind11")
+        script = f"""import sys
+sys.path.insert(0, {str(self.prefix / 'share/ddapath/python')!r})
+import ddapath
+deck = ddapath.read_deck({str(self.prefix / 'share/ddapath/studies/softening-bar/deck.yaml')!r})
+print(ddapath.compiled.core().installation(), *(point.step for point in ddapath.follow(deck, {{"path.stop.after_steps": 3}})), sep=":")"""
+        done = called("/usr/bin/python3", "-B", "-c", script, environment={"DDA": ""})
+        self.assertEqual(done.stdout.strip(), f"{self.prefix}:1:2:3", done.stderr)
 
     def test_manual_pages_are_those_of_the_program(self):
         page = gzip.decompress((self.prefix / "share/man/man1/dda.1.gz").read_bytes()).decode()

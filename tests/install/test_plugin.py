@@ -54,6 +54,32 @@ class Plugin(unittest.TestCase):
             for one, other in zip(mine, theirs):
                 self.assertLessEqual(abs(float(one[name]) - float(other[name])), 1e-12 * largest, (name, one["step"]))
 
+    def test_a_curve_in_python_and_the_plugin_are_the_same_law(self):
+        if not list((self.prefix / "lib/ddapath").glob("_core.*.so")):
+            self.skipTest("built without pybind11")
+        script = self.work / "both.py"
+        script.write_text(f"""import sys
+sys.path[:0] = [{str(self.prefix / 'share/ddapath/python')!r}, {str(ROOT / 'tests/python')!r}]
+import ddapath
+from test_laws import Straight
+deck, columns = {str(self.example / 'deck.yaml')!r}, ("step", "load_factor", "load", "dissipated_energy", "stored_energy")
+paths = [ddapath.follow(deck, {{"{LAW}": law}}, plugins=[{str(self.library)!r}]) for law in ("straight_softening", "straight", "linear_softening")]
+for name, path in zip(("plugin", "python", "program"), paths):
+    for point in path:
+        print(name, *(repr(getattr(point, column)) for column in columns))
+""", encoding="utf-8")
+        done = called("/usr/bin/python3", "-B", script, folder=self.work, environment={"DDA": str(self.program)})
+        self.assertEqual(done.returncode, 0, done.stderr)
+        rows = [line.split() for line in done.stdout.splitlines()]
+        curves = {name: [list(map(float, row[1:])) for row in rows if row[0] == name] for name in ("plugin", "python", "program")}
+        self.assertGreater(len(curves["program"]), 20)
+        for name in ("plugin", "python"):
+            self.assertEqual(len(curves[name]), len(curves["program"]))
+            for column in range(5):
+                largest = max(abs(row[column]) for row in curves["program"])
+                for mine, theirs in zip(curves[name], curves["program"]):
+                    self.assertLessEqual(abs(mine[column] - theirs[column]), 1e-12 * largest, (name, column, mine[0]))
+
     def test_the_run_tells_which_it_had(self):
         mine, theirs = self.run_with_both()
         self.assertEqual(json.loads((mine / "summary.json").read_text())["plugins"], [str(self.library)])

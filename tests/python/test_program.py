@@ -123,6 +123,32 @@ class Running(Scratch):
                 ddapath.run(DECK, folder=self.folder / "run")
 
 
+class Going(Scratch):
+    def test_resume(self):
+        run = ddapath.run(DECK, {"path.stop.after_steps": 4}, folder=self.folder / "run")
+        self.assertEqual(len(run.curve), 5)
+        longer = ddapath.resume(run.folder, {"path.stop.after_steps": 7}, into=self.folder / "longer")
+        self.assertEqual((len(run.curve), len(longer.curve)), (5, 8))
+        self.assertEqual(longer.folder, self.folder / "longer")
+        self.assertEqual(len(ddapath.resume(run.folder, {"path.stop.after_steps": 6}).curve), 7)
+        with self.assertRaisesRegex(ddapath.NotFound, "there is no such folder"):
+            ddapath.resume(self.folder / "nowhere")
+
+    def test_check(self):
+        said = ddapath.check(ddapath.read_deck(DECK))
+        self.assertRegex(said, r"interface points +\d+, of which \d+ can crack")
+        with self.assertRaisesRegex(ddapath.InputError, "did you mean 'tensile_strength'"):
+            ddapath.check(DECK, {"interfaces.any.law.tensile_strengt": 3})
+
+    def test_report(self):
+        run = ddapath.run(DECK, {"path.stop.after_steps": 4}, folder=self.folder / "run")
+        self.assertEqual(ddapath.report(run), run.folder / "report.html")
+        page = ddapath.report(run.folder, self.folder / "page.html")
+        self.assertIn("<html", page.read_text(encoding="utf-8"))
+        with self.assertRaisesRegex(ddapath.InputError, "nowhere"):
+            ddapath.report(self.folder / "nowhere")
+
+
 class Sweeping(Scratch):
     def test_what_is_asked_of_the_program(self):
         self.stand_in(f'echo "$@" > {self.folder}/asked; cp "$2" {self.folder}/asked.yaml; echo enough >&2; exit 2')

@@ -211,6 +211,11 @@ void Simulation::begin_path() {
                 }});
 }
 
+void Simulation::switch_control() {
+  require_control();
+  path_->switch_control(look_up());
+}
+
 Aims Simulation::look_up() {
   gauges_.gauges = loading().gauges;
   return {gauges_, Route{landings(), legs()}};

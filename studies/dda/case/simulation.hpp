@@ -36,6 +36,8 @@ class Simulation {
   std::string apply_dead_loads();
   /// The path of the last stage, with the deck's landings.
   void begin_path();
+  /// Goes on by the control that the deck names by now. Throws InputError for one that cannot serve here.
+  void switch_control();
   Walker& walker() { return *walker_; }
   const Walker& walker() const { return *walker_; }
   Stepper& stepper() { return *stepper_; }

@@ -27,25 +27,24 @@ TableCell count_cell(const std::optional<int>& count) {
 
 }  // namespace
 
-FailureIndicator::FailureIndicator(Simulation& simulation, IndicatorMemory memory)
-    : simulation_(simulation),
-      parameters_(simulation.deck().record.eigenvalues),
-      memory_(std::move(memory)),
-      tracker_(memory_.modes) {
-  if (parameters_.count > 0) mass_ = mass();
-}
-
-/// Of blocks and jumps; an identity has none of what a jump's node does not use either.
-Mass FailureIndicator::mass() const {
-  if (parameters_.mass == EigenvalueMass::density) return mass_of(simulation_.body());
-  Mass out = unit_mass(simulation_.body());
-  if (parameters_.mass == EigenvalueMass::unit) return out;
-  const std::size_t blocks = simulation_.equilibrium().num_blocks();
+Mass mass_for(const Simulation& simulation, EigenvalueMass kind) {
+  if (kind == EigenvalueMass::density) return mass_of(simulation.body());
+  Mass out = unit_mass(simulation.body());
+  if (kind == EigenvalueMass::unit) return out;
+  const std::size_t blocks = simulation.equilibrium().num_blocks();
   out = Mass::identity(out.num_nodes());
   constexpr double next_to_none = 1e-9;
   for (std::size_t node = blocks; node < out.num_nodes(); ++node)
     out.diagonal[node].diagonal().tail<3>().setConstant(next_to_none);
   return out;
+}
+
+FailureIndicator::FailureIndicator(Simulation& simulation, IndicatorMemory memory)
+    : simulation_(simulation),
+      parameters_(simulation.deck().record.eigenvalues),
+      memory_(std::move(memory)),
+      tracker_(memory_.modes) {
+  if (parameters_.count > 0) mass_ = mass_for(simulation_, parameters_.mass);
 }
 
 std::vector<double> FailureIndicator::followed(const std::vector<double>& shape, const Growth& growth) const {
@@ -59,7 +58,7 @@ void FailureIndicator::follow(const Growth& growth) {
   for (auto* shapes : {&memory_.modes.shapes, &shapes_})
     for (std::vector<double>& shape : *shapes) shape = followed(shape, growth);
   tracker_ = ModeTracker(memory_.modes);
-  if (parameters_.count > 0) mass_ = mass();
+  if (parameters_.count > 0) mass_ = mass_for(simulation_, parameters_.mass);
 }
 
 RecordedColumns FailureIndicator::columns() const {

@@ -9,6 +9,9 @@
 
 namespace dda {
 
+/// M of K φ = μ M φ, of blocks and jumps; an identity has none of what a jump's node does not use either.
+Mass mass_for(const Simulation& simulation, EigenvalueMass kind);
+
 /// What an indicator remembers; a restart brings it back.
 struct IndicatorMemory {
   double first_stiffness = 0;  ///< ṗ/u̇ at the start; 0 before it
@@ -52,7 +55,6 @@ class FailureIndicator {
   double path_stiffness() const;
   Eigenmodes modes(int count);
   void find_eigenvalues();
-  Mass mass() const;
   std::vector<double> ratios_of(const Eigenmodes& found);
   bool is_rigid(const Eigenmodes& found, std::size_t mode) const;
 

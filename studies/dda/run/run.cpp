@@ -2,19 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdio>
 
 #include "framework/base/memory.hpp"
 #include "framework/files/run/results.hpp"
 #include "framework/files/whole_file.hpp"
 #include "framework/messages/interrupt.hpp"
-#include "studies/dda/figures/model_picture.hpp"
-#include "studies/dda/run/motion_run.hpp"
+#include "studies/dda/run/conclusion.hpp"
 #include "studies/dda/run/new_run.hpp"
 #include "studies/dda/run/restart.hpp"
+#include "studies/dda/run/stepped_run.hpp"
 #include "studies/dda/run/summary.hpp"
 
 namespace dda {
@@ -22,22 +19,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Follows the branch that the path has left by switching, if it has, in a folder inside that of the run.
-void follow_primary(const DeckFile& deck, const RunFolder& folder, const RunMemory& memory) {
-  const bool has_switched =
-      std::ranges::any_of(memory.events, [](const auto& event) { return event.contains("switched"); });
-  if (!has_switched || interrupted()) return;
-  std::vector<std::string> overrides = deck.overrides;
-  overrides.emplace_back("path.branch=follow");
-  const RunOptions options{.folder = folder.file("primary"), .overwrite = true, .quiet = true};
-  run_deck(deck_from_text(deck.text, deck.path, overrides), options);
-}
-
-constexpr auto out_of_range = "the numbers of the next step are too large or too small to compute with";
-
-bool is_finite(const Candidate& at) {
-  return std::ranges::all_of(std::array{at.state.load_factor, at.load, at.stored, at.dissipated, at.work},
-                             [](double x) { return std::isfinite(x); });
+void show(RunRecorder& recorder, Progress& progress) {
+  if (const std::string warning = recorder.take_warning(); !warning.empty()) progress.note(warning);
+  progress.show(recorder.progress());
 }
 
 /// Follows the path to its end.
@@ -49,43 +33,10 @@ Ending follow(Simulation& simulation, RunRecorder& recorder, bool quiet) {
   for (const Point& point : path) {
     if (!is_finite(simulation.walker().here())) return {Ending::Kind::stopped_early, out_of_range};
     recorder.record(point);
-    if (const std::string warning = recorder.take_warning(); !warning.empty()) progress.note(warning);
-    progress.show(recorder.progress());
+    show(recorder, progress);
   }
   progress.finish();
   return path.ending();
-}
-
-bool is_reached(const Ending& ending) { return ending.kind == Ending::Kind::goal_reached; }
-
-/// What follows the path where the deck has a motion; how the run ends.
-Ending move_on(const RunFolder& folder, Simulation& simulation, RunRecorder& recorder,
-               const MotionOptions& options) {
-  const auto scope = simulation.system().timings().measure("motion");
-  const Walker& walker = simulation.walker();
-  const PathEnd end{.equilibrium = simulation.equilibrium(),
-                    .state = walker.state(),
-                    .history = simulation.system().history(),
-                    .is_of_path = true,
-                    .has_fallen = simulation.path().memory().is_mechanism ||
-                                  walker.leaving().load_factor * walker.state().load_factor < 0};
-  const MotionRecord motion = run_motion(folder, simulation, end, options);
-  recorder.add_motion(motion.summary);
-  recorder.log().info("motion", motion.summary);
-  return motion.ending;
-}
-
-/// A mechanism that is not let go could be.
-void offer_motion(Simulation& simulation, RunRecorder& recorder) {
-  if (simulation.path().memory().is_mechanism && !simulation.deck().moves())
-    recorder.add_notice(
-        "The path ends in a mechanism: `path.then: motion` lets it go, in `dda resume` of this run too "
-        "(`--set "
-        "path.then=motion`); what moves needs a `density`.");
-}
-
-RunResult conclude(const RunFolder& folder, RunRecorder& recorder, const Ending& ending) {
-  return {folder.path(), ending, recorder.finish(ending), recorder.measures(), recorder.trace()};
 }
 
 /// The files that a continued run goes on with.
@@ -125,31 +76,15 @@ void remove_conclusions(const RunFolder& folder) {
 }  // namespace
 
 RunResult run_deck(const DeckFile& deck, const RunOptions& options) {
-  Timings timings;
-  require_address_space();
   InterruptGuard guard(OnInterrupt::end);
-  timings.end_start_up();
-  Simulation simulation(deck.deck, timings);
-  simulation.prepare();
+  SteppedRun run(deck);
   guard.set_flag_first();
-  const RunFolder folder = new_folder(deck, options);
-  const std::string effective = effective_deck(deck);
-  write_decks(folder, deck, effective);
-  write_model_picture(folder, simulation);
-  simulation.stepper().log_to(folder.file("nox.log"));
-  const std::string obstacle = simulation.apply_dead_loads();
-  simulation.walker().effort().count_steps_anew();
-  simulation.begin_path();
-  RunRecorder recorder(folder, simulation, deck, effective, timings);
-  Ending ending{Ending::Kind::stopped_early, obstacle};
-  if (obstacle.empty()) ending = follow(simulation, recorder, options.quiet);
-  follow_primary(deck, folder, recorder.memory());
-  if (deck.deck.moves() && ending.kind != Ending::Kind::interrupted)
-    if (const Ending moved = move_on(folder, simulation, recorder, {.quiet = options.quiet});
-        !is_reached(moved))
-      ending = moved;
-  offer_motion(simulation, recorder);
-  return conclude(folder, recorder, ending);
+  run.begin(options);
+  run.interrupt_when(interrupted);
+  Progress progress = Progress::for_stream(stderr, options.quiet);
+  while (run.next()) show(run.recorder(), progress);
+  progress.finish();
+  return run.conclude();
 }
 
 RunResult resume_run(const fs::path& existing, const std::vector<std::string>& overrides,
@@ -174,14 +109,9 @@ RunResult resume_run(const fs::path& existing, const std::vector<std::string>& o
   write_decks(folder, deck, effective);
   simulation.stepper().log_to(folder.file("nox.log"));
   RunRecorder recorder(folder, simulation, deck, effective, timings, memory);
-  Ending ending = follow(simulation, recorder, options.quiet);
-  follow_primary(deck, folder, recorder.memory());
-  if (deck.deck.moves() && ending.kind != Ending::Kind::interrupted)
-    if (const Ending moved = move_on(folder, simulation, recorder, {.quiet = options.quiet, .goes_on = true});
-        !is_reached(moved))
-      ending = moved;
-  offer_motion(simulation, recorder);
-  return conclude(folder, recorder, ending);
+  const Ending ending = follow(simulation, recorder, options.quiet);
+  return conclude_run({deck, folder, simulation, recorder}, ending,
+                      {.quiet = options.quiet, .goes_on = true});
 }
 
 std::string last_line(const RunResult& result) {

@@ -1,0 +1,80 @@
+#include "studies/dda/run/stepped_run.hpp"
+
+#include "framework/base/memory.hpp"
+#include "studies/dda/figures/model_picture.hpp"
+#include "studies/dda/run/conclusion.hpp"
+#include "studies/dda/run/new_run.hpp"
+
+namespace dda {
+namespace {
+
+DeckFile with_path(DeckFile deck, Timings& timings) {
+  require_address_space();
+  timings.end_start_up();
+  if (!deck.deck.has_path())
+    throw InputError(Position{deck.path.string()},
+                     "has no `stages`: there is no path to follow, only a motion, which `dda run` computes");
+  return deck;
+}
+
+}  // namespace
+
+SteppedRun::SteppedRun(DeckFile deck)
+    : deck_(with_path(std::move(deck), timings_)), simulation_(deck_.deck, timings_) {
+  simulation_.prepare();
+}
+
+void SteppedRun::carry_dead_loads() {
+  const std::string obstacle = simulation_.apply_dead_loads();
+  simulation_.walker().effort().count_steps_anew();
+  simulation_.begin_path();
+  if (!obstacle.empty()) ending_ = {Ending::Kind::stopped_early, obstacle};
+}
+
+void SteppedRun::begin() { carry_dead_loads(); }
+
+void SteppedRun::begin(const RunOptions& options) {
+  options_ = options;
+  folder_ = std::make_unique<const RunFolder>(new_folder(deck_, options));
+  const std::string effective = effective_deck(deck_);
+  write_decks(*folder_, deck_, effective);
+  write_model_picture(*folder_, simulation_);
+  simulation_.stepper().log_to(folder_->file("nox.log"));
+  carry_dead_loads();
+  recorder_ = std::make_unique<RunRecorder>(*folder_, simulation_, deck_, effective, timings_);
+}
+
+std::optional<Point> SteppedRun::next() {
+  if (has_ended()) return {};
+  const auto scope = timings_.measure("path");
+  std::optional<Point> point = simulation_.path().next();
+  if (!point) {
+    ending_ = simulation_.path().ending();
+  } else if (!is_finite(simulation_.walker().here())) {
+    ending_ = {Ending::Kind::stopped_early, out_of_range};
+    point.reset();
+  } else if (recorder_) {
+    recorder_->record(*point);
+  }
+  return point;
+}
+
+void SteppedRun::end(Ending ending) {
+  if (!has_ended()) ending_ = std::move(ending);
+}
+
+void SteppedRun::switch_control(ControlChoice control) {
+  std::swap(deck_.deck.path.control, control);
+  try {
+    simulation_.switch_control();
+  } catch (...) {
+    std::swap(deck_.deck.path.control, control);
+    throw;
+  }
+}
+
+RunResult SteppedRun::conclude() {
+  return conclude_run({deck_, *folder_, simulation_, *recorder_}, ending_, {.quiet = options_.quiet});
+}
+
+}  // namespace dda
