@@ -26,9 +26,16 @@ def dense_rate(rows=3000):
     return rows**3 / 3 / (time.perf_counter() - begin)
 
 
-def border_rows(row):
-    """b of a run on two ranks: the other one sends its share of S_B, b²/2 numbers, once a factorisation."""
-    return math.sqrt(2 * row["received_mib"] * MIB / row["factorisations"] / BYTES)
+def border_rows(rows):
+    """b of a structure from its runs on several ranks, whose rank 0 has received
+
+        S_B of the others in each factorisation, (2 (N − 2) + ½) b² numbers,
+        and their part of all solutions, 1 − 2/N² of a number that is the same for all N
+    """
+    several = [row for row in rows if row["ranks"] > 1]
+    shares = [[2 * (row["ranks"] - 2) + 0.5, 1 - 2 / row["ranks"] ** 2] for row in several]
+    numbers = [row["received_mib"] * MIB / row["factorisations"] / BYTES for row in several]
+    return math.sqrt(np.linalg.lstsq(np.array(shares), np.array(numbers), rcond=None)[0][0])
 
 
 def exponent(rows, name):
@@ -52,9 +59,8 @@ def measured(rows):
 def of_ranks(rows, ranks):
     """What N ranks take for LARGE blocks: bytes that rank 0 receives in a factorisation, bytes between the strips, its
     operations there, and seconds of a strip."""
-    two = [row for row in rows if row["ranks"] == 2][-1]
     alone = [row for row in rows if row["ranks"] == 1]
-    b = border_rows(two) * math.sqrt(LARGE / two["blocks"])
+    b = border_rows([row for row in rows if row["blocks"] == alone[-1]["blocks"]]) * math.sqrt(LARGE / alone[-1]["blocks"])
     inner, pairs = max(ranks - 2, 0), ranks - 1
     seconds = alone[-1]["factorisation"] * (LARGE / alone[-1]["blocks"]) ** exponent(alone, "factorisation") / ranks
     return {"received": BYTES * (2 * inner + pairs / max(pairs, 1) / 2) * b**2 if pairs else 0.0,
@@ -79,10 +85,11 @@ def best_number(rows, rate):
 def text(rows):
     rate = dense_rate()
     last = [row for row in rows if row["ranks"] == max(other["ranks"] for other in rows)][-1]
+    b = border_rows([row for row in rows if row["blocks"] == last["blocks"]])
     return "\n".join([
         f"{platform.machine()}, {os.cpu_count()} cores for all ranks together.\n", *measured(rows), "",
         f"### {LARGE / 1e6:.0f} million blocks\n", *foreseen(rows, rate), "",
-        f"Dense factorisation: {rate / 1e9:.0f} · 10⁹ operations a second, measured here. Rank 0 has "
+        f"b = {b:.0f} unknowns of {last['blocks']:.0f} blocks. Dense factorisation: {rate / 1e9:.0f} · 10⁹ operations a second, measured here. Rank 0 has "
         f"{last['memory_0'] * MIB / last['blocks'] / 1024:.1f} KiB a block of {last['blocks']:.0f} on {last['ranks']:.0f} ranks, model "
         f"included: {last['memory_0'] / last['blocks'] * LARGE / 1024:.0f} GiB for {LARGE / 1e6:.0f} million. The time of strips and "
         f"between them is least on {best_number(rows, rate)} ranks.", ""])
