@@ -23,13 +23,26 @@ std::vector<Landing> present_landings(const PathState& path) {
   return out;
 }
 
+namespace {
+
+/// Whether the path stands on a landing's value and sets out from it: by the measure of `reached`, or by rounding of the
+/// step alone, which may lead far beyond.
+bool stands_on(const PathState& path, const Landing& landing, double step) {
+  constexpr double rounding = 1e-12;
+  const Travel& travel = path.memory.travels.at(landing.name);
+  const double scale = std::max(std::abs(landing.value), std::abs(travel.farthest - travel.from));
+  return std::abs(path.walker.value(landing.gauge) - landing.value) <=
+         std::max(same_value * scale, rounding * std::abs(step));
+}
+
+}  // namespace
+
 std::optional<Crossing> first_crossing(const PathState& path, const Candidate& candidate) {
   std::optional<Crossing> first;
   for (const Landing& landing : present_landings(path)) {
     const double from = path.walker.value(landing.gauge);
     const double to = candidate.state.value(landing.gauge);
-    if (std::abs(from - landing.value) <= same_value * std::max(std::abs(landing.value), std::abs(to - from)))
-      continue;
+    if (stands_on(path, landing, to - from)) continue;
     if ((from - landing.value) * (to - landing.value) > 0) continue;
     if (landing.only_falling && std::abs(to) > std::abs(from)) continue;
     const double share = (landing.value - from) / (to - from);

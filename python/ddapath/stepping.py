@@ -190,8 +190,9 @@ class Path:
 
     @property
     def next_step(self):
-        """Size of the next step, in the quantity that the control prescribes (under `dissipation` an energy): it may be set.
-        0 before the first step under a control. The path still shortens a step that finds no next point."""
+        """Size of the next step, which may be set: where cracks grow the energy that it spends along the tangent [F L], whatever
+        the control, else the quantity that the control prescribes. 0 before the first step under a control. The path still
+        shortens a step that finds no next point."""
         return self._follower.next_step
 
     @next_step.setter

@@ -43,6 +43,12 @@ pictures_of_models() {
   expect 4 "a picture without a place" "$program" check "$beam" --draw /proc/model.svg
 }
 
+goals_far_before_anything_cracks() {
+  expect 0 "a goal far before anything cracks" "$program" run "$bar" --folder far --quiet --overwrite \
+    --set 'stages=[{loads: [{type: edge_traction, on: right, traction: [1e-9, 0]}]}]' --set path.stop.load_factor_above=1
+  grep -q '"reason": "load_factor reached 1"' far/summary.json || complain "the goal was passed: $(grep reason far/summary.json)"
+}
+
 condition() {
   grep -q '"stiffness"' whole/summary.json && complain "a condition that nobody asked for"
   expect 0 "run with condition" "$program" run "$bar" --folder assessed --quiet --set record.condition=true
@@ -245,6 +251,6 @@ comparing() {
   exists overlay.svg
 }
 
-for part in ${PARTS:-whole_run pictures_of_models condition eigenvalues folders resume_after_steps peak_before_release resume_without_summary limits resume_under_another_control interrupted no_place_to_write command_line comparing}
+for part in ${PARTS:-whole_run pictures_of_models goals_far_before_anything_cracks condition eigenvalues folders resume_after_steps peak_before_release resume_without_summary limits resume_under_another_control interrupted no_place_to_write command_line comparing}
 do $part; done
 exit $failed

@@ -136,15 +136,17 @@ class Steering(Scratch):
         self.assertEqual(path.next_step, 0)
         with self.assertRaisesRegex(ValueError, "path.step.first"):
             path.next_step = 1e-3
-        before = None
+        opened, steps = [0.0], []
         for point in path:
-            if before is not None:
-                self.assertAlmostEqual(point.gauges["cmod"] - before, wanted, delta=1e-6 * wanted)
+            opened.append(point.gauges["cmod"])
+            if point.step == 8:
+                path.next_step = path.next_step / 50
+            steps.append(path.next_step)
+            if point.step == 10:
                 break
-            if point.step >= 4 and path.next_step > 0:
-                before, wanted = point.gauges["cmod"], path.next_step / 50
-                path.next_step = wanted
-        self.assertIsNotNone(before)
+        before, first, second = np.diff(opened)[-3:]
+        self.assertLess(first, before / 20)
+        self.assertAlmostEqual(second / first, steps[-2] / steps[-3], delta=0.01)  # both along the same tangent, nearly
         with self.assertRaisesRegex(ValueError, "larger than 0"):
             path.next_step = 0
 
@@ -176,7 +178,7 @@ class Matrices(Scratch):
     def test_stiffness_load_and_residual(self):
         path = ddapath.follow(DECK, SHORT)
         intact = path.stiffness()
-        self.assertEqual(abs(intact - intact.T).max(), 0)
+        self.assertLess(abs(intact - intact.T).max(), 1e-13 * abs(intact).max())
         first = next(path)
         load = path.load_vector()
         np.testing.assert_allclose(intact @ first.unknowns, load, atol=1e-9 * abs(load).max())
@@ -223,6 +225,7 @@ class Errors(Scratch):
     def test_a_deck_without_a_path(self):
         deck = ddapath.read_deck(DECK)
         del deck["stages"], deck["path"], deck["record"]
+        deck["motion"] = {"time": 1}
         with self.assertRaisesRegex(ddapath.InputError, "no `stages`"):
             ddapath.follow(deck)
 

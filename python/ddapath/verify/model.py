@@ -189,7 +189,7 @@ class Points:
     def __init__(self, model):
         sides = model.sides
         rules = [RULES[interface.points] for interface in model.interfaces]
-        counts = np.array([len(rules[i]) for i in sides["interface"]])
+        counts = np.array([len(rules[i]) for i in sides["interface"]], dtype=int)
         self.side = np.repeat(np.arange(len(counts)), counts)
         self.interface = sides["interface"][self.side]
         share = np.concatenate([rules[i] for i in sides["interface"]]) if len(counts) else np.zeros(0)

@@ -27,18 +27,18 @@ namespace fs = std::filesystem;
 /// What a run may lose when it is killed or the machine goes down; a shorter run is sooner repeated [s].
 constexpr double bearable_loss = 1.0;
 
-/// Whether couples are all that the load factor multiplies: then the load is that factor.
-bool is_couple(const Deck& deck) {
+/// Whether the live loads have no resultant, couples or strains: then the load is the load factor.
+bool acts_without_force(const Deck& deck) {
   const auto stages = deck.loaded_stages();
   return !stages.empty() && std::ranges::all_of(stages.back().loads, [](const LoadChoice& load) {
-    return load.name() == "moment";
+    return load.name() == "moment" || load.name() == "initial_strain" || load.name() == "initial_stress";
   });
 }
 
 Measures measures_of(const Simulation& simulation, const RecordedColumns& others) {
   const Deck& deck = simulation.deck();
   const Loading& loading = simulation.loading();
-  Dimension dimension = is_couple(deck) ? dimension::none : dimension::force;
+  Dimension dimension = acts_without_force(deck) ? dimension::none : dimension::force;
   for (const NamedGauge& gauge : loading.gauges)
     if (gauge.name == deck.path.load_gauge) dimension = gauge.dimension;
   return {loading, simulation.path().load_gauge(), unit_of(dimension, deck.units), deck.units, others};

@@ -74,7 +74,11 @@ void SteppedRun::switch_control(ControlChoice control) {
 }
 
 RunResult SteppedRun::conclude() {
-  return conclude_run({deck_, *folder_, simulation_, *recorder_}, ending_, {.quiet = options_.quiet});
+  RunResult out =
+      conclude_run({deck_, *folder_, simulation_, *recorder_}, ending_, {.quiet = options_.quiet});
+  recorder_.reset();  // whoever goes on with the run may have its folder from here
+  folder_.reset();
+  return out;
 }
 
 }  // namespace dda
