@@ -93,13 +93,11 @@ void add_stress_energy(BlockMatrix& matrix, const InterfacePoint& point) {
   add_stress_energy(matrix, point, 1);
 }
 
-Equilibrium::Equilibrium(const Body& body, const ModelParameters& model, std::vector<double> held)
+Equilibrium::Equilibrium(const Body& body, const ModelParameters& model)
     : num_blocks_(body.assembly.num_blocks()),
       num_jumps_(body.num_jumps()),
       num_cuts_(body.cracks ? body.cracks->cuts().size() : 0),
-      intact_(0, {}),
-      first_followed_(model.first_followed()),
-      held_factors_(std::move(held)) {
+      intact_(0, {}) {
   Findings findings;
   set_ = make_interface_points(body, model, findings);
   num_unknown_multipliers_ = 2 * static_cast<std::size_t>(std::ranges::count(set_.points, Multiplier::unknown,
@@ -110,30 +108,17 @@ Equilibrium::Equilibrium(const Body& body, const ModelParameters& model, std::ve
   std::vector<Spring> springs = supports_;
   springs.insert(springs.end(), driven_.begin(), driven_.end());
   if (!model.stages.empty()) check_rigid_motions(body, springs, model.where, findings);
-  stages_ = loadings(body, model, programme, findings);
+  stages_ = make_stages({body, model, set_, supports_}, programme, findings);
   findings.throw_if_any();
   for (const Block& block : body.assembly.blocks) block_size_.push_back(std::sqrt(block.moments.area));
+  for (Loading& stage : stages_)
+    for (auto* force : {&stage.dead, &stage.reference, &stage.dead_work, &stage.reference_work})
+      force->resize(num_unknowns(), 0.0);
   assemble(body, model, springs);
 }
 
-std::vector<Loading> Equilibrium::loadings(const Body& body, const ModelParameters& model,
-                                           const LoadProgramme& programme, Findings& findings) const {
-  std::vector<Loading> out = make_stages({body, model, set_, supports_, held_factors_}, programme, findings);
-  for (Loading& stage : out)
-    for (auto* force : {&stage.dead, &stage.reference, &stage.dead_work, &stage.reference_work})
-      force->resize(num_unknowns(), 0.0);
-  return out;
-}
-
-void Equilibrium::hold(const Body& body, const ModelParameters& model, double load_factor) {
-  held_factors_.push_back(load_factor);
-  Findings findings;
-  std::ranges::move(loadings(body, model, make_loads(body, model, findings), findings), stages_.begin());
-  findings.throw_if_any();
-}
-
 bool Equilibrium::remake(const Body& body, const ModelParameters& model) {
-  Equilibrium made(body, model, held_factors_);
+  Equilibrium made(body, model);
   const bool is_same = are_same(intact_, made.intact_, num_blocks_);
   std::ranges::move(made.stages_, stages_.begin());
   made.stages_ = std::move(stages_);

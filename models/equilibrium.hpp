@@ -26,8 +26,7 @@ struct WorkPair {
   Functional force, displacement;
 };
 
-/// The loads of one stage with everything before it as it was left: at full value, or at the load factor at which the
-/// path has ended that stage.
+/// The loads of one stage with everything before it at full value.
 ///
 ///     f(λ) = dead + λ reference          size 6 · blocks
 ///     q0(λ) = dead_offset + λ reference_offset    2 per active point, from initial stress; empty when
@@ -62,8 +61,6 @@ struct Loading {
   }
 };
 
-struct LoadProgramme;
-
 /// Equilibrium of the blocks: four operators, nothing about solvers.
 ///
 ///     intact   K0 = K_b + Bᵀ W D0 B         constant, symmetric; positive definite without multipliers
@@ -78,11 +75,7 @@ struct LoadProgramme;
 /// K0.
 class Equilibrium {
  public:
-  /// `held`: load factors at which the stages that the path has followed so far have ended.
-  Equilibrium(const Body& body, const ModelParameters& model, std::vector<double> held = {});
-  /// The stage that is followed ends at this load factor, at which its loads stay; the next one is followed from here.
-  /// References to the stages stay good.
-  void hold(const Body& body, const ModelParameters& model, double load_factor);
+  Equilibrium(const Body& body, const ModelParameters& model);
   /// Made anew for the cuts that the body has now. References to it and to its stages stay good, those to points,
   /// springs and laws do not. Whether K0 of the blocks is still the same, but for rounding.
   bool remake(const Body& body, const ModelParameters& model);
@@ -112,13 +105,6 @@ class Equilibrium {
   BlockMatrix unperturbed() const;
   std::size_t num_unknown_multipliers() const { return num_unknown_multipliers_; }
   const std::vector<Loading>& stages() const { return stages_; }
-  /// Load factors at which the stages followed so far have ended.
-  const std::vector<double>& held_factors() const { return held_factors_; }
-  /// Number of the first stage that a path follows.
-  std::size_t first_followed() const { return first_followed_; }
-  /// Number of the stage that is followed now.
-  std::size_t followed_stage() const { return first_followed_ + held_factors_.size(); }
-  const Loading& followed() const { return stages_[followed_stage()]; }
   /// Length scale of each block, √area [L]: makes rotations and strains comparable with translations.
   const std::vector<double>& block_size() const { return block_size_; }
   /// V C of each block, 3 × 3: stress resultants from strains [F L].
@@ -161,8 +147,6 @@ class Equilibrium {
 
  private:
   void assemble(const Body& body, const ModelParameters& model, const std::vector<Spring>& springs);
-  std::vector<Loading> loadings(const Body& body, const ModelParameters& model,
-                                const LoadProgramme& programme, Findings& findings) const;
   void add_spring(const Spring& spring);
   void hold_unused_unknowns();
   void join_what_touches();
@@ -180,8 +164,6 @@ class Equilibrium {
   BlockMatrix intact_;
   std::optional<BlockMatrix> unjoined_;  ///< none where it is K0
   std::vector<Loading> stages_;
-  std::size_t first_followed_;
-  std::vector<double> held_factors_;
   std::vector<double> block_size_, rounding_of_sums_;
   std::vector<Mat3> strain_stiffness_;
 };

@@ -32,7 +32,6 @@ class StageMaker {
         supports_(structure.supports),
         programme_(programme),
         stages_(model_.loaded_stages()),
-        held_(structure.held),
         findings_(findings) {
     const std::size_t n = block_unknowns * body_.num_nodes();
     so_far_.dead.assign(n, 0.0);
@@ -46,20 +45,13 @@ class StageMaker {
     std::size_t first_driven = 0;
     for (std::size_t s = 0; s < programme_.stages.size(); ++s) {
       out.push_back(stage(s, first_driven));
-      absorb(out.back(), factor_of(s));
-      for (const DrivenSpring& driven : programme_.stages[s].driven)
-        driven_so_far_[first_driven++] = factor_of(s) * driven.prescribed;
+      first_driven += programme_.stages[s].driven.size();
+      absorb(out.back());
     }
     return out;
   }
 
  private:
-  /// At which a stage stays in those after it: 1 of what is brought to its full value, or has not been followed yet.
-  double factor_of(std::size_t stage) const {
-    const std::size_t first = model_.first_followed();
-    return stage < first || stage - first >= held_.size() ? 1 : held_[stage - first];
-  }
-
   Loading no_stage() {
     Loading out = so_far_;
     add_reactions(out, {});
@@ -88,6 +80,7 @@ class StageMaker {
     add_reactions(out, reference);
     out.load = load_gauge(out, loads, first_driven);
     add_gauges(out, index + 1 == programme_.stages.size());
+    for (std::size_t i = 0; i < reference.size(); ++i) driven_so_far_[i] += reference[i];
     return out;
   }
 
@@ -124,15 +117,15 @@ class StageMaker {
     }
   }
 
-  /// A finished stage is dead in the next, at the factor that it has reached.
-  void absorb(const Loading& stage, double factor) {
-    add_scaled(factor, stage.reference, so_far_.dead);
-    add_scaled(factor, stage.reference_work, so_far_.dead_work);
-    if (!stage.reference_offset.empty()) add_scaled(factor, stage.reference_offset, so_far_.dead_offset);
+  /// A finished stage is dead in the next.
+  void absorb(const Loading& stage) {
+    add_scaled(1, stage.reference, so_far_.dead);
+    add_scaled(1, stage.reference_work, so_far_.dead_work);
+    if (!stage.reference_offset.empty()) add_scaled(1, stage.reference_offset, so_far_.dead_offset);
     if (stage.reference_stress.empty()) return;
     so_far_.dead_stress.resize(stage.reference_stress.size(), Vec3::Zero());
     for (std::size_t b = 0; b < stage.reference_stress.size(); ++b)
-      so_far_.dead_stress[b] += factor * stage.reference_stress[b];
+      so_far_.dead_stress[b] += stage.reference_stress[b];
   }
 
   const Body& body_;
@@ -141,7 +134,6 @@ class StageMaker {
   const std::vector<Spring>& supports_;
   const LoadProgramme& programme_;
   const std::vector<StageParameters> stages_;
-  const std::vector<double>& held_;
   Findings& findings_;
   Loading so_far_;
   Vector driven_so_far_;

@@ -26,11 +26,10 @@ struct Structure {
   const ModelParameters& model;
   const InterfaceSet& interfaces;
   const std::vector<Spring>& supports;
-  const std::vector<double>& held;  ///< load factors at which the stages followed so far have ended
 };
 
-/// The stages as Loading: forces before a stage are dead in it, at full value or as they are held; offsets of initial
-/// stress; reactions and gauges. A model without stages has one of no load.
+/// The stages as Loading: forces before a stage are dead in it; offsets of initial stress; reactions and
+/// gauges. A model without stages has one of no load.
 std::vector<Loading> make_stages(const Structure& structure, const LoadProgramme& programme,
                                  Findings& findings);
 

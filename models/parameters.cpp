@@ -104,15 +104,10 @@ std::vector<StageParameters> ModelParameters::loaded_stages() const {
   return out;
 }
 
-std::size_t ModelParameters::first_followed() const {
-  std::size_t first = 0;
-  while (first + 1 < stages.size() && stages[first].until.empty() && !stages[first + 1].loads.empty())
-    ++first;
-  return first;
-}
-
 std::vector<StageParameters> ModelParameters::legs() const {
-  return {stages.begin() + static_cast<std::ptrdiff_t>(first_followed()), stages.end()};
+  if (stages.empty()) return {};
+  const auto first = static_cast<std::ptrdiff_t>(loaded_stages().size()) - 1;
+  return {stages.begin() + first, stages.end()};
 }
 
 void check_stages(const std::vector<StageParameters>& stages, Findings& findings) {

@@ -88,8 +88,6 @@ struct ModelParameters {
   std::vector<std::pair<std::string, GaugeChoice>> gauge_names;
   /// The stages with loads.
   std::vector<StageParameters> loaded_stages() const;
-  /// Number of the first stage that the path follows: those before it are brought to their full value.
-  std::size_t first_followed() const;
   /// The last of them and the stages after it; none without any.
   std::vector<StageParameters> legs() const;
   double support_stiffness = 1e5;

@@ -95,7 +95,7 @@ Growth CrackedStructure::remake(const std::vector<Cut>& before) {
 }
 
 std::pair<Equilibrium, Growth> CrackedStructure::tried(const std::vector<Cut>& before) const {
-  std::pair<Equilibrium, Growth> out{Equilibrium(body_, model_, equilibrium_.held_factors()), {}};
+  std::pair<Equilibrium, Growth> out{Equilibrium(body_, model_), {}};
   out.second = growth({stands(equilibrium_, before), before}, out.first, front_.geometry().cuts());
   return out;
 }

@@ -62,7 +62,7 @@ TEST(InitialStrain, OfAFreeColumnIsItsStrainWithoutStress) {
         "  - {loads: [{type: initial_strain, expansion: 1e-3, temperature: 30, materials: [soft]}]}\n",
         std::string(stress_gauges) + "plane: " + plane + "\n"));
     const Equilibrium equilibrium = made.equilibrium();
-    const Loading& loading = equilibrium.followed();
+    const Loading& loading = equilibrium.stages().back();
     const std::vector<double> d = solved(equilibrium, loading, 0.5);
     EXPECT_NEAR(gauge(loading, "longer", d, 0.5), 0.015, 1e-9 * 0.015)
         << "the foot alone hinders it sideways";
@@ -78,7 +78,7 @@ TEST(InitialStrain, OfWhatIsHeldIsAllStress) {
     const Structure made(
         columns("  - {loads: [{type: initial_strain, expansion: 1e-3, temperature: 30}]}\n",
                 std::string(stress_gauges) + "plane: " + (is_strain ? "strain\n" : "stress\n"), nu));
-    const Loading loading = made.equilibrium().followed();
+    const Loading loading = made.equilibrium().stages().back();
     const std::vector<double> nothing(12, 0.0);
     const double by_modulus = -warming / (is_strain ? 1 - 2 * nu : 1 - nu);
     EXPECT_NEAR(gauge(loading, "soft", nothing, 1), 2 * by_modulus, 1e-15);
@@ -91,7 +91,7 @@ TEST(InitialStrain, OfWhatIsHeldIsAllStress) {
 TEST(InitialStrain, IsTheSameHoweverItIsGiven) {
   const auto loads_of = [](const std::string& load) {
     const Structure made(columns("  - {loads: [" + load + "]}\n"));
-    return made.equilibrium().followed().reference;
+    return made.equilibrium().stages().back().reference;
   };
   const std::vector<double> warm = loads_of("{type: initial_strain, expansion: 1e-3, temperature: 30}");
   const std::vector<double> strained = loads_of("{type: initial_strain, xx: 0.03, yy: 0.03}");
@@ -131,7 +131,7 @@ TEST(Platen, ShortensColumnsAlike) {
               "displacement: 0.1}]}\n",
               stress_gauges));
   const Equilibrium equilibrium = made.equilibrium();
-  const Loading& loading = equilibrium.followed();
+  const Loading& loading = equilibrium.stages().back();
   const std::vector<double> d = solved(equilibrium, loading, 1);
   const double spring = 2 * 1e5 * 6 * 0.5;  // two springs of p̄ at each end of each column
   double force = 0;
