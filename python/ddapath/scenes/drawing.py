@@ -87,7 +87,7 @@ def sorted_out(file, paths):
 def require_sound(points, outlines, regions):
     """Throws SceneError where an outline has shrunk to nothing, comes by a point twice, or sides cross."""
     for ring, path in zip(outlines, regions):
-        if len(ring) < 3 or area(points[ring]) == 0:
+        if len(ring) < 3:
             raise SceneError(f"{path.place}: smaller than the tolerance: lower the tolerance or remove it")
         if len(set(ring)) < len(ring):
             corner = points[next(vertex for vertex in ring if ring.count(vertex) > 1)]

@@ -11,12 +11,13 @@ from .faults import SceneError, needed
 from .labels import PACKAGE, class_of_labels, connected, grown, merge_small, split_touching
 
 LEAST_AREA = 16  # pixels
+TOLERANCE = 1.5  # pixels; below it slanted sides keep steps of pixels
 MOST_BLOCKS = 20000
 
 
 @dataclass(frozen=True)
 class Wishes:
-    """tolerance: how far a side may be from the boundary in the picture [L]; None: a pixel. least_area: smaller parts go to
+    """tolerance: how far a side may be from the boundary in the picture [L]; None: 1.5 pixels. least_area: smaller parts go to
     a neighbour [L²]; None: 16 pixels. split: {material: depth}, parts of it that touch at a neck whose half-width is so much
     below that of the narrower part become several [L]. smooth: standard deviation of a Gaussian filter of the colours [L].
     without: materials that become nothing."""
@@ -201,6 +202,6 @@ def assembled(file, labels, materials, how):
         raise SceneError(f"{file}: nothing is left of it: name fewer materials in `without`")
     if len(np.unique(labels)) > MOST_BLOCKS:
         raise SceneError(f"{file}: more than {MOST_BLOCKS} parts: smooth it, or raise the least area")
-    tolerance = 1.0 if wishes.tolerance is None else wishes.tolerance / scale.unit
+    tolerance = TOLERANCE if wishes.tolerance is None else wishes.tolerance / scale.unit
     points, blocks = blocks_of(labels, tolerance)
     return scene_of_blocks(np.array(points) * scale.unit, [Block(ring, label, materials[label]) for label, ring in sorted(blocks)])

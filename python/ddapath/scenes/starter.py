@@ -34,10 +34,11 @@ def touching(scene):
 
 
 def at_the_bottom(scene):
-    """Regions with a side on the lowest level of the scene, or at least a corner."""
+    """Regions with a side on the lowest level of the scene, or at least a corner; none where these are all."""
     lowest = min(y for region in scene["regions"] for _, y in region["vertices"])
     touching = {region["name"]: sum(y == lowest for _, y in region["vertices"]) for region in scene["regions"]}
-    return [name for name, count in touching.items() if count >= min(2, max(touching.values()))]
+    found = [name for name, count in touching.items() if count >= min(2, max(touching.values()))]
+    return found if len(found) < len(touching) else []
 
 
 def deck_to_begin_with(scene, units, title="Blocks from a picture or drawing"):

@@ -11,6 +11,7 @@ from .scaled import Units, scaled
 
 LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
 MOST_PIECES = 4096  # of a curve
+DIGITS = 12  # of coordinates: the library multiplies by pixels of the screen, which leaves noise in those beyond
 PACKAGE = "python3-svgelements"
 
 
@@ -57,6 +58,8 @@ class Sheet:
         box, width = drawing.viewbox, drawing.width
         self.unit = box.width / width if box is not None and box.width and width else 1.0
         self.height = float(drawing.height or 0.0)
+        sheet = max(self.height, float(width or 0.0)) * self.unit
+        self.decimals = DIGITS - math.ceil(math.log10(sheet)) if sheet > 0 else DIGITS
 
     def paths(self, shapes, tolerance):
         """Of all shapes, curves flattened to a tolerance [user units]; None: their ends and middles alone."""
@@ -89,7 +92,7 @@ class Sheet:
         flat = np.array([(point.x * self.unit, (self.height - point.y) * self.unit) for point in points]).reshape(-1, 2)
         is_closed = is_closed or (len(flat) > 3 and bool((flat[0] == flat[-1]).all()))
         repeats = is_closed and len(flat) > 1 and math.dist(flat[0], flat[-1]) <= 1e-9 * float(np.abs(flat).max())
-        return (flat[:-1] if repeats else flat), is_closed
+        return np.round(flat[:-1] if repeats else flat, self.decimals), is_closed
 
 
 def pieces(segment, tolerance):
