@@ -51,7 +51,7 @@ def deck_of(scene):
             "stages": [{"name": "weight", "loads": loads[0]}, {"name": "push", "loads": loads[1]}],
             "gauges": {"top": {"type": "displacement", "at": top, "direction": [1, 0]}},
             "path": {"stop": {"gauges": {"top": 0.01}}, "then": "motion"},
-            "motion": {"held": ["ground"], "time": 0.5, "contact": {"friction": "mu"}}}
+            "motion": {"held": ["ground"], "time": 1, "contact": {"friction": "mu"}}}
 
 
 def moving_stones(run):
