@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 from PIL import Image, ImageDraw
+from scipy.spatial import Voronoi
 
 import ddapath
 from ddapath import scenes
@@ -264,6 +265,29 @@ class Svg(Scenes):
         self.assert_blocks(scene, 600, 20000)
         segment = 60**2 * np.arcsin(50 / 60) - 50 * np.sqrt(60**2 - 50**2)
         self.assertAlmostEqual(areas(scene)["a 1"] / (10000 + segment), 1, delta=0.005)
+        self.assert_accepted(scene)
+
+    def test_cells_drawn_one_by_one(self):
+        """Voronoi's cells, each drawn on its own, corners off by a tenth of the tolerance and one more on each side."""
+        for seed in range(6):
+            random = np.random.default_rng(seed)
+            places = random.random((20, 2))
+            mirrored = [places, places * [-1, 1], places * [1, -1], [2, 0] + places * [-1, 1], [0, 2] + places * [1, -1]]
+            diagram = Voronoi(np.vstack(mirrored))
+            paths = []
+            for k in range(len(places)):
+                corners = np.clip(diagram.vertices[diagram.regions[diagram.point_region[k]]], 0, 1)
+                drawn = np.stack([corners, corners + 0.4 * (np.roll(corners, -1, axis=0) - corners)], axis=1).reshape(-1, 2)
+                drawn = np.roll(drawn + random.uniform(-1e-4, 1e-4, drawn.shape), seed, axis=0)[::random.choice([-1, 1])]
+                text = " ".join(f"{x:.9g},{1 - y:.9g}" for x, y in drawn)
+                paths.append(f'<polygon class="cell" points="{text}"/>')
+            file = self.written(SVG.format("".join(paths)).replace("200 100", "1 1").replace("200mm", "100mm"))
+            scene = scenes.scene_of_svg(file, tolerance=1e-3)
+            with self.subTest(seed=seed):
+                self.assertEqual(len(scene["regions"]), len(places))
+                self.assertTrue(all(is_simple(region) for region in scene["regions"]))
+                self.assertAlmostEqual(free_length(scene), 4, delta=0.01)
+                self.assertAlmostEqual(sum(areas(scene).values()), 1, delta=2e-3)
         self.assert_accepted(scene)
 
     def test_what_is_wrong_with_a_drawing(self):

@@ -41,10 +41,21 @@ def crossings(points, segments):
         return np.empty((0, 2), int)
     start, end = points[segments[:, 0]], points[segments[:, 1]]
     pairs = pairs_near(np.minimum(start, end), np.maximum(start, end))
-    i, j = pairs.T
-    shares = (segments[i][:, :, None] == segments[j][:, None, :]).any(axis=(1, 2))
-    sides = [turn(start[i], end[i], start[j]) * turn(start[i], end[i], end[j]),
-             turn(start[j], end[j], start[i]) * turn(start[j], end[j], end[i])]
-    wrong = (sides[0] <= 0) & (sides[1] <= 0) & ~shares
-    wrong[shares] = meet_at_end(points, segments[i[shares]], segments[j[shares]])
-    return pairs[wrong]
+    return pairs[touch(points, segments[pairs[:, 0]], segments[pairs[:, 1]])]
+
+
+def touch(points, first, second):
+    """Whether pairs of segments, whose boxes do, touch beyond a common end; first, second: (n, 2) numbers of points."""
+    start, end, other, last = points[first[:, 0]], points[first[:, 1]], points[second[:, 0]], points[second[:, 1]]
+    shares = (first[:, :, None] == second[:, None, :]).any(axis=(1, 2))
+    wrong = (turn(start, end, other) * turn(start, end, last) <= 0) & (turn(other, last, start) * turn(other, last, end) <= 0) & ~shares
+    wrong[shares] = meet_at_end(points, first[shares], second[shares])
+    return wrong
+
+
+def is_crossed(points, segments, segment):
+    """Whether a segment touches any of the others beyond a common end."""
+    points, segments = np.asarray(points, float), np.asarray(segments, int).reshape(-1, 2)
+    corners, (low, high) = points[segments], np.sort(points[list(segment)], axis=0)
+    near = segments[((corners.min(axis=1) <= high) & (corners.max(axis=1) >= low)).all(axis=1)]
+    return bool(touch(points, np.tile(np.array(segment, int), (len(near), 1)), near).any())

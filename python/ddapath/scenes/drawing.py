@@ -44,7 +44,7 @@ def scene_of_paths(file, paths, tolerance=None, without=()):
 
     The material is the layer. Where a path lies inside another its material fills it, and what is around it is cut so that
     no block has a hole. Open paths on layers `curve-NAME`, `slit-NAME`, `boundary-NAME` become lines of that name. Points within
-    the tolerance [L] of each other, or of a side, become one; by default a thousandth of the larger extent.
+    the tolerance [L] of a side, or half of it of each other, become one; by default a thousandth of the larger extent.
     without: layers whose closed paths are holes.
     Throws SceneError for an open path on another layer, paths that cross, or a drawing without closed paths.
     """
@@ -134,7 +134,10 @@ def point_inside(corners):
 
 
 def filled(points, outlines, tolerance):
-    """(net, [(ring, number of the path that fills it)]): the blocks between all outlines, cut where they had holes."""
+    """(net, [(ring, number of the path that fills it)]): the blocks between all outlines, cut where they had holes.
+
+    What is narrower than the tolerance, between sides that were to be the same, goes to the neighbour.
+    """
     labels = {}
     for ring in outlines:
         for i, j in zip(ring, [*ring[1:], ring[0]]):
@@ -149,8 +152,38 @@ def filled(points, outlines, tolerance):
     def is_region(loop):
         return filling(point_beside(net, loop)) is not None
 
-    found = [(ring, filling(point_inside(net.corners(ring)))) for ring in net.faces(is_region)]
+    rings = net.faces(is_region)
+    while joined_to_neighbours(net, [ring for ring in rings if is_narrow(net.corners(ring), tolerance)], rings):
+        rings = net.faces(is_region)
+    found = [(ring, filling(point_inside(net.corners(ring)))) for ring in rings]
     return net, [(ring, path) for ring, path in found if path is not None]
+
+
+def is_narrow(corners, breadth):
+    """Whether the mean breadth of a polygon, its area over half the length of its outline, is below a length [L]."""
+    outline = np.hypot(*(corners - np.roll(corners, 1, axis=0)).T).sum()
+    return 2 * area(corners) < breadth * outline
+
+
+def joined_to_neighbours(net, slivers, rings):
+    """Takes out the sides between slivers and the neighbour with the longest common boundary; whether there were any."""
+    owner = {side: k for k, ring in enumerate(rings) for side in zip(ring, [*ring[1:], ring[0]])}
+    touched = set()
+    for ring in slivers:
+        shared = {}
+        for i, j in zip(ring, [*ring[1:], ring[0]]):
+            if (j, i) in owner:
+                shared.setdefault(owner[j, i], []).append((i, j))
+        if not shared:
+            continue
+        lengths = {k: sum(np.hypot(*(np.subtract(net.points[i], net.points[j]))) for i, j in sides) for k, sides in shared.items()}
+        neighbour, mine = max(lengths, key=lengths.get), owner[ring[0], ring[1]]
+        if touched & {neighbour, mine}:
+            continue
+        touched |= {neighbour, mine}
+        for i, j in shared[neighbour]:
+            del net.labels[i, j], net.labels[j, i]
+    return bool(touched)
 
 
 def point_beside(net, loop):

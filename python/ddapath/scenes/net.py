@@ -13,7 +13,7 @@ import math
 
 import numpy as np
 
-from .crossings import crossings
+from .crossings import is_crossed
 
 
 def area(corners):
@@ -125,8 +125,7 @@ class Net:
     def in_sight(self, vertex, other):
         if (vertex, other) in self.labels:
             return False
-        segments = np.vstack([self.segments(), [vertex, other]])
-        return not (crossings(self.points, segments) == len(segments) - 1).any()
+        return not is_crossed(self.points, self.segments(), (vertex, other))
 
     def cut(self, loop, side):
         """A cut from the leftmost (-1) or rightmost (1) point of a loop, of those the lowest; whether there is a new one."""

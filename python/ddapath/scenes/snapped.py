@@ -5,6 +5,7 @@ import numpy as np
 from .faults import needed
 
 MOST_PASSES = 8
+OF_POINTS = 0.5  # of the tolerance: a side whose ends have moved by that is still within the tolerance of what was on it
 
 
 def tree_of(points):
@@ -21,10 +22,21 @@ def representatives(points, tolerance):
 
 
 def without_repeats(ring, is_closed):
-    """Numbers of points, no two that follow each other the same."""
-    out = [vertex for k, vertex in enumerate(ring) if k == 0 or vertex != ring[k - 1]]
+    """Numbers of points, no two that follow each other the same; of a closed one without ways there and back again."""
+    out = []
+    for vertex in ring:
+        if out and out[-1] == vertex:
+            continue
+        if is_closed and len(out) > 1 and out[-2] == vertex:
+            out.pop()
+        else:
+            out.append(vertex)
     while is_closed and len(out) > 1 and out[0] == out[-1]:
         out.pop()
+    while is_closed and len(out) > 2 and out[1] == out[-1]:
+        del out[0], out[-1]
+    while is_closed and len(out) > 2 and out[0] == out[-2]:
+        del out[-2:]
     return out
 
 
@@ -53,20 +65,20 @@ def refined(points, ring, is_closed, how):
 
 
 def snapped(paths, tolerance):
-    """(points, rings): the paths' points, those within the tolerance of an earlier one replaced by it, and for each path the
-    numbers of its points, with those that lie within the tolerance of its sides.
+    """(points, rings): the paths' points, those within half the tolerance of an earlier one replaced by it, and for each path
+    the numbers of its points, with those that lie within the tolerance of its sides.
 
     paths: [((n, 2) points [L], is it closed)].
     """
     points = np.concatenate([corners for corners, _ in paths])
-    first = representatives(points, tolerance)
+    first = representatives(points, OF_POINTS * tolerance)
     starts = np.cumsum([0, *(len(corners) for corners, _ in paths)])
     rings = [without_repeats(first[begin:end].tolist(), closed)
              for begin, end, (_, closed) in zip(starts, starts[1:], paths)]
     for _ in range(MOST_PASSES):
         used = np.unique(np.concatenate([np.array(ring, int) for ring in rings]))
         how = (tree_of(points[used]), used, tolerance)
-        finer = [refined(points, ring, closed, how) if len(ring) > 1 else ring for ring, (_, closed) in zip(rings, paths)]
+        finer = [without_repeats(refined(points, ring, closed, how), closed) if len(ring) > 1 else ring for ring, (_, closed) in zip(rings, paths)]
         if finer == rings:
             break
         rings = finer
