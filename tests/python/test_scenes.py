@@ -14,7 +14,6 @@ from scipy.spatial import Voronoi
 
 import ddapath
 from ddapath import scenes
-from ddapath.scenes import faults
 from ddapath.scenes.chains import chains_of, simplified
 from ddapath.scenes.image import Wishes
 from ddapath.scenes.scaled import Units
@@ -131,8 +130,7 @@ class Pictures(Scenes):
         labels = np.unique(course * 1000 + brick, return_inverse=True)[1].reshape(rows.shape) + 1
         scene = scenes.scene_of_labels(labels, ["stone"] * labels.max(), width=4)
         self.assert_blocks(scene, 2 * (4 + 3), 12)
-        inner = [region for region in scene["regions"]
-                 if all(0 < x < 4 and 0 < y < 3 for x, y in region["vertices"])]
+        inner = [region for region in scene["regions"] if all(0 < x < 4 and 0 < y < 3 for x, y in region["vertices"])]
         self.assertGreater(len(inner), 10)
         for region in inner:
             self.assertAlmostEqual(area(region["vertices"]) / 0.4, 1, delta=0.03)
@@ -169,9 +167,9 @@ class Pictures(Scenes):
         how = {"width": 160, "materials": ["stone", "nothing"]}
         one = scenes.scene_of_image(self.saved(picture), wishes=Wishes(without=("nothing",)), **how)
         two = scenes.scene_of_image(self.saved(picture), wishes=Wishes(without=("nothing",), split={"stone": 5}), **how)
-        self.assertEqual((len(one["regions"]), len(two["regions"])), (1, 2))
+        self.assertEqual([len(scene["regions"]) for scene in (one, two)], [1, 2])
         self.assertAlmostEqual(sum(areas(two).values()) / sum(areas(one).values()), 1, delta=0.01)
-        shared = {corner for corner in map(tuple, two["regions"][0]["vertices"])} & set(map(tuple, two["regions"][1]["vertices"]))
+        shared = set.intersection(*(set(map(tuple, region["vertices"])) for region in two["regions"]))
         self.assertLessEqual({round(x) for x, _ in shared}, {78, 79})
         self.assertGreaterEqual(len(shared), 2)
         self.assert_accepted(two)
@@ -190,8 +188,7 @@ class Pictures(Scenes):
     def test_random_cells(self):
         for seed in range(8):
             labels = voronoi(10 + 12 * seed, (90, 140), seed)
-            scene = scenes.scene_of_labels(labels, ["cell"] * labels.max(), width=1.4,
-                                           wishes=Wishes(tolerance=0.01 * (1 + seed % 3)))
+            scene = scenes.scene_of_labels(labels, ["cell"] * labels.max(), 1.4, wishes=Wishes(tolerance=0.01 * (1 + seed % 3)))
             with self.subTest(seed=seed):
                 self.assert_blocks(scene, 2 * (1.4 + 0.9), 1.4 * 0.9)
         self.assert_accepted(scene)
@@ -231,9 +228,23 @@ class Pictures(Scenes):
             with self.subTest(expected), self.assertRaisesRegex(scenes.SceneError, expected):
                 scenes.scene_of_image(*arguments, **more)
 
+    def test_pictures_of_all_kinds(self):
+        grey = np.full((20, 30), 60000, np.uint16)
+        grey[:, 10:] = 1000
+        clear = Image.new("RGBA", (30, 20), (0, 0, 0, 255))
+        clear.paste((0, 0, 0, 0), (0, 0, 10, 20))
+        exif = Image.Exif()
+        exif[0x0112] = 6  # to be turned clockwise
+        Image.fromarray(np.rot90((grey // 256).astype(np.uint8))).save(self.folder / "turned.jpg", exif=exif)
+        for file in (self.saved(Image.fromarray(grey), "grey.tif"), self.saved(clear, "clear.png"), self.folder / "turned.jpg",
+                     self.saved(Image.fromarray((grey // 256).astype(np.uint8)).convert("CMYK"), "print.tif")):
+            scene = scenes.scene_of_image(file, width=30, materials=["dark", "bright"])
+            with self.subTest(file.name):
+                self.assertEqual(areas(scene), {"bright 1": 200, "dark 1": 400})
+
     def test_a_module_that_is_missing(self):
         with self.assertRaisesRegex(scenes.ModuleMissing, "no_such_module, in Debian's package python3-none: apt-get install"):
-            faults.needed("no_such_module", "python3-none")
+            scenes.faults.needed("no_such_module", "python3-none")
 
 
 class Svg(Scenes):

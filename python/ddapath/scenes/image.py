@@ -71,7 +71,7 @@ def scene_of_labels(labels, materials, width=None, height=None, *, wishes=Wishes
     touch are several blocks. materials: {number: name} or a list, the first of number 1. See scene_of_image for the rest.
     """
     labels = np.asarray(labels)
-    if labels.ndim != 2 or not np.issubdtype(labels.dtype, np.integer) or labels.min() < 0:
+    if labels.ndim != 2 or not labels.size or not np.issubdtype(labels.dtype, np.integer) or labels.min() < 0:
         raise SceneError("labels: an array of two dimensions with whole numbers from 0 on")
     named = materials if isinstance(materials, dict) else dict(enumerate(materials, 1))
     missing = sorted(set(np.unique(labels).tolist()) - {0} - set(named))
@@ -85,19 +85,26 @@ def scene_of_labels(labels, materials, width=None, height=None, *, wishes=Wishes
 
 
 def read(file):
-    """(height, width, 3) sRGB from 0 to 1; what is transparent is on white."""
+    """(height, width, 3) sRGB from 0 to 1, turned as the camera says; what is transparent is on white."""
     image = needed("PIL.Image", "python3-pil")
     if not Path(file).is_file():
         raise SceneError(f"{file}: there is no such file")
     try:
         with image.open(file) as picture:
-            if picture.mode[0] in "IF":  # grey of 16 or 32 bits
-                grey = np.asarray(picture, float)
-                return np.repeat((grey / max(grey.max(), 1e-300))[:, :, None], 3, axis=2)
-            whole = picture.convert("RGBA")
-            return np.asarray(image.alpha_composite(image.new("RGBA", whole.size, "white"), whole).convert("RGB"), float) / 255
+            return colours_of(needed("PIL.ImageOps", "python3-pil").exif_transpose(picture), image)
     except (OSError, ValueError, SyntaxError, image.DecompressionBombError) as error:
         raise SceneError(f"{file}: no picture that can be read ({error}): save it as PNG, JPEG or TIFF") from error
+
+
+def colours_of(picture, image):
+    """Of a picture in any mode of Pillow; greys of more than 8 bits are from 0 to the brightest in it."""
+    if picture.mode[0] in "IF":
+        grey = np.clip(np.asarray(picture, float), 0, None)
+        return np.repeat((grey / max(grey.max(), 1e-300))[:, :, None], 3, axis=2)
+    if picture.mode in ("RGBA", "LA", "PA") or "transparency" in picture.info:
+        whole = picture.convert("RGBA")
+        picture = image.alpha_composite(image.new("RGBA", whole.size, "white"), whole)
+    return np.asarray(picture.convert("RGB"), float) / 255
 
 
 def smoothed(colours, deviation):
