@@ -1,4 +1,5 @@
-"""`python -m ddapath COMMAND ...`: what `dda COMMAND ...` does, wherever the program is; `verify` and `animate` in this Python."""
+"""`python -m ddapath COMMAND ...`: what `dda COMMAND ...` does, wherever the program is; `verify`, `animate` and `scene` in this
+Python."""
 import importlib
 import os
 import sys
@@ -6,7 +7,7 @@ import sys
 from .errors import ProgramNotFound
 from .program import find_program
 
-OF_PYTHON = {"verify": "verify", "animate": "animation"}
+OF_PYTHON = {"verify": "verify", "animate": "animation", "scene": "scenes"}
 
 
 def main(words):

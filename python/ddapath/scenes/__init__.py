@@ -1,0 +1,22 @@
+"""Scenes from pictures and drawings: dictionaries that are the section `scene` of a deck.
+
+    from ddapath import scenes
+
+    scene = scenes.scene_of_image("wall.png", width=2000, materials={"mortar": "#d8d0c0", "stone": "#806040"}, joint="mortar")
+    scene = scenes.scene_of_labels(labels, ["stone"] * 200, width=2000)      # an array of whole numbers, a block for each
+    scene = scenes.scene_of_svg("vault.svg", width=4000)
+    scene = scenes.scene_of_dxf("section.dxf", scale=0.001)
+    ddapath.write_deck(scenes.deck_to_begin_with(scene, {"length": "mm", "force": "N"}), "wall.yaml")
+
+Blocks are simple polygons, counter-clockwise, without holes; neighbours share their vertices exactly.
+"""
+
+from .drawing import scene_of_paths
+from .dxf import scene_of_dxf
+from .faults import ModuleMissing, SceneError
+from .image import scene_of_image, scene_of_labels
+from .starter import deck_to_begin_with
+from .svg import scene_of_svg
+
+__all__ = ["ModuleMissing", "SceneError", "deck_to_begin_with", "scene_of_dxf", "scene_of_image", "scene_of_labels",
+           "scene_of_paths", "scene_of_svg"]

@@ -1,0 +1,154 @@
+"""`python -m ddapath scene FILE`: the scene of a picture (.png, .jpg, .tif) or drawing (.svg, .dxf), in a deck to begin with.
+
+    python -m ddapath scene wall.jpg --width 2000 --material mortar=#d8d0c0 --material stone=#806040 --joint mortar --out wall.yaml
+    python -m ddapath scene concrete.png --width 100 --material aggregate --material matrix --scene-only --out scene.yaml
+    python -m ddapath scene vault.dxf --scale 1000 --out vault.yaml
+
+Lengths are in the units of the deck. Exit code 2 where no scene can be made of the file, 4 where a Python module is missing.
+"""
+
+import argparse
+import math
+import sys
+from pathlib import Path
+
+from .. import deck as decks
+from ..errors import DdapathError
+from . import deck_to_begin_with, scene_of_dxf, scene_of_image, scene_of_svg
+from .faults import ModuleMissing, SceneError
+from .image import Wishes
+from .scaled import Units
+from .starter import FORCES, LENGTHS
+
+WRITTEN, WRONG_INPUT, FAILED, INTERRUPTED = 0, 2, 4, 130
+PICTURES, DRAWINGS = (".png", ".jpg", ".jpeg", ".tif", ".tiff"), {".svg": scene_of_svg, ".dxf": scene_of_dxf}
+OF_PICTURES = ("material", "threshold", "joint", "split", "smooth", "least_area")
+DIGITS = 10  # of coordinates, of the larger extent
+ALL = 60  # decimals: densities are small numbers in mm and MN
+
+
+def parser():
+    out = argparse.ArgumentParser(prog="python -m ddapath scene", description=__doc__,
+                                  formatter_class=argparse.RawDescriptionHelpFormatter)
+    out.add_argument("file", metavar="FILE", help="the picture or drawing")
+    out.add_argument("--out", "--output", metavar="FILE", help="the deck; by default FILE with the ending .yaml")
+    out.add_argument("--scene-only", action="store_true", help="the section `scene` alone, for a deck that `extends` it")
+    out.add_argument("--length", choices=LENGTHS, default="mm", help="unit of the deck, by default mm")
+    out.add_argument("--force", choices=FORCES, default="N", help="unit of the deck, by default N")
+    out.add_argument("--width", type=float, help="of the picture, or of all that is drawn")
+    out.add_argument("--height", type=float, help="likewise")
+    out.add_argument("--tolerance", type=float, help="of a picture: how far sides may be from boundaries, by default 1.5 pixels; of a "
+                                                     "drawing: points so near to each other are one, by default a thousandth of the extent")
+    out.add_argument("--without", action="append", metavar="NAME", help="material, or layer, that becomes nothing")
+    out.add_argument("--overwrite", action="store_true", help="replace the deck where there is one")
+    drawing = out.add_argument_group("drawings")
+    drawing.add_argument("--scale", type=float, help="of a unit of the drawing; by default 1")
+    picture = out.add_argument_group("pictures")
+    picture.add_argument("--material", action="append", metavar="NAME[=COLOUR]",
+                         help="colour: #rrggbb, a name, or a brightness from 0 to 1; without colours: the darkest first")
+    picture.add_argument("--threshold", action="append", type=float, help="of brightness, between materials without colours; by "
+                                                                          "default Otsu's")
+    picture.add_argument("--joint", metavar="NAME", help="material that is shared out until stones meet")
+    picture.add_argument("--split", action="append", metavar="NAME=DEPTH", help="blocks of a material that touch at necks are parted")
+    picture.add_argument("--smooth", type=float, help="standard deviation of a Gaussian filter")
+    picture.add_argument("--least-area", type=float, help="smaller parts go to a neighbour; by default 16 pixels")
+    return out
+
+
+def named(option, words):
+    """{name: what follows the last =, or None}."""
+    found = {}
+    for word in words or ():
+        name, equals, value = word.rpartition("=")
+        name, value = (name, value) if equals else (word, None)
+        if not name or name in found:
+            raise SceneError(f"{option} {word}: {'there is no name' if not name else 'that name is given twice'}")
+        found[name] = value
+    return found
+
+
+def materials_of(asked):
+    """A dictionary with colours or a list without."""
+    found = named("--material", asked.material)
+    if not found:
+        raise SceneError(f"{asked.file}: no material: give each with --material NAME=COLOUR, or without colours, the darkest first")
+    if all(value is None for value in found.values()):
+        return list(found)
+    bare = next((name for name, value in found.items() if value is None), None)
+    if bare is not None:
+        raise SceneError(f"--material {bare}: has no colour while others have: give all or none")
+    return found
+
+
+def depths_of(asked):
+    found = named("--split", asked.split)
+    try:
+        return {name: float(value) for name, value in found.items()}
+    except (TypeError, ValueError):
+        raise SceneError(f"--split {' '.join(asked.split)}: give MATERIAL=DEPTH, a length") from None
+
+
+def scene_of(asked):
+    """Of the file by its ending."""
+    ending = Path(asked.file).suffix.lower()
+    if ending in DRAWINGS:
+        given = next((name for name in OF_PICTURES if getattr(asked, name) is not None), None)
+        if given:
+            raise SceneError(f"--{given.replace('_', '-')} belongs to pictures: leave it out for {asked.file}")
+        return DRAWINGS[ending](asked.file, units=Units(asked.scale, asked.width, asked.height), tolerance=asked.tolerance,
+                                without=tuple(asked.without or ()))
+    if ending not in PICTURES:
+        raise SceneError(f"{asked.file}: its ending is none of {', '.join([*PICTURES, *DRAWINGS])}: save it as one of these")
+    if asked.scale is not None:
+        raise SceneError(f"--scale belongs to drawings: give the width or the height of {asked.file}")
+    wishes = Wishes(asked.tolerance, asked.least_area, depths_of(asked), asked.smooth or 0.0, tuple(asked.without or ()))
+    return scene_of_image(asked.file, asked.width, asked.height, materials=materials_of(asked), joint=asked.joint,
+                          thresholds=asked.threshold, wishes=wishes)
+
+
+def rounded(scene):
+    """The scene with coordinates of ten digits of the larger extent, so that common points stay common."""
+    size = max(abs(value) for region in scene["regions"] for vertex in region["vertices"] for value in vertex)
+    decimals = DIGITS - math.ceil(math.log10(size)) if size > 0 else DIGITS
+
+    def points(corners):
+        return [[round(value, decimals) + 0.0 for value in corner] for corner in corners]
+
+    lines = {name: {line: points(corners) for line, corners in scene[name].items()}
+             for name in ("boundaries", "curves", "slits") if name in scene}
+    return {**scene, **lines, "regions": [{**region, "vertices": points(region["vertices"])} for region in scene["regions"]]}
+
+
+def written(asked):
+    """The file, and how many blocks are in it."""
+    file = Path(asked.out or Path(asked.file).with_suffix(".yaml"))
+    if file.exists() and not asked.overwrite:
+        raise SceneError(f"{file}: is there already: give another name with --out, or --overwrite")
+    scene = rounded(scene_of(asked))
+    units = {"length": asked.length, "force": asked.force}
+    tree = {"scene": scene} if asked.scene_only else deck_to_begin_with(scene, units, f"Blocks from {Path(asked.file).name}")
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_text(decks.lines(tree, ALL), encoding="utf-8")
+    return file, len(scene["regions"])
+
+
+def main(arguments):
+    try:
+        file, count = written(parser().parse_args(arguments))
+    except KeyboardInterrupt:
+        return INTERRUPTED
+    except ModuleMissing as error:
+        print(f"ddapath scene: {error}", file=sys.stderr)
+        return FAILED
+    except OSError as error:
+        print(f"ddapath scene: {error.filename}: {error.strerror}", file=sys.stderr)
+        return WRONG_INPUT
+    except DdapathError as error:
+        print(f"ddapath scene: {error}", file=sys.stderr)
+        return WRONG_INPUT
+    print(f"{file}: {count} blocks")
+    return WRITTEN
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
