@@ -38,7 +38,7 @@ def parser():
     out.add_argument("--width", type=float, help="of the picture, or of all that is drawn")
     out.add_argument("--height", type=float, help="likewise")
     out.add_argument("--tolerance", type=float, help="of a picture: how far sides may be from boundaries, by default 1.5 pixels; of a "
-                                                     "drawing: points so near to each other are one, by default a thousandth of the extent")
+                                                     "drawing: a corner so near to a side is on it, by default a thousandth of the extent")
     out.add_argument("--without", action="append", metavar="NAME", help="material, or layer, that becomes nothing")
     out.add_argument("--overwrite", action="store_true", help="replace the deck where there is one")
     drawing = out.add_argument_group("drawings")

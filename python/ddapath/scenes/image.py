@@ -160,6 +160,9 @@ def by_brightness(file, colours, how):
                              "materials") from error
     if len(thresholds) != len(names) - 1:
         raise SceneError(f"{file}: {len(thresholds)} thresholds for {len(names)} materials: give one fewer than materials")
+    outside = [value for value in thresholds if not 0 <= value <= 1]
+    if outside:
+        raise SceneError(f"{file}: the threshold {outside[0]:g}: give brightness from 0, black, to 1, white")
     return np.digitize(grey, sorted(thresholds))
 
 
