@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "framework/figure/axis.hpp"
 #include "framework/figure/canvas.hpp"
@@ -76,15 +77,20 @@ void paint_marks(Canvas& canvas, const View& view, const Drawing& drawing) {
     if (fill.is_marked) canvas.path(path_of(view, fill), "none", {mark_outline, 2});
 }
 
+/// All strokes of one colour of the palette and one width are one path.
 void paint_strokes(Canvas& canvas, const View& view, const Drawing& drawing, const Scale& scale) {
+  std::map<std::pair<int, double>, std::string> of_palette;
   for (const Stroke& stroke : drawing.strokes) {
     if (!finite(stroke.start) || !finite(stroke.end)) continue;
-    const std::string paint = stroke.colour >= 0
-                                  ? palette[static_cast<std::size_t>(stroke.colour) % palette.size()]
-                              : scale.shown() ? scale.colour_of(stroke.value)
-                                              : "#8b0000";
-    canvas.path("M" + view.place(stroke.start) + "L" + view.place(stroke.end), "none", {paint, stroke.width});
+    const std::string track = "M" + view.place(stroke.start) + "L" + view.place(stroke.end);
+    if (stroke.colour >= 0)
+      of_palette[{stroke.colour, stroke.width}] += track;
+    else
+      canvas.path(track, "none", {scale.shown() ? scale.colour_of(stroke.value) : "#8b0000", stroke.width});
   }
+  for (const auto& [style, tracks] : of_palette)
+    canvas.path(tracks, "none",
+                {palette[static_cast<std::size_t>(style.first) % palette.size()], style.second});
 }
 
 /// A vertical colour bar at the left edge of `room`; gives the width used.

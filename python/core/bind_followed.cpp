@@ -2,7 +2,7 @@
 
 #include "python/core/bindings.hpp"
 #include "python/core/follower.hpp"
-#include "studies/dda/run/summary.hpp"
+#include "studies/dda/run/recording/summary.hpp"
 
 namespace dda::python {
 namespace {
@@ -11,8 +11,9 @@ namespace py = pybind11;
 using PointPointer = std::shared_ptr<AcceptedPoint>;
 
 /// An array that looks at numbers which `owner` keeps: nothing is copied, nothing may be written.
-py::array looking_at(const double* numbers, std::vector<py::ssize_t> shape, const py::handle& owner) {
-  py::array out = py::array_t<double>(std::move(shape), numbers, owner);
+template <class T>
+py::array looking_at(const T* numbers, std::vector<py::ssize_t> shape, const py::handle& owner) {
+  py::array out = py::array_t<T>(std::move(shape), numbers, owner);
   out.attr("setflags")(py::arg("write") = false);
   return out;
 }
@@ -44,12 +45,18 @@ py::dict dictionary(const std::vector<std::pair<std::string, double>>& values) {
   return out;
 }
 
-py::dict dictionary(const Outlines& outlines) {
+py::dict dictionary(const Outlines& outlines, const py::handle& owner) {
+  const auto rows = [&](const std::vector<double>& values) {
+    return looking_at(values.data(), {py::ssize_t(values.size() / 2), 2}, owner);
+  };
+  const auto numbers = [&](const std::vector<std::int64_t>& values) {
+    return looking_at(values.data(), {py::ssize_t(values.size())}, owner);
+  };
   py::dict out;
-  out["vertices"] = kept(outlines.vertices, {py::ssize_t(outlines.vertices.size() / 2), 2});
-  out["displacements"] = kept(outlines.displacements, {py::ssize_t(outlines.displacements.size() / 2), 2});
-  out["offsets"] = kept(outlines.offsets);
-  out["region"] = kept(outlines.region);
+  out["vertices"] = rows(outlines.vertices);
+  out["displacements"] = rows(outlines.displacements);
+  out["offsets"] = numbers(outlines.offsets);
+  out["region"] = numbers(outlines.region);
   return out;
 }
 
@@ -93,7 +100,8 @@ void add_arrays(py::class_<AcceptedPoint, PointPointer>& type) {
       .def_property_readonly(
           "tractions",
           [](const py::object& self) { return of_vectors(point_of(self).interface().traction, self); })
-      .def_property_readonly("outlines", [](const AcceptedPoint& p) { return dictionary(p.outlines()); })
+      .def_property_readonly(
+          "outlines", [](const py::object& self) { return dictionary(point_of(self).outlines(), self); })
       .def_property_readonly("damage", [](const py::object& self) {
         const auto& damage = point_of(self).interface().damage;
         return looking_at(damage.data(), {py::ssize_t(damage.size())}, self);

@@ -17,6 +17,14 @@ class ProgramNotFound(DdapathError):
     """There is no program `dda` to start."""
 
 
+class ToolMissing(DdapathError):
+    """Something that only this needs is not installed; the message says how to get it."""
+
+
+class ModuleMissing(ToolMissing, ImportError):
+    """A module of Python is."""
+
+
 class ProgramFailed(DdapathError):
     """The program ended with an exit code that is none of those below: killed, or broken.
 

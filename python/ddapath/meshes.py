@@ -1,16 +1,8 @@
 """Outlines of blocks for pyvista and meshio, each imported when it is asked for: the package does without them."""
 
-import importlib
-
 import numpy as np
 
-
-def needed(name):
-    """A library that not everyone has. Throws ImportError that says how to get it."""
-    try:
-        return importlib.import_module(name)
-    except ImportError as error:
-        raise ImportError(f"this needs {name}, which this Python does not have: `pip install {name}` installs it") from error
+from .needed import from_debian, needed
 
 
 def in_space(vectors):
@@ -25,7 +17,7 @@ def polygons(offsets):
 
 def outlines_to_pyvista(outlines, fields=None):
     """pyvista.PolyData of the deformed outlines, a face per outline; `fields` are arrays per outline by name."""
-    pyvista = needed("pyvista")
+    pyvista = needed("pyvista", "pip install pyvista")
     faces = np.concatenate([np.concatenate([[len(corners)], corners]) for corners in polygons(outlines["offsets"])])
     mesh = pyvista.PolyData(in_space(outlines["vertices"] + outlines["displacements"]), faces=faces)
     mesh.point_data["displacement"] = in_space(outlines["displacements"])
@@ -40,7 +32,7 @@ def outlines_to_meshio(outlines, fields=None):
     Cells stand in blocks of one number of corners: triangles, quads, and polygons of 5, 6 ...; `fields` are arrays per
     outline by name.
     """
-    meshio = needed("meshio")
+    meshio = from_debian("meshio", "python3-meshio")
     corners = polygons(outlines["offsets"])
     order = {}
     for number, outline in enumerate(corners):

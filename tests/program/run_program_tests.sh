@@ -139,6 +139,9 @@ resume_under_another_control() {
   expect 0 "other control" "$program" resume half --folder other --quiet --set path.control=arc_length \
     --set path.stop.load_below=0.3
   grep -q ',arc_length,' other/curve.csv || complain "no arc-length step was taken"
+  same half/model.svg other/model.svg
+  rm half/model.svg  # as of a structure that is too large to be drawn
+  expect 0 "without a picture of the model" "$program" resume half --folder undrawn --quiet --set path.stop.load_below=0.4
   expect 2 "another structure" "$program" resume half --quiet --set 'scene.subdivision={type: grid, size: 100}'
   expect 3 "stopped early" "$program" run "$bar" --folder early --quiet --set path.control=opening
   status_is early stopped_early

@@ -86,9 +86,9 @@ class Meshes(unittest.TestCase):
         self.check_meshio()
 
     def test_a_library_that_is_missing(self):
-        for name in ("pyvista", "meshio"):
+        for name, how in (("pyvista", "pip install pyvista"), ("meshio", "apt-get install python3-meshio")):
             with mock.patch.dict(sys.modules, {name: None}):
-                with self.assertRaisesRegex(ImportError, f"pip install {name}"):
+                with self.assertRaisesRegex(ImportError, how):
                     getattr(self.point, f"to_{name}")()
 
     def test_a_notebook_shows_the_curve(self):

@@ -243,8 +243,8 @@ class Pictures(Scenes):
                 self.assertEqual(areas(scene), {"bright 1": 200, "dark 1": 400})
 
     def test_a_module_that_is_missing(self):
-        with self.assertRaisesRegex(scenes.ModuleMissing, "no_such_module, in Debian's package python3-none: apt-get install"):
-            scenes.faults.needed("no_such_module", "python3-none")
+        with self.assertRaisesRegex(scenes.ModuleMissing, "no_such_module, which is not installed: apt-get install python3-none"):
+            ddapath.needed.from_debian("no_such_module", "python3-none")
 
 
 class Svg(Scenes):

@@ -11,8 +11,8 @@ blocks are those of the nearest stored step, displacements magnified, cracks as 
 from dataclasses import dataclass
 from pathlib import Path
 
+from ..errors import ToolMissing
 from . import film
-from .film import ToolMissing
 from .motion_reel import MotionReel
 from .path_reel import PathReel
 from .stage import Stage, together, used_colours

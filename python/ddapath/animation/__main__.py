@@ -2,11 +2,9 @@
 import argparse
 import sys
 
-from ..errors import DdapathError
+from ..commands import exit_code
 from ..run_folder import read_run
-from . import ToolMissing, Wishes, animate
-
-WRITTEN, WRONG_INPUT, FAILED, INTERRUPTED = 0, 2, 4, 130
+from . import Wishes, animate
 
 
 def parser():
@@ -22,21 +20,12 @@ def parser():
 
 def main(arguments):
     asked = parser().parse_args(arguments)
-    try:
+
+    def work():
         file = animate(read_run(asked.run), asked.out, Wishes(asked.fps, asked.speed, asked.path, asked.magnify))
-    except KeyboardInterrupt:
-        return INTERRUPTED
-    except ToolMissing as error:
-        print(f"dda animate: {error}", file=sys.stderr)
-        return FAILED
-    except OSError as error:
-        print(f"dda animate: {error.filename}: {error.strerror}", file=sys.stderr)
-        return WRONG_INPUT
-    except (DdapathError, ValueError) as error:
-        print(f"dda animate: {error}", file=sys.stderr)
-        return WRONG_INPUT
-    print(f"{file}: {file.stat().st_size / 1e6:.2g} MB")
-    return WRITTEN
+        return f"{file}: {file.stat().st_size / 1e6:.2g} MB"
+
+    return exit_code("dda animate", work)
 
 
 if __name__ == "__main__":

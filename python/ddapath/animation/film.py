@@ -7,7 +7,7 @@ from contextlib import contextmanager
 import numpy as np
 from PIL import Image
 
-from ..errors import DdapathError
+from ..errors import DdapathError, ToolMissing
 
 COLOURS = 80  # of all pictures of a GIF together
 CANDIDATES = 4000
@@ -15,10 +15,6 @@ CELL = 8      # of 256, the side of a cell of colours that are stored as one
 NEAR = 24     # of 256, in one of red, green and blue
 UNCHANGED = (255, 0, 254)  # the entry of the palette behind those; any colour that is in no picture
 CENTISECONDS = 100
-
-
-class ToolMissing(DdapathError):
-    """A program that is no part of this package is not installed."""
 
 
 def most_frequent(pictures, colours):

@@ -13,7 +13,8 @@ Blocks are simple polygons, counter-clockwise, without holes; neighbours share t
 
 from .drawing import scene_of_paths
 from .dxf import scene_of_dxf
-from .faults import ModuleMissing, SceneError
+from ..errors import ModuleMissing
+from .faults import SceneError
 from .image import scene_of_image, scene_of_labels
 from .starter import deck_to_begin_with
 from .svg import scene_of_svg

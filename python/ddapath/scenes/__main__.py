@@ -13,14 +13,13 @@ import sys
 from pathlib import Path
 
 from .. import deck as decks
-from ..errors import DdapathError
+from ..commands import exit_code
 from . import deck_to_begin_with, scene_of_dxf, scene_of_image, scene_of_svg
-from .faults import ModuleMissing, SceneError
+from .faults import SceneError
 from .image import Wishes
 from .scaled import Units
 from .starter import FORCES, LENGTHS
 
-WRITTEN, WRONG_INPUT, FAILED, INTERRUPTED = 0, 2, 4, 130
 PICTURES, DRAWINGS = (".png", ".jpg", ".jpeg", ".tif", ".tiff"), {".svg": scene_of_svg, ".dxf": scene_of_dxf}
 OF_PICTURES = ("material", "threshold", "joint", "split", "smooth", "least_area")
 DIGITS = 10  # of coordinates, of the larger extent
@@ -133,21 +132,11 @@ def written(asked):
 
 
 def main(arguments):
-    try:
+    def work():
         file, count = written(parser().parse_args(arguments))
-    except KeyboardInterrupt:
-        return INTERRUPTED
-    except ModuleMissing as error:
-        print(f"ddapath scene: {error}", file=sys.stderr)
-        return FAILED
-    except OSError as error:
-        print(f"ddapath scene: {error.filename}: {error.strerror}", file=sys.stderr)
-        return WRONG_INPUT
-    except DdapathError as error:
-        print(f"ddapath scene: {error}", file=sys.stderr)
-        return WRONG_INPUT
-    print(f"{file}: {count} blocks")
-    return WRITTEN
+        return f"{file}: {count} blocks"
+
+    return exit_code("ddapath scene", work)
 
 
 if __name__ == "__main__":

@@ -4,8 +4,9 @@ from pathlib import Path as FilePath
 
 import numpy as np
 
+from ..needed import from_debian
 from .drawing import Path, scene_of_paths
-from .faults import SceneError, needed
+from .faults import SceneError
 from .scaled import Units, scaled
 
 PACKAGE = "python3-ezdxf"
@@ -22,7 +23,7 @@ def scene_of_dxf(file, *, units=Units(), tolerance=None, without=()):
     also for `without`.
     Throws SceneError with file and place, ModuleMissing.
     """
-    ezdxf = needed("ezdxf", PACKAGE)
+    ezdxf = from_debian("ezdxf", PACKAGE)
     if not FilePath(file).is_file():
         raise SceneError(f"{file}: there is no such file")
     try:
@@ -48,7 +49,7 @@ class Sheet:
     """Entities as paths in the drawing's units."""
 
     def __init__(self, file):
-        self.file, self.make_path = file, needed("ezdxf.path", PACKAGE).make_path
+        self.file, self.make_path = file, from_debian("ezdxf.path", PACKAGE).make_path
 
     def paths(self, entities, tolerance):
         out = []

@@ -5,9 +5,10 @@ from pathlib import Path
 
 import numpy as np
 
+from ..needed import from_debian
 from .assembled import Block, Scale, scene_of_blocks
 from .chains import blocks_of
-from .faults import SceneError, needed
+from .faults import SceneError
 from .labels import PACKAGE, class_of_labels, connected, grown, merge_small, split_touching
 
 LEAST_AREA = 16  # pixels
@@ -44,7 +45,8 @@ def scene_of_image(file, width=None, height=None, *, materials, joint=None, thre
     0 to 1, one fewer than names, by default Otsu's.
     joint: the material whose pixels are shared out to what is nearest, so that stones grow until they meet; without it
     every material becomes blocks.
-    Regions are named `MATERIAL NUMBER`, the pieces of one that had holes `MATERIAL NUMBER.PIECE`; boundaries left, right, bottom, top as far as there are blocks.
+    Regions are named `MATERIAL NUMBER`, the pieces of one that had holes `MATERIAL NUMBER.PIECE`; boundaries left, right,
+    bottom, top as far as there are blocks.
     Throws SceneError with file and place, ModuleMissing.
     """
     colours = read(file)
@@ -86,12 +88,12 @@ def scene_of_labels(labels, materials, width=None, height=None, *, wishes=Wishes
 
 def read(file):
     """(height, width, 3) sRGB from 0 to 1, turned as the camera says; what is transparent is on white."""
-    image = needed("PIL.Image", "python3-pil")
+    image = from_debian("PIL.Image", "python3-pil")
     if not Path(file).is_file():
         raise SceneError(f"{file}: there is no such file")
     try:
         with image.open(file) as picture:
-            return colours_of(needed("PIL.ImageOps", "python3-pil").exif_transpose(picture), image)
+            return colours_of(from_debian("PIL.ImageOps", "python3-pil").exif_transpose(picture), image)
     except (OSError, ValueError, SyntaxError, image.DecompressionBombError) as error:
         raise SceneError(f"{file}: no picture that can be read ({error}): save it as PNG, JPEG or TIFF") from error
 
@@ -109,7 +111,7 @@ def colours_of(picture, image):
 
 def smoothed(colours, deviation):
     """Colours after a Gaussian filter of so many pixels."""
-    ndimage = needed("scipy.ndimage", "python3-scipy")
+    ndimage = from_debian("scipy.ndimage", "python3-scipy")
     return ndimage.gaussian_filter(colours, (deviation, deviation, 0)) if deviation > 0 else colours
 
 
@@ -124,7 +126,7 @@ def colour_of(file, name, value):
             return [grey] * 3
         raise SceneError(f"{file}: material '{name}' has brightness {grey:g}: give one from 0, black, to 1, white")
     try:
-        return [part / 255 for part in needed("PIL.ImageColor", "python3-pil").getrgb(str(value))[:3]]
+        return [part / 255 for part in from_debian("PIL.ImageColor", "python3-pil").getrgb(str(value))[:3]]
     except ValueError as error:
         raise SceneError(f"{file}: material '{name}' has colour '{value}': give #rrggbb, a colour's name, or a brightness "
                          "from 0 to 1") from error
@@ -139,7 +141,7 @@ def classified(file, colours, how):
         return by_brightness(file, colours, how)
     if thresholds is not None:
         raise SceneError(f"{file}: thresholds belong to materials without colours: leave out one or the other")
-    lab = needed("skimage.color", PACKAGE).rgb2lab
+    lab = from_debian("skimage.color", PACKAGE).rgb2lab
     pixels, nearest, least = lab(colours), np.zeros(colours.shape[:2], int), np.full(colours.shape[:2], np.inf)
     for k, (name, value) in enumerate(materials.items()):
         away = ((pixels - lab(np.array([[colour_of(file, name, value)]]))) ** 2).sum(axis=2)
@@ -151,10 +153,10 @@ def classified(file, colours, how):
 def by_brightness(file, colours, how):
     """Classes between thresholds, the darkest 0."""
     names, thresholds = how
-    grey = needed("skimage.color", PACKAGE).rgb2gray(colours)
+    grey = from_debian("skimage.color", PACKAGE).rgb2gray(colours)
     if thresholds is None:
         try:
-            thresholds = needed("skimage.filters", PACKAGE).threshold_multiotsu(grey, len(names)) if len(names) > 1 else []
+            thresholds = from_debian("skimage.filters", PACKAGE).threshold_multiotsu(grey, len(names)) if len(names) > 1 else []
         except ValueError as error:
             raise SceneError(f"{file}: its brightness does not fall into {len(names)} classes: give thresholds, or colours of the "
                              "materials") from error

@@ -5,7 +5,7 @@ from collections import defaultdict
 
 import numpy as np
 
-from .faults import needed
+from ..needed import from_debian
 
 PACKAGE = "python3-skimage"
 
@@ -15,7 +15,7 @@ def connected(classes, background=-1):
 
     classes: (height, width) whole numbers from -1 on.
     """
-    measure = needed("skimage.measure", PACKAGE)
+    measure = from_debian("skimage.measure", PACKAGE)
     return measure.label(np.asarray(classes) - background, connectivity=1, background=0)
 
 
@@ -77,8 +77,8 @@ def split_touching(inside, depth):
 
     inside: (height, width) of truth; depth: by how many pixels a neck's half-width is below that of the narrower part.
     """
-    morphology, segmentation = (needed(f"skimage.{name}", PACKAGE) for name in ("morphology", "segmentation"))
-    measure, ndimage = needed("skimage.measure", PACKAGE), needed("scipy.ndimage", "python3-scipy")
+    morphology, segmentation = (from_debian(f"skimage.{name}", PACKAGE) for name in ("morphology", "segmentation"))
+    measure, ndimage = from_debian("skimage.measure", PACKAGE), from_debian("scipy.ndimage", "python3-scipy")
     distance = ndimage.distance_transform_edt(np.pad(inside, 1, mode="edge"))[1:-1, 1:-1]
     flattened = morphology.reconstruction(distance - depth, distance)
     markers = measure.label(morphology.local_maxima(flattened) & inside, connectivity=2)
@@ -87,5 +87,5 @@ def split_touching(inside, depth):
 
 def grown(labels):
     """Labels grown over the pixels of 0 until they meet, each pixel to the nearest."""
-    segmentation = needed("skimage.segmentation", PACKAGE)
+    segmentation = from_debian("skimage.segmentation", PACKAGE)
     return segmentation.expand_labels(labels, distance=float(np.hypot(*labels.shape)) + 1)

@@ -2,14 +2,14 @@
 
 import numpy as np
 
-from .faults import needed
+from ..needed import from_debian
 
 MOST_PASSES = 8
 OF_POINTS = 0.5  # of the tolerance: a side whose ends have moved by that is still within the tolerance of what was on it
 
 
 def tree_of(points):
-    return needed("scipy.spatial", "python3-scipy").cKDTree(points)
+    return from_debian("scipy.spatial", "python3-scipy").cKDTree(points)
 
 
 def representatives(points, tolerance):

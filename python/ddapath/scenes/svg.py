@@ -5,8 +5,9 @@ from pathlib import Path as FilePath
 
 import numpy as np
 
+from ..needed import from_debian
 from .drawing import Path, scene_of_paths
-from .faults import SceneError, needed
+from .faults import SceneError
 from .scaled import Units, scaled
 
 LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
@@ -24,7 +25,7 @@ def scene_of_svg(file, *, units=Units(), tolerance=None, without=()):
     also for `without`.
     Throws SceneError with file and place, ModuleMissing.
     """
-    svgelements = needed("svgelements", PACKAGE)
+    svgelements = from_debian("svgelements", PACKAGE)
     if not FilePath(file).is_file():
         raise SceneError(f"{file}: there is no such file")
     try:

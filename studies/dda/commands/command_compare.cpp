@@ -9,7 +9,7 @@
 #include "framework/files/whole_file.hpp"
 #include "studies/dda/commands/commands.hpp"
 #include "studies/dda/commands/path_distance.hpp"
-#include "studies/dda/run/summary.hpp"
+#include "studies/dda/run/recording/summary.hpp"
 
 namespace dda {
 namespace {

@@ -4,8 +4,8 @@
 #include "studies/dda/commands/commands.hpp"
 #include "studies/dda/run/motion_alone.hpp"
 #include "studies/dda/run/one_rank.hpp"
-#include "studies/dda/run/profile.hpp"
-#include "studies/dda/run/summary.hpp"
+#include "studies/dda/run/recording/profile.hpp"
+#include "studies/dda/run/recording/summary.hpp"
 #include "studies/dda/sweep/sweep.hpp"
 
 namespace dda {

@@ -1,8 +1,6 @@
 #include "studies/dda/run/conclusion.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 #include "framework/messages/interrupt.hpp"
 
@@ -47,11 +45,6 @@ void offer_motion(Simulation& simulation, RunRecorder& recorder) {
 }
 
 }  // namespace
-
-bool is_finite(const Candidate& at) {
-  return std::ranges::all_of(std::array{at.state.load_factor, at.load, at.stored, at.dissipated, at.work},
-                             [](double x) { return std::isfinite(x); });
-}
 
 RunResult conclude_run(const FollowedPath& followed, Ending ending, const MotionOptions& options) {
   auto& [deck, folder, simulation, recorder] = followed;

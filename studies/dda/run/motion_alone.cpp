@@ -9,9 +9,9 @@
 #include "framework/base/threads.hpp"
 #include "framework/files/whole_file.hpp"
 #include "framework/messages/interrupt.hpp"
-#include "studies/dda/run/motion_run.hpp"
+#include "studies/dda/run/motion/motion_run.hpp"
 #include "studies/dda/run/new_run.hpp"
-#include "studies/dda/run/summary.hpp"
+#include "studies/dda/run/recording/summary.hpp"
 
 namespace dda {
 namespace {

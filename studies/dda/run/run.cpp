@@ -10,9 +10,10 @@
 #include "framework/messages/interrupt.hpp"
 #include "studies/dda/run/conclusion.hpp"
 #include "studies/dda/run/new_run.hpp"
-#include "studies/dda/run/restart.hpp"
+#include "studies/dda/run/next_point.hpp"
+#include "studies/dda/run/recording/restart.hpp"
+#include "studies/dda/run/recording/summary.hpp"
 #include "studies/dda/run/stepped_run.hpp"
-#include "studies/dda/run/summary.hpp"
 
 namespace dda {
 namespace {
@@ -24,31 +25,19 @@ void show(RunRecorder& recorder, Progress& progress) {
   progress.show(recorder.progress());
 }
 
-/// Follows the path to its end.
-Ending follow(Simulation& simulation, RunRecorder& recorder, bool quiet) {
-  Progress progress = Progress::for_stream(stderr, quiet);
-  const auto scope = simulation.system().timings().measure("path");
-  Path& path = simulation.path();
-  path.interrupt_when(interrupted);
-  for (const Point& point : path) {
-    if (!is_finite(simulation.walker().here())) return {Ending::Kind::stopped_early, out_of_range};
-    recorder.record(point);
-    show(recorder, progress);
-  }
-  progress.finish();
-  return path.ending();
-}
-
 /// The files that a continued run goes on with.
 void copy_run(const fs::path& from, const RunFolder& to) {
-  for (const char* name :
-       {"curve.csv", "curve.units.json", "log.jsonl", "model.svg", fields_folder, "run.xdmf", "restart.h5"}) {
+  const auto copy = [&](const char* name) {
     std::error_code error;
     fs::copy(from / name, to.file(name), fs::copy_options::overwrite_existing | fs::copy_options::recursive,
              error);
     if (error)
       throw OutputError(fmt::format("cannot copy '{}': {}", (from / name).string(), error.message()));
-  }
+  };
+  for (const char* name :
+       {"curve.csv", "curve.units.json", "log.jsonl", fields_folder, "run.xdmf", "restart.h5"})
+    copy(name);
+  if (fs::exists(from / "model.svg")) copy("model.svg");  // large structures have none
   copy_motion(from, to);
 }
 
@@ -109,7 +98,11 @@ RunResult resume_run(const fs::path& existing, const std::vector<std::string>& o
   write_decks(folder, deck, effective);
   simulation.stepper().log_to(folder.file("nox.log"));
   RunRecorder recorder(folder, simulation, deck, effective, timings, memory);
-  const Ending ending = follow(simulation, recorder, options.quiet);
+  simulation.path().interrupt_when(interrupted);
+  Ending ending;
+  Progress progress = Progress::for_stream(stderr, options.quiet);
+  while (next_point(simulation, &recorder, ending)) show(recorder, progress);
+  progress.finish();
   return conclude_run({deck, folder, simulation, recorder}, ending,
                       {.quiet = options.quiet, .goes_on = true});
 }

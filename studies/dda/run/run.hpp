@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "studies/dda/case/deck.hpp"
-#include "studies/dda/run/run_recorder.hpp"
+#include "studies/dda/run/recording/run_recorder.hpp"
 
 namespace dda {
 

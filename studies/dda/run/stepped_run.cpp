@@ -4,6 +4,7 @@
 #include "studies/dda/figures/model_picture.hpp"
 #include "studies/dda/run/conclusion.hpp"
 #include "studies/dda/run/new_run.hpp"
+#include "studies/dda/run/next_point.hpp"
 
 namespace dda {
 namespace {
@@ -46,17 +47,7 @@ void SteppedRun::begin(const RunOptions& options) {
 
 std::optional<Point> SteppedRun::next() {
   if (has_ended()) return {};
-  const auto scope = timings_.measure("path");
-  std::optional<Point> point = simulation_.path().next();
-  if (!point) {
-    ending_ = simulation_.path().ending();
-  } else if (!is_finite(simulation_.walker().here())) {
-    ending_ = {Ending::Kind::stopped_early, out_of_range};
-    point.reset();
-  } else if (recorder_) {
-    recorder_->record(*point);
-  }
-  return point;
+  return next_point(simulation_, recorder_.get(), ending_);
 }
 
 void SteppedRun::end(Ending ending) {

@@ -4,6 +4,7 @@
 
 #include "continuation/linear/strips/shared_matrix.hpp"
 #include "support/dense.hpp"
+#include "support/lattice.hpp"
 #include "support/random.hpp"
 #include "support/ranks.hpp"
 
@@ -14,13 +15,7 @@ constexpr double rounding = 1e-12;
 
 /// Positive definite, of blocks in rows; with a negative shift it is not.
 BlockMatrix lattice(std::size_t columns, std::size_t rows, double shift = 20) {
-  std::vector<std::pair<BlockId, BlockId>> pairs;
-  for (std::size_t x = 0; x < columns; ++x)
-    for (std::size_t y = 0; y < rows; ++y) {
-      const std::size_t block = x * rows + y;
-      if (y + 1 < rows) pairs.emplace_back(BlockId{block}, BlockId{block + 1});
-      if (x + 1 < columns) pairs.emplace_back(BlockId{block}, BlockId{block + rows});
-    }
+  const auto pairs = neighbours_in_columns(columns, rows);
   BlockMatrix out(columns * rows, pairs);
   Random random(3);
   for (std::size_t r = 0; r < out.num_rows(); ++r) out.add(BlockId{r}, BlockId{r}, shift * Mat6::Identity());

@@ -3,20 +3,14 @@
 #include <numeric>
 
 #include "continuation/linear/strips/strips.hpp"
+#include "support/lattice.hpp"
 
 namespace dda {
 namespace {
 
-/// Blocks in rows, each coupled with its neighbours to the right and above.
+/// Each block coupled with its neighbours.
 BlockMatrix lattice(std::size_t columns, std::size_t rows) {
-  std::vector<std::pair<BlockId, BlockId>> pairs;
-  for (std::size_t x = 0; x < columns; ++x)
-    for (std::size_t y = 0; y < rows; ++y) {
-      const std::size_t block = x * rows + y;
-      if (y + 1 < rows) pairs.emplace_back(BlockId{block}, BlockId{block + 1});
-      if (x + 1 < columns) pairs.emplace_back(BlockId{block}, BlockId{block + rows});
-    }
-  return {columns * rows, pairs};
+  return {columns * rows, neighbours_in_columns(columns, rows)};
 }
 
 /// Where each block is: strip k is place 2k, what lies behind it place 2k + 1. Every block is somewhere, once.

@@ -1,4 +1,4 @@
-#include "studies/dda/run/motion_restart.hpp"
+#include "studies/dda/run/motion/motion_restart.hpp"
 
 #include "framework/base/errors.hpp"
 #include "framework/files/run/record.hpp"

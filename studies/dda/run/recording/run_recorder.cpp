@@ -1,4 +1,4 @@
-#include "studies/dda/run/run_recorder.hpp"
+#include "studies/dda/run/recording/run_recorder.hpp"
 
 #include <fmt/format.h>
 
@@ -15,9 +15,9 @@
 #include "studies/dda/record/stability_record.hpp"
 #include "studies/dda/record/warnings/coarse_zones.hpp"
 #include "studies/dda/record/warnings/turning_contacts.hpp"
-#include "studies/dda/run/profile.hpp"
-#include "studies/dda/run/restart.hpp"
-#include "studies/dda/run/summary.hpp"
+#include "studies/dda/run/recording/profile.hpp"
+#include "studies/dda/run/recording/restart.hpp"
+#include "studies/dda/run/recording/summary.hpp"
 
 namespace dda {
 namespace {

@@ -1,4 +1,4 @@
-#include "studies/dda/run/summary.hpp"
+#include "studies/dda/run/recording/summary.hpp"
 
 #include <cmath>
 

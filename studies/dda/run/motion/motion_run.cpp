@@ -1,4 +1,4 @@
-#include "studies/dda/run/motion_run.hpp"
+#include "studies/dda/run/motion/motion_run.hpp"
 
 #include <fmt/format.h>
 
@@ -18,7 +18,7 @@
 #include "framework/messages/progress.hpp"
 #include "framework/messages/provenance.hpp"
 #include "studies/dda/case/motion_columns.hpp"
-#include "studies/dda/run/motion_restart.hpp"
+#include "studies/dda/run/motion/motion_restart.hpp"
 
 namespace dda {
 namespace {

@@ -1,4 +1,4 @@
-#include "studies/dda/run/profile.hpp"
+#include "studies/dda/run/recording/profile.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "studies/dda/run/restart.hpp"
+#include "studies/dda/run/recording/restart.hpp"
 
 #include <algorithm>
 #include <map>
