@@ -13,12 +13,13 @@ namespace {
 constexpr std::size_t bar_cells = 10;
 constexpr std::size_t default_width = 80;
 
-std::string bar(double goal) {
-  if (std::isnan(goal)) return "";
-  const double part = std::clamp(goal, 0.0, 1.0);
+std::string bar(const ProgressPoint& point) {
+  if (std::isnan(point.goal)) return "";
+  const double part = std::clamp(point.goal, 0.0, 1.0);
   const auto full = static_cast<std::size_t>(part * static_cast<double>(bar_cells));
-  return fmt::format("  [{}{}] {:3.0f}%", std::string(full, '#'), std::string(bar_cells - full, '.'),
-                     std::floor(100 * part));
+  std::string cells = std::string(full, '#') + std::string(bar_cells - full, '.');
+  if (full == 0) cells[static_cast<std::size_t>(point.step) % bar_cells] = '>';
+  return fmt::format("  [{}] {:3.0f}%", cells, std::floor(100 * part));
 }
 
 std::string head(const ProgressPoint& point) {
@@ -32,6 +33,12 @@ std::size_t length(std::string_view text) {
 }
 
 }  // namespace
+
+std::string duration_text(double seconds) {
+  if (seconds < 60) return fmt::format("{:.1f} s", seconds);
+  const auto whole = static_cast<long long>(seconds);
+  return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
+}
 
 std::string clipped(const std::string& text, std::size_t width) {
   std::string result;
@@ -51,7 +58,7 @@ std::size_t line_width(std::FILE* stream) {
 
 std::string progress_line(const ProgressPoint& point, std::size_t width) {
   std::string front = head(point);
-  const std::string end = bar(point.goal);
+  const std::string end = bar(point) + (std::isnan(point.seconds) ? "" : "  " + duration_text(point.seconds));
   const std::string how = fmt::format("  {:2} it.  ds {:<9.3g}", point.iterations, point.step_size);
   const std::string control = point.control.empty() ? "" : fmt::format("  {}", point.control);
   const auto fits = [&](const std::string& more) {
@@ -75,8 +82,9 @@ Progress::Progress(std::FILE* stream, Style style) : stream_(stream), style_(sty
 
 Progress::~Progress() { finish(); }
 
-void Progress::show(const ProgressPoint& point) {
+void Progress::show(ProgressPoint point) {
   if (style_ == Style::quiet) return;
+  point.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun_).count();
   if (style_ == Style::lines) {
     fmt::print(stream_, "{}\n", progress_line(point, 160));
   } else {

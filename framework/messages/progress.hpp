@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdio>
 #include <limits>
 #include <string>
@@ -17,10 +18,15 @@ struct ProgressPoint {
   std::vector<std::pair<std::string, double>> gauges;  ///< name and value, the most telling first
   int iterations = 0;
   double step_size = 0;
-  double goal = std::numeric_limits<double>::quiet_NaN();  ///< part of the way done, 0 to 1; NaN = unknown
+  double goal = std::numeric_limits<double>::quiet_NaN();     ///< part of the way done, 0 to 1; NaN = unknown
+  double seconds = std::numeric_limits<double>::quiet_NaN();  ///< since it began; NaN = not told
 };
 
-/// One line for a step of at most `width` characters: what does not fit is left out, gauges first.
+/// A time that has passed: "12.4 s", from a minute on "0:03:05".
+std::string duration_text(double seconds);
+
+/// One line for a step of at most `width` characters: what does not fit is left out, gauges first. As long as
+/// nothing of the way is done, as before a peak whose height nobody knows, a mark in the bar moves on with each step.
 std::string progress_line(const ProgressPoint& point, std::size_t width);
 
 /// The text cut to so many characters on the screen.
@@ -42,7 +48,8 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  void show(const ProgressPoint& point);
+  /// With the time since this was made.
+  void show(ProgressPoint point);
   /// Whether every line stays: then some steps of very many are enough.
   bool keeps_lines() const { return style_ == Style::lines; }
   /// A line that stays, above the live line.
@@ -53,6 +60,7 @@ class Progress {
  private:
   std::FILE* stream_;
   Style style_;
+  std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
   std::size_t shown_ = 0;  ///< characters of the live line now on the terminal
 };
 

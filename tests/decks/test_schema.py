@@ -74,6 +74,9 @@ class Schema(unittest.TestCase):
         self.assertEqual(len(found), 1)
         self.assertIn("linear_softening", found[0])
 
+    def test_keys_that_hold_anchors(self):
+        self.assertEqual(self.changed(lambda deck: deck.update({"x-law": {"any": "thing"}})), [])
+
     def test_what_is_missing_is_told(self):
         found = self.changed(lambda deck: deck.pop("thickness"))
         self.assertIn(("", "'thickness' is a required property"), found)

@@ -120,6 +120,16 @@ class Variables(ProgramCase):
         self.write(deck.replace("ft: 3,", "ft: 3, sise: 10,"))
         self.assertIn("'sise' is used nowhere", self.dda("check", "deck.yaml", code=2))
 
+    def test_anchors_have_keys_of_their_own(self):
+        self.write("x-law: &law {type: linear_softening, tensile_strength: f, fracture_energy: \"max(0.1, ft/100)\"}\n" + BAR)
+        named = self.dda("check", "deck.yaml")
+        law = '{type: linear_softening, tensile_strength: f, fracture_energy: "max(0.1, ft/100)"}'
+        self.assertIn(law, BAR)
+        self.write("x-law: &law " + law + "\n" + BAR.replace(law, "*law"))
+        self.assertEqual(self.dda("check", "deck.yaml"), named)
+        self.write("y-law: 3\n" + BAR)
+        self.assertIn("unknown parameter 'y-law'", self.dda("check", "deck.yaml", code=2))
+
     def test_misspelt_names_are_told_with_their_place(self):
         self.write(BAR.replace("thickness: 2*b", "thickness: 2*(bb + 1)").replace("tensile_strength: f,", "tensile_strength: ftt/2,"))
         said = self.dda("run", "deck.yaml", code=2)

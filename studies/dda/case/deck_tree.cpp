@@ -11,6 +11,7 @@ DeckTree::DeckTree(Node deck) {
   root_ = std::move(whole.root);
   bases_ = std::move(whole.bases);
   replaced_ = std::move(whole.replaced);
+  std::erase_if(root_.entries, [](const NodeEntry& entry) { return entry.key.starts_with(key_of_anchors); });
 }
 
 void DeckTree::replaces(const std::string& path) {

@@ -8,7 +8,11 @@
 
 namespace dda {
 
-/// A deck before its values are read: put over those that it extends, and set from the command line.
+/// Keys of a deck that begin so are nobody's: they hold what anchors of YAML name, to be used elsewhere in the deck.
+inline constexpr const char* key_of_anchors = "x-";
+
+/// A deck before its values are read: put over those that it extends, without the keys that hold anchors, and set from the
+/// command line.
 ///
 /// Names in expressions that a setting or a deck above replaces stay known: a variable that only they have used is not one
 /// that nobody needs.

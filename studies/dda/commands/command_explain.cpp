@@ -6,6 +6,7 @@
 #include "framework/deck/expression/expression.hpp"
 #include "framework/deck/writing/explain.hpp"
 #include "framework/deck/writing/keys.hpp"
+#include "studies/dda/case/deck_tree.hpp"
 #include "studies/dda/case/parameter_list.hpp"
 #include "studies/dda/case/written_deck.hpp"
 #include "studies/dda/commands/commands.hpp"
@@ -72,11 +73,17 @@ std::string manual_of(const std::string& topic) {
       fmt::join(functions_of_expressions(), ", "));
 }
 
+Json schema_for_editors() {
+  Json out = written_deck_schema().json_schema();
+  out["patternProperties"] = {{std::string("^") + key_of_anchors, true}};
+  return out;
+}
+
 }  // namespace
 
 int command_explain(const CommandLine& line) {
   if (line.json)
-    fmt::print("{}\n", written_deck_schema().json_schema().dump(2));
+    fmt::print("{}\n", schema_for_editors().dump(2));
   else if (!line.find.empty())
     fmt::print("{}", find_in_manual(written_deck_schema(), line.find));
   else if (line.topic == "parameters")

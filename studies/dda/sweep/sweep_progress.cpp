@@ -45,12 +45,6 @@ std::string outcome(const CaseState& state) {
 
 }  // namespace
 
-std::string duration_text(double seconds) {
-  if (seconds < 60) return fmt::format("{:.1f} s", seconds);
-  const int whole = static_cast<int>(seconds);
-  return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
-}
-
 std::string last_step(const fs::path& run_folder) {
   const std::string row = last_row(run_folder / "curve.csv");
   return row.substr(0, row.find(','));

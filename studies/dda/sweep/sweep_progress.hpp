@@ -42,7 +42,4 @@ std::string count_text(const std::vector<CaseState>& states);
 /// Number of the last step that a run has written, "" when there is none.
 std::string last_step(const std::filesystem::path& run_folder);
 
-/// "12.3 s" or "1:02:03".
-std::string duration_text(double seconds);
-
 }  // namespace dda

@@ -8,6 +8,7 @@
 namespace dda {
 namespace {
 
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -60,7 +61,31 @@ TEST(ProgressLine, NoBarWithoutAGoalAndNoneBeyondItsEnds) {
   point.goal = 1.7;
   EXPECT_THAT(progress_line(point, 200), HasSubstr("[##########] 100%"));
   point.goal = -1;
-  EXPECT_THAT(progress_line(point, 200), HasSubstr("[..........]   0%"));
+  point.step = 30;
+  EXPECT_THAT(progress_line(point, 200), HasSubstr("[>.........]   0%"));
+}
+
+TEST(ProgressLine, AMarkMovesWhileNothingOfTheWayIsDone) {
+  ProgressPoint point = some_point();
+  point.goal = 0;
+  point.step = 37;
+  EXPECT_THAT(progress_line(point, 200), HasSubstr("[.......>..]   0%"));
+  point.goal = 0.1;
+  EXPECT_THAT(progress_line(point, 200), HasSubstr("[#.........]  10%"));
+}
+
+TEST(ProgressLine, TimeStandsAtItsEnd) {
+  ProgressPoint point = some_point();
+  point.seconds = 75;
+  EXPECT_THAT(progress_line(point, 200), EndsWith("42%  0:01:15"));
+  EXPECT_LE(characters(progress_line(point, 40)), 40);
+}
+
+TEST(DurationText, HasHoursFromAMinuteOn) {
+  EXPECT_EQ(duration_text(0.04), "0.0 s");
+  EXPECT_EQ(duration_text(59.9), "59.9 s");
+  EXPECT_EQ(duration_text(185), "0:03:05");
+  EXPECT_EQ(duration_text(3727), "1:02:07");
 }
 
 TEST(Progress, LiveRenewsOneLine) {
