@@ -121,12 +121,10 @@ class Variables(ProgramCase):
         self.assertIn("'sise' is used nowhere", self.dda("check", "deck.yaml", code=2))
 
     def test_anchors_have_keys_of_their_own(self):
-        self.write("x-law: &law {type: linear_softening, tensile_strength: f, fracture_energy: \"max(0.1, ft/100)\"}\n" + BAR)
-        named = self.dda("check", "deck.yaml")
         law = '{type: linear_softening, tensile_strength: f, fracture_energy: "max(0.1, ft/100)"}'
         self.assertIn(law, BAR)
         self.write("x-law: &law " + law + "\n" + BAR.replace(law, "*law"))
-        self.assertEqual(self.dda("check", "deck.yaml"), named)
+        self.assertAlmostEqual(self.peak() / (3 * 100 * 100), 1, delta=1e-9)
         self.write("y-law: 3\n" + BAR)
         self.assertIn("unknown parameter 'y-law'", self.dda("check", "deck.yaml", code=2))
 
