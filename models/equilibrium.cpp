@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "framework/base/threads.hpp"
+#include "models/kinematics/second_order.hpp"
 #include "models/loading.hpp"
 
 namespace dda {
@@ -33,8 +34,11 @@ void add_pairs(const InterfacePoint& point, std::vector<std::pair<BlockId, Block
     pairs.emplace_back(point.first, point.node);
     pairs.emplace_back(point.second, point.node);
   }
-  for (const JumpRows& jump : point.jumps)
-    point.for_each_part([&](BlockId node, const Mat26&) { pairs.emplace_back(node, jump.node); });
+  const auto add_with = [&](BlockId other) {
+    point.for_each_part([&](BlockId node, const Mat26&) { pairs.emplace_back(node, other); });
+  };
+  for (const GradientRows& gradient : point.gradients) add_with(gradient.node);
+  for (const JumpRows& jump : point.jumps) add_with(jump.node);
 }
 
 /// Adds [rows]ᵀ diag(p) [rows] of every part of a point with every other.
@@ -48,13 +52,13 @@ void add_joint(BlockMatrix& matrix, const InterfacePoint& point, const Vec2& p) 
 /// Adds a multiple of the energy that a consistent joint subtracts, ½ W {σ}n·P⁻¹{σ}n.
 void add_stress_energy(BlockMatrix& matrix, const InterfacePoint& point, double factor) {
   if (!point.has_stresses()) return;
-  const PointRows& rows = point.rows;
   const Vec2 p = factor * point.weight * point.trial_stiffness().cwiseInverse();
-  const Mat26 first = p.asDiagonal() * rows.first_stress, second = p.asDiagonal() * rows.second_stress;
-  matrix.add(point.first, point.first, rows.first_stress.transpose() * first);
-  matrix.add(point.second, point.second, rows.second_stress.transpose() * second);
-  matrix.add(point.first, point.second, rows.first_stress.transpose() * second);
-  matrix.add(point.second, point.first, rows.second_stress.transpose() * first);
+  point.for_each_stress([&](BlockId a, const Mat26& left) {
+    point.for_each_stress([&](BlockId b, const Mat26& right) {
+      const Mat26 forces = p.asDiagonal() * right;
+      matrix.add(a, b, left.transpose() * forces);
+    });
+  });
 }
 
 /// Adds −(1 + δ) W P of an unknown multiplier.
@@ -99,6 +103,11 @@ Equilibrium::Equilibrium(const Body& body, const ModelParameters& model)
       num_cuts_(body.cracks ? body.cracks->cuts().size() : 0),
       intact_(0, {}) {
   Findings findings;
+  for (const BlockId id : body.second_order.blocks) {
+    const Moments& moments = body.block(id).moments;
+    gradients_.push_back({id, body.thickness * gradient_stiffness(body.material(id).stiffness(),
+                                                                  moments.second, moments.area)});
+  }
   set_ = make_interface_points(body, model, findings);
   num_unknown_multipliers_ = 2 * static_cast<std::size_t>(std::ranges::count(set_.points, Multiplier::unknown,
                                                                              &InterfacePoint::multiplier));
@@ -110,7 +119,7 @@ Equilibrium::Equilibrium(const Body& body, const ModelParameters& model)
   if (!model.stages.empty()) check_rigid_motions(body, springs, model.where, findings);
   stages_ = make_stages({body, model, set_, supports_}, programme, findings);
   findings.throw_if_any();
-  for (const Block& block : body.assembly.blocks) block_size_.push_back(std::sqrt(block.moments.area));
+  for (std::size_t i = 0; i < num_blocks_; ++i) block_size_.push_back(body.size(BlockId{i}));
   for (Loading& stage : stages_)
     for (auto* force : {&stage.dead, &stage.reference, &stage.dead_work, &stage.reference_work})
       force->resize(num_unknowns(), 0.0);
@@ -119,7 +128,7 @@ Equilibrium::Equilibrium(const Body& body, const ModelParameters& model)
 
 bool Equilibrium::remake(const Body& body, const ModelParameters& model) {
   Equilibrium made(body, model);
-  const bool is_same = are_same(intact_, made.intact_, num_blocks_);
+  const bool is_same = are_same(intact_, made.intact_, num_block_nodes());
   std::ranges::move(made.stages_, stages_.begin());
   made.stages_ = std::move(stages_);
   *this = std::move(made);
@@ -129,17 +138,13 @@ bool Equilibrium::remake(const Body& body, const ModelParameters& model) {
 void Equilibrium::assemble(const Body& body, const ModelParameters& model,
                            const std::vector<Spring>& springs) {
   auto pairs = touching_blocks(body);
+  for (std::size_t g = 0; g < body.num_gradients(); ++g)
+    pairs.emplace_back(body.second_order.blocks[g], BlockId{num_blocks_ + g});
   add_pairs(springs, pairs);
   for (const InterfacePoint& point : set_.points) add_pairs(point, pairs);
-  intact_ = BlockMatrix(num_nodes(), pairs, num_blocks_ + num_jumps_);
+  intact_ = BlockMatrix(num_nodes(), pairs, num_leading());
   weak_stiffness_ = model.weak_springs * body.largest_modulus() * body.thickness;
-  for (std::size_t i = 0; i < num_blocks_; ++i) {
-    const BlockId id{i};
-    strain_stiffness_.push_back(body.volume(id) * body.material(id).stiffness());
-    Mat6 k = strain_rows().transpose() * strain_stiffness_.back() * strain_rows();
-    k.diagonal().head<3>() += weak_stiffness_ * Vec3(1, 1, body.block(id).moments.area);
-    intact_.add(id, id, k);
-  }
+  add_strain_energy(body);
   for (const Spring& spring : springs) add_spring(spring);
   for (const InterfacePoint& point : set_.points) {
     add_stress_energy(intact_, point, -1);
@@ -150,6 +155,20 @@ void Equilibrium::assemble(const Body& body, const ModelParameters& model,
   hold_unused_unknowns();
   join_what_touches();
   estimate_rounding();
+}
+
+void Equilibrium::add_strain_energy(const Body& body) {
+  for (std::size_t i = 0; i < num_blocks_; ++i) {
+    const BlockId id{i};
+    strain_stiffness_.push_back(body.volume(id) * body.material(id).stiffness());
+    Mat6 k = strain_rows().transpose() * strain_stiffness_.back() * strain_rows();
+    k.diagonal().head<3>() += weak_stiffness_ * Vec3(1, 1, body.block(id).moments.area);
+    intact_.add(id, id, k);
+  }
+  for (const Gradient& gradient : gradients_) {
+    const BlockId node = *body.gradient_of(gradient.block);
+    intact_.add(node, node, gradient.stiffness);
+  }
 }
 
 void Equilibrium::join_what_touches() {
@@ -173,12 +192,12 @@ void Equilibrium::hold_unused_unknowns() {
   constexpr int of_jump = 3;
   std::vector<int> used(num_jumps_, of_jump);
   used.resize(num_jumps_ + set_.num_nodes, 0);
+  const std::size_t first = num_block_nodes();
   for (const InterfacePoint& point : set_.points)
     if (point.multiplier == Multiplier::unknown)
-      used[point.node.value() - num_blocks_] =
-          std::max(used[point.node.value() - num_blocks_], point.column + 2);
+      used[point.node.value() - first] = std::max(used[point.node.value() - first], point.column + 2);
   for (std::size_t i = 0; i < used.size(); ++i) {
-    const BlockId node{num_blocks_ + i};
+    const BlockId node{first + i};
     Mat6 rest = Mat6::Zero();
     for (int j = used[i]; j < block_unknowns; ++j) {
       rest(j, j) = held_stiffness_;
@@ -209,6 +228,8 @@ Vec2 Equilibrium::opening(std::size_t p, std::span<const double> d) const {
   const InterfacePoint& point = set_.points[p];
   Vec2 out = point.rows.first * Eigen::Map<const Vec6>(d.data() + 6 * point.first.value()) +
              point.rows.second * Eigen::Map<const Vec6>(d.data() + 6 * point.second.value());
+  for (const GradientRows& gradient : point.gradients)
+    out += gradient.rows * Eigen::Map<const Vec6>(d.data() + 6 * gradient.node.value());
   for (const JumpRows& jump : point.jumps)
     out += jump.rows * Eigen::Map<const Vec6>(d.data() + 6 * jump.node.value());
   if (point.multiplier == Multiplier::unknown)
@@ -243,6 +264,7 @@ double Equilibrium::passive_energy(std::span<const double> d) const {
     const Eigen::Map<const Vec3> strain(d.data() + 6 * b + 3);
     return strain.dot(strain_stiffness_[b] * strain);
   });
+  twice += 2 * gradient_energy(d);
   for (const Spring& spring : supports_) {
     const double u = spring.displacement.value(d, 0);
     twice += spring.stiffness * u * u;
@@ -251,6 +273,15 @@ double Equilibrium::passive_energy(std::span<const double> d) const {
                         [&](std::size_t p) { return twice_passive_energy(p, d); });
   for (const std::size_t i : held_) twice += held_stiffness_ * d[i] * d[i];
   return twice / 2;
+}
+
+double Equilibrium::gradient_energy(std::span<const double> d) const {
+  return parallel_sum(gradients_.size(), parts_at_once,
+                      [&](std::size_t i) {
+                        const Eigen::Map<const Vec6> g(d.data() + 6 * (num_blocks_ + i));
+                        return g.dot(gradients_[i].stiffness * g);
+                      }) /
+         2;
 }
 
 double Equilibrium::weak_energy(std::span<const double> d) const {
@@ -262,8 +293,10 @@ double Equilibrium::weak_energy(std::span<const double> d) const {
 
 double Equilibrium::twice_passive_energy(std::size_t p, std::span<const double> d) const {
   const InterfacePoint& point = set_.points[p];
-  const Vec2 stress = point.rows.first_stress * Eigen::Map<const Vec6>(d.data() + 6 * point.first.value()) +
-                      point.rows.second_stress * Eigen::Map<const Vec6>(d.data() + 6 * point.second.value());
+  Vec2 stress = Vec2::Zero();
+  point.for_each_stress([&](BlockId node, const Mat26& rows) {
+    stress += rows * Eigen::Map<const Vec6>(d.data() + 6 * node.value());
+  });
   const Vec2 stiffness = point.trial_stiffness();
   double out = -point.weight * stress.dot(stress.cwiseQuotient(stiffness));
   if (point.multiplier == Multiplier::unknown) {
@@ -303,6 +336,8 @@ void Equilibrium::scatter_add(std::span<const double> t, std::span<double> f) co
     const InterfacePoint& point = set_.points[p];
     Eigen::Map<Vec6>(f.data() + 6 * point.first.value()) += point.rows.first.transpose() * force;
     Eigen::Map<Vec6>(f.data() + 6 * point.second.value()) += point.rows.second.transpose() * force;
+    for (const GradientRows& gradient : point.gradients)
+      Eigen::Map<Vec6>(f.data() + 6 * gradient.node.value()) += gradient.rows.transpose() * force;
     for (const JumpRows& jump : point.jumps)
       Eigen::Map<Vec6>(f.data() + 6 * jump.node.value()) += jump.rows.transpose() * force;
     if (point.multiplier == Multiplier::unknown)

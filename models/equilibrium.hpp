@@ -69,7 +69,8 @@ struct Loading {
 ///     tangent  K = K0 + Bᵀ W (D − D0) B
 ///
 /// K_b holds strain energy, springs and, for consistent joints, −Sᵀ W P⁻¹ S with S d = {σ}n. Nodes are the
-/// blocks, behind them the jumps across cuts (motion.hpp), and behind these, for Lagrange joints, one node of
+/// blocks, behind them the strain gradients of blocks of second order and the jumps across cuts (motion.hpp), and behind
+/// these, for Lagrange joints, one node of
 /// multipliers per side, m in columns 0-1 and 2-3.
 /// Only active points are asked at run time: those that can crack or iterate a multiplier. Bonds are part of
 /// K0.
@@ -81,10 +82,15 @@ class Equilibrium {
   bool remake(const Body& body, const ModelParameters& model);
 
   std::size_t num_blocks() const { return num_blocks_; }
+  /// Of blocks of second order.
+  std::size_t num_gradients() const { return gradients_.size(); }
   std::size_t num_jumps() const { return num_jumps_; }
   /// Of cracks through blocks and along their sides.
   std::size_t num_cuts() const { return num_cuts_; }
-  std::size_t num_nodes() const { return num_blocks_ + num_jumps_ + set_.num_nodes; }
+  /// Blocks and gradients, whose nodes stay when cuts are added; with the jumps, what comes before multipliers.
+  std::size_t num_block_nodes() const { return num_blocks_ + num_gradients(); }
+  std::size_t num_leading() const { return num_block_nodes() + num_jumps_; }
+  std::size_t num_nodes() const { return num_leading() + set_.num_nodes; }
   std::size_t num_unknowns() const { return block_unknowns * num_nodes(); }
   std::size_t num_points() const { return set_.points.size(); }
   /// Points 0 … num_active()−1 are asked at run time; the operators below act on these.
@@ -109,6 +115,20 @@ class Equilibrium {
   const std::vector<double>& block_size() const { return block_size_; }
   /// V C of each block, 3 × 3: stress resultants from strains [F L].
   const std::vector<Mat3>& strain_stiffness() const { return strain_stiffness_; }
+  /// The strain gradient of a block of second order, and its stiffness t C ⊗ S/area (kinematics/second_order.hpp) [F L].
+  struct Gradient {
+    BlockId block;
+    Mat6 stiffness;
+  };
+  /// In the order of their nodes, behind the blocks.
+  const std::vector<Gradient>& gradients() const { return gradients_; }
+  /// Where the unknowns of a node are strains: the size of its block [L]; none where they are lengths, of a jump or of
+  /// multipliers.
+  std::optional<double> strain_size(std::size_t node) const {
+    if (node < num_blocks_) return block_size_[node];
+    if (node < num_block_nodes()) return block_size_[gradients_[node - num_blocks_].block.value()];
+    return {};
+  }
 
   /// q = B d + q0(λ); q of size 2 · num_active().
   void gather(const Loading& loading, std::span<const double> d, double load_factor,
@@ -134,6 +154,8 @@ class Equilibrium {
   /// joints of active points and the springs that loads drive [FL]. A sum over the parts: ½ d·K0 d would lose
   /// the digits of a small part of a structure that moves far.
   double passive_energy(std::span<const double> d) const;
+  /// Energy of the strain gradients, a part of it [FL].
+  double gradient_energy(std::span<const double> d) const;
   /// Energy stored in the weak springs [FL].
   double weak_energy(std::span<const double> d) const;
   /// The springs that loads drive.
@@ -147,6 +169,7 @@ class Equilibrium {
 
  private:
   void assemble(const Body& body, const ModelParameters& model, const std::vector<Spring>& springs);
+  void add_strain_energy(const Body& body);
   void add_spring(const Spring& spring);
   void hold_unused_unknowns();
   void join_what_touches();
@@ -166,6 +189,7 @@ class Equilibrium {
   std::vector<Loading> stages_;
   std::vector<double> block_size_, rounding_of_sums_;
   std::vector<Mat3> strain_stiffness_;
+  std::vector<Gradient> gradients_;
 };
 
 /// K += W Sᵀ P⁻¹ S, S d = {σ}n: gives back what a consistent joint subtracts, once nothing is left of it.

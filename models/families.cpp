@@ -2,6 +2,7 @@
 #include "models/crack_direction/direction.hpp"
 #include "models/gauge/gauge.hpp"
 #include "models/interface/law.hpp"
+#include "models/kinematics/kinematics.hpp"
 #include "models/load/load.hpp"
 #include "models/material/material.hpp"
 #include "models/time_function/time_function.hpp"
@@ -16,6 +17,11 @@ MaterialFamily& materials() {
 
 LawFamily& interface_laws() {
   static LawFamily family("law", "What an interface does with its opening.");
+  return family;
+}
+
+KinematicsFamily& kinematics() {
+  static KinematicsFamily family("kinematics", "How the displacement of a block varies within it.");
   return family;
 }
 

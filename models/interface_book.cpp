@@ -39,6 +39,8 @@ void InterfaceBook::add(const std::string& name, const InterfaceParameters& p) {
                  .where = p.where,
                  .index = static_cast<int>(interfaces_.size())};
   made.points = p.points.value_or(usual_points(*made.treatment));
+  made.second_order_points = p.points.value_or(
+      made.treatment->multiplier() == Multiplier::none ? PointRule::gauss : PointRule::gauss_2);
   check_release(p, made);
   if (p.field) add_field(*p.field, made);
   if (p.crack_normal) add_crack_normal(*p.crack_normal, made);

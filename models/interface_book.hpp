@@ -19,6 +19,8 @@ struct Interface {
   std::shared_ptr<const InterfaceLaw> law;
   std::shared_ptr<const Treatment> treatment;
   PointRule points = PointRule::gauss;
+  /// Beside blocks of second order.
+  PointRule second_order_points = PointRule::gauss;
   std::optional<RandomField> field = {};
   double energy_exponent = 0;
   std::optional<Vec2> crack_normal = {};  ///< a unit vector
@@ -26,6 +28,7 @@ struct Interface {
   int index = -1;
   // What the sides asked for, for one message per interface.
   std::size_t raised = 0, refused = 0;
+  bool misses_linear_stress = false;                             ///< its points beside blocks of second order
   double worst_ratio = std::numeric_limits<double>::infinity();  ///< reachable k over the slope
   double worst_size = 0;                                         ///< [L]
 

@@ -11,6 +11,7 @@
 #include "models/interface/scaled_law.hpp"
 #include "models/interface_book.hpp"
 #include "models/jump_rows.hpp"
+#include "models/kinematics/second_order.hpp"
 #include "models/locked_joints.hpp"
 #include "models/treatment/trace_constant.hpp"
 
@@ -23,18 +24,37 @@ constexpr double comfortable_margin = 1.5;
 /// Below this the trial law has no usable softening branch left.
 constexpr double smallest_margin = 1.02;
 
-/// Shares of the side and weights of its points.
-std::vector<std::pair<double, double>> quadrature(PointRule rule) {
+/// Shares of a side and weights of its points.
+using Quadrature = std::vector<std::pair<double, double>>;
+
+Quadrature two_gauss_points() {
   const double g = 0.5 / std::sqrt(3.0);
+  return {{0.5 - g, 0.5}, {0.5 + g, 0.5}};
+}
+
+Quadrature three_gauss_points() {
+  const double g = 0.5 * std::sqrt(0.6);
+  return {{0.5 - g, 5.0 / 18}, {0.5, 8.0 / 18}, {0.5 + g, 5.0 / 18}};
+}
+
+/// What stands on a side of blocks of first order.
+Quadrature quadrature(PointRule rule) {
   switch (rule) {
     case PointRule::vertices:
       return {{0.0, 0.5}, {1.0, 0.5}};
     case PointRule::midpoint:
       return {{0.5, 1.0}};
     case PointRule::gauss:
+    case PointRule::gauss_2:
       break;
   }
-  return {{0.5 - g, 0.5}, {0.5 + g, 0.5}};
+  return two_gauss_points();
+}
+
+/// Whether the points of a rule bear blocks of second order. Its two ends overrate |σn|² threefold, its middle leaves a
+/// mechanism.
+bool integrates_linear_stress(PointRule rule) {
+  return rule == PointRule::gauss || rule == PointRule::gauss_2;
 }
 
 /// Finds the interface of a side and makes its points.
@@ -86,7 +106,17 @@ class PointMaker {
 
   BlockFace face(BlockId id) const {
     const Mat3 c = body_.material(id).stiffness();
-    return {c, trace_constant(body_.block(id), c), body_.material(id).modulus()};
+    const double trace = body_.gradient_of(id) ? second_order_trace_constant(body_.block(id), c)
+                                               : trace_constant(body_.block(id), c);
+    return {c, trace, body_.material(id).modulus()};
+  }
+
+  /// The points of an interface on a side of these blocks.
+  Quadrature points_of(Interface& interface, const Side& side) const {
+    if (!body_.gradient_of(side.first) && !body_.gradient_of(side.second))
+      return quadrature(interface.points);
+    interface.misses_linear_stress |= !integrates_linear_stress(interface.second_order_points);
+    return interface.second_order_points == PointRule::gauss_2 ? two_gauss_points() : three_gauss_points();
   }
 
   SideFaces faces_of(const Side& side) const {
@@ -98,11 +128,10 @@ class PointMaker {
   }
 
   /// Of each point of a straight line.
-  static std::vector<Local> laws_along(const Interface& interface, const Vec2& start, const Vec2& edge) {
-    const Vec2 normal = Vec2(edge.y(), -edge.x()) / edge.norm();
+  static std::vector<Local> laws_along(const Interface& interface, const PointLine& line) {
     std::vector<Local> out;
-    for (const auto& [xi, share] : quadrature(interface.points))
-      out.push_back(local_law(interface, start + xi * edge, normal));
+    for (const auto& [xi, share] : line.points)
+      out.push_back(local_law(interface, line.start + xi * (line.end - line.start), line.normal));
     return out;
   }
 
@@ -127,8 +156,8 @@ class PointMaker {
     const Side& side = body_.assembly.sides[stretch.side];
     const Vec2 edge = stretch.end - stretch.start;
     const SideFaces faces = faces_of(side);
-    const PointLine line{stretch.start, stretch.end, faces.normal, quadrature(interface.points)};
-    std::vector<Local> laws = laws_along(interface, stretch.start, edge);
+    const PointLine line{stretch.start, stretch.end, faces.normal, points_of(interface, side)};
+    std::vector<Local> laws = laws_along(interface, line);
     const double k = stiffness(interface, laws, faces, side);
     const Treatment& treatment = *interface.treatment;
     JumpsOfPoints jumps = jumps_along_side(body_, stretch.side, line);
@@ -156,7 +185,7 @@ class PointMaker {
                            .physical_stiffness = physical_stiffness(treatment, faces, k, is_separate),
                            .spring_unit = spring_unit(faces),
                            .strength_factor = laws[i].factor};
-      point.rows = rows_of(point, treatment, faces);
+      add_rows(point, treatment, faces);
       point.jumps = std::move(jumps[i]);
       out.points.push_back(std::move(point));
       if (interface.is_local()) out.laws.push_back(std::move(laws[i].law));
@@ -164,10 +193,25 @@ class PointMaker {
     out.has_fields = out.has_fields || interface.field.has_value();
   }
 
-  PointRows rows_of(const InterfacePoint& point, const Treatment& treatment, const SideFaces& faces) const {
-    return treatment.rows(faces, displacement_rows(point.x - body_.block(point.first).moments.centroid),
-                          displacement_rows(point.x - body_.block(point.second).moments.centroid),
-                          point.trial_stiffness());
+  void add_rows(InterfacePoint& point, const Treatment& treatment, const SideFaces& faces) const {
+    const Vec2 stiffness = point.trial_stiffness();
+    const auto of_block = [&](BlockId id) {
+      return MotionRows{displacement_rows(point.x - body_.block(id).moments.centroid), strain_rows()};
+    };
+    point.rows = treatment.rows(faces, of_block(point.first), of_block(point.second), stiffness);
+    const auto first = body_.gradient_of(point.first), second = body_.gradient_of(point.second);
+    if (!first && !second) return;
+    const PointRows rows = treatment.rows(faces, gradient_rows(point.first, point.x),
+                                          gradient_rows(point.second, point.x), stiffness);
+    if (first) point.gradients.push_back({*first, rows.first, rows.first_stress});
+    if (second) point.gradients.push_back({*second, rows.second, rows.second_stress});
+  }
+
+  /// Of the gradient of a block's strain; none of a block of first order.
+  MotionRows gradient_rows(BlockId id, const Vec2& x) const {
+    if (!body_.gradient_of(id)) return {};
+    const Vec2 offset = x - body_.block(id).moments.centroid;
+    return {gradient_displacement_rows(offset, body_.size(id)), gradient_strain_rows(offset, body_.size(id))};
   }
 
   void add_cuts(InterfaceSet& out) {
@@ -184,16 +228,17 @@ class PointMaker {
 
   void add_cut(std::size_t index, const ThroughBlocks& through, InterfaceSet& out) {
     const Cut& cut = body_.cracks->cuts()[index];
-    const Interface& interface = book_.law_of(through);
-    std::vector<Local> laws = laws_along(interface, cut.start, cut.end - cut.start);
+    Interface& interface = book_.law_of(through);
+    const PointLine line{cut.start, cut.end, cut.normal(),
+                         points_of(interface, {cut.block, cut.block, cut.start, cut.end, {}})};
+    std::vector<Local> laws = laws_along(interface, line);
     const BlockFace& of_block = faces_[cut.block.value()];
     const double size = std::sqrt(body_.block(cut.block).moments.area);
     const SideFaces faces{of_block, of_block, size, cut.length(), cut.normal()};
     const double k = cut_stiffness(index, through, laws, faces);
-    const auto places = quadrature(interface.points);
-    JumpsOfPoints jumps = jumps_along_cut(body_, cut, {cut.start, cut.end, cut.normal(), places});
+    JumpsOfPoints jumps = jumps_along_cut(body_, cut, line);
     for (std::size_t i = 0; i < laws.size(); ++i) {
-      const auto [xi, share] = places[i];
+      const auto [xi, share] = line.points[i];
       InterfacePoint point{.first = cut.block,
                            .second = cut.block,
                            .x = cut.start + xi * (cut.end - cut.start),
@@ -210,13 +255,31 @@ class PointMaker {
                            .spring_unit = spring_unit(faces),
                            .strength_factor = laws[i].factor};
       point.jumps = std::move(jumps[i]);
-      point.rows.first_stress = traction_rows(point.normal) * of_block.stiffness * strain_rows();
-      point.rows.first = point.trial_stiffness().cwiseInverse().asDiagonal() * point.rows.first_stress;
-      point.rows.second.setZero();
+      add_stress_rows(point, of_block.stiffness);
       out.points.push_back(std::move(point));
       if (interface.is_local()) out.laws.push_back(std::move(laws[i].law));
     }
     out.has_fields = out.has_fields || interface.field.has_value();
+  }
+
+  /// On a cut q = g + P⁻¹ σn, σ that of the block.
+  void add_stress_rows(InterfacePoint& point, const Mat3& stiffness) const {
+    const Vec2 compliance = point.trial_stiffness().cwiseInverse();
+    const Eigen::Matrix<double, 2, 3> traction = traction_rows(point.normal) * stiffness;
+    point.rows.first_stress = traction * strain_rows();
+    point.rows.first = compliance.asDiagonal() * point.rows.first_stress;
+    point.rows.second.setZero();
+    if (const auto node = body_.gradient_of(point.first)) {
+      const Mat26 stress = traction * gradient_rows(point.first, point.x).strain;
+      point.gradients.push_back({*node, compliance.asDiagonal() * stress, stress});
+    }
+  }
+
+  double line_trace_of(const Cut& cut, const Mat3& stiffness) const {
+    const Block& block = body_.block(cut.block);
+    return body_.gradient_of(cut.block)
+               ? second_order_line_trace_constant(cut.start, cut.end, block, stiffness)
+               : line_trace_constant(cut.length(), cut.normal(), block.moments.area, stiffness);
   }
 
   /// k of a cut. What consistent sides subtract takes up to 1/(2α) of a block's strain energy and a cut c_Γ/k of it;
@@ -234,8 +297,7 @@ class PointMaker {
     const double of_sides = interface.treatment->stiffness(faces), alpha = of_sides / faces.first.trace;
     const double left = 1 - 1 / (2 * alpha);
     if (left <= 0) findings_.add(interface.where, "cracks through blocks need `alpha` above 0.5");
-    const double line = line_trace_constant(cut.length(), cut.normal(), body_.block(cut.block).moments.area,
-                                            faces.first.stiffness);
+    const double line = line_trace_of(cut, faces.first.stiffness);
     const double beta = interface.law->shear_weight();
     double slope = 0;
     for (const Local& local : laws) slope = std::max(slope, local.law->steepest_slope());
@@ -286,6 +348,13 @@ class PointMaker {
                       "blocks below {:.3g}, or a larger fracture energy",
                       interface.name, interface.refused, interface.worst_size, interface.worst_ratio,
                       smallest_margin, interface.worst_size * interface.worst_ratio / comfortable_margin));
+    if (interface.misses_linear_stress)
+      findings_.add(
+          interface.where,
+          fmt::format(
+              "blocks of second order beside interface '{}' need Gauss points: `points: gauss` (three "
+              "on a side) or `gauss_2`",
+              interface.name));
     if (interface.raised > 0)
       notices.push_back(
           fmt::format("interface '{}': joint stiffness raised on {} sides, its softening is steep for "

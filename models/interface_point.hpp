@@ -20,13 +20,20 @@ struct JumpRows {
   Mat26 rows;
 };
 
+/// The gradient of a block's strain as it enters the trial opening of a point, and the mean traction there.
+struct GradientRows {
+  BlockId node;  ///< behind the blocks
+  Mat26 rows;
+  Mat26 stress = Mat26::Zero();
+};
+
 /// A point of an interface, or of a cut through a block: where the law is asked, and the rows that give its trial
 /// opening.
 ///
-///     q = first·d_first + second·d_second + Σ rows·e + m     (2 components, normal and tangential)   [L]
+///     q = first·d_first + second·d_second + Σ rows·g + Σ rows·e + m    (2 components, normal and tangential) [L]
 ///     its traction does work W t·δq,              W = share of the side's length × thickness   [L²]
 ///
-/// e are the jumps by which either side moves beside its block. On a cut both sides are parts of one block, which
+/// g are the strain gradients of blocks of second order, e the jumps by which either side moves beside its block. On a cut both sides are parts of one block, which
 /// is `first` and `second`, and q = g + P⁻¹ σn with the jump g of what lies right of it beside what lies left. m is there when the treatment has multipliers: two unknowns of the node `node`, or a number that the
 /// continuation iterates.
 struct InterfacePoint {
@@ -41,6 +48,7 @@ struct InterfacePoint {
   std::optional<std::size_t> cut = {};  ///< index into CrackGeometry::cuts() where it stands on one
   bool is_awaited = false;  ///< it lies ahead of a crack, which goes on where it reaches its strength
   PointRows rows;
+  std::vector<GradientRows> gradients = {};
   std::vector<JumpRows> jumps = {};
   Multiplier multiplier = Multiplier::none;
   BlockId node{0};                ///< of unknown multipliers; behind the blocks
@@ -70,8 +78,16 @@ struct InterfacePoint {
   void for_each_part(Visit visit) const {
     visit(first, rows.first);
     visit(second, rows.second);
+    for (const GradientRows& gradient : gradients) visit(gradient.node, gradient.rows);
     for (const JumpRows& jump : jumps) visit(jump.node, jump.rows);
     if (multiplier == Multiplier::unknown) visit(node, multiplier_rows());
+  }
+  /// Calls visit(block or node, rows 2 × 6) for each part of {σ}n.
+  template <class Visit>
+  void for_each_stress(Visit visit) const {
+    visit(first, rows.first_stress);
+    visit(second, rows.second_stress);
+    for (const GradientRows& gradient : gradients) visit(gradient.node, gradient.stress);
   }
   /// Rows that pick m out of its node.
   Mat26 multiplier_rows() const {

@@ -64,11 +64,13 @@ class Along {
     return out / line_.points[i].second;
   }
 
-  /// N_i.
+  /// N_i, Lagrange's polynomial of the points.
   double weight(double xi, std::size_t i) const {
-    if (line_.points.size() == 1) return 1;
-    const double own = line_.points[i].first, other = line_.points[1 - i].first;
-    return (xi - other) / (own - other);
+    double out = 1;
+    for (std::size_t j = 0; j < line_.points.size(); ++j)
+      if (const double own = line_.points[i].first, other = line_.points[j].first; j != i)
+        out *= (xi - other) / (own - other);
+    return out;
   }
 
   const Body& body_;

@@ -146,7 +146,7 @@ StressOffset stress_offset(const Body& body, const InterfaceSet& set, const std:
   for (std::size_t p = 0; p < set.points.size(); ++p) {
     const InterfacePoint& point = set.points[p];
     if (point.rows.first_stress.isZero() && point.rows.second_stress.isZero()) continue;
-    // The weights of {σ}n are those of the rows: S_i = w_i N C_i E.
+    // The weights of {σ}n are those of the rows: S_i = w_i N C_i E. The stress is even in a block.
     const auto traction = [&](const Mat26& rows, BlockId id) -> Vec2 {
       return rows.rightCols<3>() * body.material(id).stiffness().inverse() * stress[id.value()];
     };
@@ -154,10 +154,9 @@ StressOffset stress_offset(const Body& body, const InterfaceSet& set, const std:
         traction(point.rows.first_stress, point.first) + traction(point.rows.second_stress, point.second);
     const Vec2 offset = mean.cwiseQuotient(point.trial_stiffness());
     // ψ(B d + q0) − ½ {σ}n P⁻¹ {σ}n: a bond contributes −Bᵀ W D0 q0, every point +Sᵀ W P⁻¹ {σ0}n.
-    Eigen::Map<Vec6> f_first(out.force.data() + 6 * point.first.value());
-    Eigen::Map<Vec6> f_second(out.force.data() + 6 * point.second.value());
-    f_first += point.weight * point.rows.first_stress.transpose() * offset;
-    f_second += point.weight * point.rows.second_stress.transpose() * offset;
+    point.for_each_stress([&](BlockId node, const Mat26& rows) {
+      Eigen::Map<Vec6>(out.force.data() + 6 * node.value()) += point.weight * rows.transpose() * offset;
+    });
     if (p < set.num_active) {
       Eigen::Map<Vec2>(out.openings.data() + 2 * p) = offset;
     } else {

@@ -15,12 +15,18 @@ Kind<InterfaceParameters> interface_kind() {
       .choice("law", &P::law, interface_laws(), {.fallback = "bonded", .text = "What the interface does."})
       .choice("treatment", &P::treatment, treatments(),
               {.fallback = "consistent", .text = "How it is imposed."})
-      .one_of(
-          "points", &P::points,
-          {{"gauss", PointRule::gauss}, {"vertices", PointRule::vertices}, {"midpoint", PointRule::midpoint}},
-          {.text =
-               "Interface points of a side: two Gauss points, its ends, its middle. Without it the ends for "
-               "treatments with multipliers, Gauss points for the others."})
+      .one_of("points", &P::points,
+              {{"gauss", PointRule::gauss},
+               {"gauss_2", PointRule::gauss_2},
+               {"vertices", PointRule::vertices},
+               {"midpoint", PointRule::midpoint}},
+              {.text = "Interface points of a side: Gauss points, two of them and three beside blocks of "
+                       "second order; "
+                       "always two; its ends; its middle. Without it the ends for treatments with "
+                       "multipliers (two Gauss "
+                       "points beside blocks of second order, which bear neither ends nor middle), Gauss "
+                       "points for the "
+                       "others."})
       .section("field", &P::field, field_schema())
       .point(
           "crack_normal", &P::crack_normal,
@@ -93,7 +99,10 @@ Kind<StageParameters> stage_kind() {
             .text = "Gauge values (`load` is the load gauge) that end this stage; the next one goes on from "
                     "there."})
       .boolean("unload", &P::unload,
-               {.fallback = false, .text = "Unload straight to the value of the one gauge in `until`."})
+               {.fallback = false,
+                .text = "Turn round: lead the one gauge in `until` to its value, also through zero and as "
+                        "far beyond as is "
+                        "asked, what slides sticking first and cracks staying as they are."})
       .kind();
 }
 

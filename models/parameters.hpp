@@ -12,14 +12,16 @@
 #include "models/crack_direction/direction.hpp"
 #include "models/gauge/gauge.hpp"
 #include "models/interface/law.hpp"
+#include "models/kinematics/kinematics.hpp"
 #include "models/load/load.hpp"
 #include "models/material/material.hpp"
 #include "models/treatment/treatment.hpp"
 
 namespace dda {
 
-/// Where the points of a straight side stand: two Gauss points, its two ends, its middle.
-enum class PointRule { gauss, vertices, midpoint };
+/// Where the points of a straight side stand: Gauss points, two and beside blocks of second order three; always two; its
+/// two ends; its middle.
+enum class PointRule { gauss, gauss_2, vertices, midpoint };
 
 /// An entry of `interfaces`: by material pair when `between` is given, else by the name of its curve.
 struct InterfaceParameters {
@@ -80,6 +82,7 @@ struct StageParameters {
 struct ModelParameters {
   double thickness = 1;
   Plane plane = Plane::stress;
+  KinematicsChoice kinematics;
   std::map<std::string, MaterialChoice> material_names;
   std::vector<std::pair<std::string, InterfaceParameters>> interfaces;
   std::vector<std::pair<std::string, SupportParameters>> supports;
@@ -114,6 +117,9 @@ void add_model(Schema<P>& schema) {
               {.dimension = dimension::length, .bounds = above(0), .text = "Thickness."})
       .one_of("plane", &P::plane, {{"stress", Plane::stress}, {"strain", Plane::strain}},
               {.fallback = Plane::stress, .text = "Plane stress or plane strain."})
+      .choice("kinematics", &P::kinematics, kinematics(),
+              {.fallback = "first_order",
+               .text = "How the displacement varies within a block: its strain is constant, or linear."})
       .map("materials", &P::material_names, materials().kind(), {.at_least = 1, .text = "Materials by name."})
       .map("interfaces", &P::interfaces, interface_kind(),
            {.fallback = {{}},

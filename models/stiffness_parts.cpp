@@ -17,6 +17,10 @@ void add_strain(const Equilibrium& equilibrium, const Sink& add) {
     k.block<3, 3>(3, 3) = equilibrium.strain_stiffness()[b];
     add(BlockId{b}, BlockId{b}, k);
   }
+  for (std::size_t i = 0; i < equilibrium.num_gradients(); ++i) {
+    const BlockId node{equilibrium.num_blocks() + i};
+    add(node, node, equilibrium.gradients()[i].stiffness);
+  }
 }
 
 void add_weak_springs(const Equilibrium& equilibrium, const Sink& add) {
@@ -43,9 +47,10 @@ void add_rows(const Rows& parts, const Mat2& d, const Sink& add) {
     for (const auto& [b, right] : parts) add(a, b, left.transpose() * d * right);
 }
 
-/// Of blocks and jumps.
+/// Of blocks, their gradients and jumps.
 Rows opening_rows(const InterfacePoint& point) {
   Rows out{{point.first, point.rows.first}, {point.second, point.rows.second}};
+  for (const GradientRows& gradient : point.gradients) out.emplace_back(gradient.node, gradient.rows);
   for (const JumpRows& jump : point.jumps) out.emplace_back(jump.node, jump.rows);
   return out;
 }
@@ -56,8 +61,9 @@ void add_contacts(const Equilibrium& equilibrium, std::span<const Mat2> tangents
     add_rows(opening_rows(point), point.weight * tangents[p], add);
     if (!point.has_stresses()) continue;
     const Vec2 subtracted = -point.weight * point.trial_stiffness().cwiseInverse();
-    add_rows({{point.first, point.rows.first_stress}, {point.second, point.rows.second_stress}},
-             subtracted.asDiagonal(), add);
+    Rows stresses;
+    point.for_each_stress([&](BlockId node, const Mat26& rows) { stresses.emplace_back(node, rows); });
+    add_rows(stresses, subtracted.asDiagonal(), add);
   }
 }
 
@@ -66,17 +72,13 @@ void hold_unused(const Equilibrium& equilibrium, const Sink& add) {
   Mat6 k = Mat6::Zero();
   k.diagonal().tail<3>().setConstant(equilibrium.held_stiffness());
   for (std::size_t j = 0; j < equilibrium.num_jumps(); ++j) {
-    const BlockId node{equilibrium.num_blocks() + j};
+    const BlockId node{equilibrium.num_block_nodes() + j};
     add(node, node, k);
   }
 }
 
-std::size_t num_nodes(const Equilibrium& equilibrium) {
-  return equilibrium.num_blocks() + equilibrium.num_jumps();
-}
-
 Matrix dense(const Equilibrium& equilibrium, const std::function<void(const Sink&)>& contribution) {
-  const auto n = static_cast<Eigen::Index>(block_unknowns * num_nodes(equilibrium));
+  const auto n = static_cast<Eigen::Index>(block_unknowns * equilibrium.num_leading());
   Matrix out = Matrix::Zero(n, n);
   contribution([&](BlockId i, BlockId j, const Mat6& k) {
     out.block<6, 6>(static_cast<Eigen::Index>(6 * i.value()), static_cast<Eigen::Index>(6 * j.value())) += k;
@@ -105,6 +107,8 @@ std::vector<std::pair<BlockId, BlockId>> coupled_blocks(const Equilibrium& equil
       for (std::size_t j = i + 1; j < rows.size(); ++j) out.emplace_back(rows[i].first, rows[j].first);
   }
   for (const auto& [one, other] : jumps_of_one_block(equilibrium)) out.emplace_back(one, other);
+  for (std::size_t i = 0; i < equilibrium.num_gradients(); ++i)
+    out.emplace_back(equilibrium.gradients()[i].block, BlockId{equilibrium.num_blocks() + i});
   for (const auto* springs : {&equilibrium.supports(), &equilibrium.driven_springs()})
     for (const Spring& spring : *springs)
       for (const auto& [a, left] : spring.displacement.rows)
@@ -131,7 +135,7 @@ StiffnessParts stiffness_parts(const Equilibrium& equilibrium, std::span<const M
 }
 
 BlockMatrix block_stiffness(const Equilibrium& equilibrium, std::span<const Mat2> tangents) {
-  BlockMatrix out(num_nodes(equilibrium), coupled_blocks(equilibrium));
+  BlockMatrix out(equilibrium.num_leading(), coupled_blocks(equilibrium));
   const Sink add = [&](BlockId i, BlockId j, const Mat6& k) { out.add(i, j, k); };
   add_strain(equilibrium, add);
   hold_unused(equilibrium, add);

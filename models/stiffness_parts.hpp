@@ -21,7 +21,7 @@ struct StiffnessParts {
   Eigen::MatrixXd sum() const { return strain + contact + support + weak; }
 };
 
-/// With these tangents D of all points, 2 × 2 each; of blocks and jumps, n = 6 · nodes; multipliers are left
+/// With these tangents D of all points, 2 × 2 each; of blocks, strain gradients and jumps, n = 6 · nodes; multipliers are left
 /// out.
 StiffnessParts stiffness_parts(const Equilibrium& equilibrium, std::span<const Mat2> tangents);
 

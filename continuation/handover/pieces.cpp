@@ -1,14 +1,36 @@
 #include "continuation/handover/pieces.hpp"
 
+#include <Eigen/Cholesky>
+
+#include "meshing/geometry/triangle_rule.hpp"
 #include "models/body/motion.hpp"
+#include "models/kinematics/second_order.hpp"
 
 namespace dda {
+namespace {
+
+/// The motion of first order that is closest to that of a block's strain gradient over a piece of it, as its mass weighs
+/// it: ∫ Tᵀ(T x − G g) dA = 0, so that momentum is kept.
+Vec6 closest_motion(const Body& whole, BlockId block, const Block& piece, const Vec6& g) {
+  const Vec2 &centroid = piece.moments.centroid, &of_whole = whole.block(block).moments.centroid;
+  Mat6 mass = Mat6::Zero();
+  Vec6 moved = Vec6::Zero();
+  for_each_quadrature_point(piece.outline, centroid, [&](double weight, const Vec2& x) {
+    const Mat26 rows = displacement_rows(x - centroid);
+    mass += weight * rows.transpose() * rows;
+    moved += weight * rows.transpose() * (gradient_displacement_rows(x - of_whole, whole.size(block)) * g);
+  });
+  return mass.ldlt().solve(moved);
+}
+
+}  // namespace
 
 Pieces::Pieces(const Body& whole, const Equilibrium& equilibrium, const ModelParameters& model)
     : whole_(whole), of_whole_(equilibrium) {
-  if (!whole.cracks || whole.cracks->num_jumps() == 0) return;
-  parted_ = parted(*whole.cracks);
-  body_ = std::make_unique<const Body>(Body{parted_->assembly, whole.thickness, whole.materials});
+  if (whole.num_jumps() > 0) parted_ = parted(*whole.cracks);
+  if (!parted_ && whole.num_gradients() == 0) return;
+  body_ = std::make_unique<const Body>(
+      Body{parted_ ? parted_->assembly : whole.assembly, whole.thickness, whole.materials});
   equilibrium_ = std::make_unique<const Equilibrium>(*body_, model);
 }
 
@@ -16,9 +38,10 @@ Vec6 Pieces::displacements(std::size_t piece, std::span<const double> d) const {
   const auto node = [&](BlockId id) {
     return Eigen::Map<const Vec6>(d.data() + block_unknowns * id.value());
   };
-  if (!parted_) return node(BlockId{piece});
-  const auto& [whole, jumps] = parted_->pieces[piece];
-  const Vec2 centroid = body_->block(BlockId{piece}).moments.centroid;
+  if (!body_) return node(BlockId{piece});
+  const auto [whole, jumps] = parted_ ? parted_->pieces[piece] : Parted::Piece{BlockId{piece}, {}};
+  const Block& block = body_->block(BlockId{piece});
+  const Vec2 centroid = block.moments.centroid;
   Vec6 out = node(whole);
   out.head<2>() = displacement_rows(centroid - whole_.block(whole).moments.centroid) * node(whole);
   for (const JumpId jump : jumps) {
@@ -27,6 +50,8 @@ Vec6 Pieces::displacements(std::size_t piece, std::span<const double> d) const {
     out.head<2>() += here.rows * node(here.node);
     out[2] += ((aside.rows - here.rows) * node(here.node)).y();
   }
+  if (const auto gradient = whole_.gradient_of(whole))
+    out += closest_motion(whole_, whole, block, node(*gradient));
   return out;
 }
 

@@ -9,16 +9,16 @@
 
 namespace dda {
 
-/// A structure as it is let go: where cracks have run through blocks their parts are blocks of their own. Loads, supports
-/// and gauges act on the parts that they are on.
+/// A structure as it is let go: where cracks have run through blocks their parts are blocks of their own, and blocks of
+/// second order are of first. Loads, supports and gauges act on the parts that they are on.
 class Pieces {
  public:
   /// References have to live as long.
   Pieces(const Body& whole, const Equilibrium& equilibrium, const ModelParameters& model);
 
   const Body& whole() const { return whole_; }
-  const Body& body() const { return parted_ ? *body_ : whole_; }
-  const Equilibrium& equilibrium() const { return parted_ ? *equilibrium_ : of_whole_; }
+  const Body& body() const { return body_ ? *body_ : whole_; }
+  const Equilibrium& equilibrium() const { return equilibrium_ ? *equilibrium_ : of_whole_; }
   /// Displacements d of a piece in first order, about its own centroid, from those of all nodes of the whole.
   Vec6 displacements(std::size_t piece, std::span<const double> d) const;
   /// Pieces on either side of a point of the whole: of its first and of its second block.
@@ -31,8 +31,8 @@ class Pieces {
  private:
   const Body& whole_;
   const Equilibrium& of_whole_;
-  std::optional<Parted> parted_;  ///< none where no block is cut
-  std::unique_ptr<const Body> body_;
+  std::optional<Parted> parted_;      ///< none where no block is cut
+  std::unique_ptr<const Body> body_;  ///< null where it is the whole
   std::unique_ptr<const Equilibrium> equilibrium_;
 };
 

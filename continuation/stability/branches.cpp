@@ -101,8 +101,11 @@ std::vector<std::vector<double>> critical_modes(System& system, const Candidate&
   const Equilibrium& equilibrium = system.equilibrium();
   ModeRequest wanted{
       .count = *here.num_negative, .mass = Mass::identity(equilibrium.num_nodes()), .is_physical = false};
-  for (std::size_t b = 0; b < equilibrium.num_blocks(); ++b)
-    wanted.mass.diagonal[b].diagonal().tail<4>() *= equilibrium.block_size()[b] * equilibrium.block_size()[b];
+  for (std::size_t node = 0; node < equilibrium.num_block_nodes(); ++node) {
+    const double size = *equilibrium.strain_size(node);
+    const int num_strains = node < equilibrium.num_blocks() ? 4 : block_unknowns;  // and the rotation
+    wanted.mass.diagonal[node].diagonal().tail(num_strains) *= size * size;
+  }
   try {
     const auto found = stiffness_modes(system, here.state, solver, wanted);
     return found ? found->modes.shapes : std::vector<std::vector<double>>{};

@@ -277,17 +277,20 @@ void System::apply_metric(Metric metric, std::span<double> v) const {
     equilibrium_.scatter_add(q, v);
     return;
   }
-  const std::size_t of_blocks = block_unknowns * equilibrium_.num_blocks();
+  const std::size_t of_blocks = block_unknowns * equilibrium_.num_block_nodes();
   for (std::size_t i = 0; i < of_blocks; ++i) {
-    const double size = equilibrium_.block_size()[i / block_unknowns];
-    if (i % block_unknowns >= 2) v[i] *= size * size;
+    const std::size_t node = i / block_unknowns;
+    const double size = *equilibrium_.strain_size(node);
+    if (i % block_unknowns >= 2 || node >= equilibrium_.num_blocks()) v[i] *= size * size;
   }
   std::ranges::fill(v.subspan(of_blocks), 0.0);
 }
 
 double System::square_of_residual(BlockId node, const Vec6& r) const {
-  if (node.value() >= equilibrium_.num_blocks()) return r.squaredNorm();
-  const double size = equilibrium_.block_size()[node.value()];
+  const std::optional<double> of_strains = equilibrium_.strain_size(node.value());
+  if (!of_strains) return r.squaredNorm();
+  const double size = *of_strains;
+  if (node.value() >= equilibrium_.num_blocks()) return r.squaredNorm() / (size * size);
   return r.head<2>().squaredNorm() + r.tail<4>().squaredNorm() / (size * size);
 }
 
@@ -348,14 +351,6 @@ double System::relative(double residual_norm, std::span<const double> d) const {
 
 double System::force_level(std::span<const double> d) const {
   return std::max(block_forces(d), least_force_level());
-}
-
-double System::block_forces(std::span<const double> d) const {
-  return std::sqrt(parallel_sum(equilibrium_.num_blocks(), blocks_at_once, [&](std::size_t b) {
-    const Vec3 resultant = equilibrium_.strain_stiffness()[b] * Eigen::Map<const Vec3>(d.data() + 6 * b + 3);
-    const double size = equilibrium_.block_size()[b];
-    return resultant.squaredNorm() / (size * size);
-  }));
 }
 
 double System::kappa(std::size_t p, const History& h) const {

@@ -7,7 +7,7 @@
 namespace dda {
 namespace {
 
-constexpr std::size_t points_at_once = 2000, numbers_at_once = 50'000;
+constexpr std::size_t points_at_once = 2000, blocks_at_once = 8000, numbers_at_once = 50'000;
 
 }  // namespace
 
@@ -78,6 +78,21 @@ double System::movement_of_loads(const State& at) const {
   for (const WorkPair& pair : loading_->driven)
     out = std::max(out, std::abs(at.d.value(pair.displacement, 0)));
   return out;
+}
+
+double System::block_forces(std::span<const double> d) const {
+  const double of_means = parallel_sum(equilibrium_.num_blocks(), blocks_at_once, [&](std::size_t b) {
+    const Vec3 resultant = equilibrium_.strain_stiffness()[b] * Eigen::Map<const Vec3>(d.data() + 6 * b + 3);
+    const double size = equilibrium_.block_size()[b];
+    return resultant.squaredNorm() / (size * size);
+  });
+  const std::size_t blocks = equilibrium_.num_blocks();
+  return std::sqrt(of_means + parallel_sum(equilibrium_.num_gradients(), blocks_at_once, [&](std::size_t i) {
+                     const Vec6 resultant = equilibrium_.gradients()[i].stiffness *
+                                            Eigen::Map<const Vec6>(d.data() + block_unknowns * (blocks + i));
+                     const double size = *equilibrium_.strain_size(blocks + i);
+                     return resultant.squaredNorm() / (size * size);
+                   }));
 }
 
 }  // namespace dda

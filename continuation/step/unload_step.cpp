@@ -16,11 +16,16 @@ std::optional<Point> unload_step(PathState& path) {
   if (path.walker.leaving().rate(goal.gauge) * rest < 0 && !path.walker.leaving().dissipates)
     path.walker.turn_back();
   const double rate = path.walker.leaving().rate(goal.gauge);
-  if (!(rate * rest > 0))
+  const bool has_turned = !(rate * rest > 0);
+  if (has_turned && path.walker.leaving().dissipates)
+    return controlled_step(path, dissipation_move(path.walker));
+  if (has_turned)
     return path.end(Ending::Kind::stopped_early,
                     fmt::format("unloading does not lead to {} = {:g}", goal.name, goal.value));
   constexpr double parts = 10;
-  if (path.memory.step == 0) path.memory.step = std::abs(rest) / parts;
+  if (path.memory.step == 0 || path.memory.step_kind != StepKind::unloading)
+    path.memory.step = std::abs(rest) / parts;
+  path.memory.step_kind = StepKind::unloading;
   const Move move{.kind = StepKind::unloading, .equation = make_gauge_equation(goal.gauge), .rate = rate};
   for (double length = path.memory.step; length > smallest_share * path.memory.step; length *= cut) {
     const bool arrives = length > (1 - 1e-9) * std::abs(rest);

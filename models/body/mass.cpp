@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 
+#include "meshing/geometry/triangle_rule.hpp"
 #include "models/body/motion.hpp"
+#include "models/kinematics/second_order.hpp"
 
 namespace dda {
 namespace {
@@ -36,6 +38,45 @@ Mat6 integral_of(const Block& block) {
   return integral(rows, rows, block.moments);
 }
 
+/// ∫ AᵀB dA of rows that vary with the place, to their product's degree of four.
+template <class A, class B>
+Mat6 integral_of_products(const Polygon& polygon, const Vec2& centre, const A& a, const B& b) {
+  Mat6 out = Mat6::Zero();
+  for_each_quadrature_point(polygon, centre,
+                            [&](double weight, const Vec2& x) { out += weight * a(x).transpose() * b(x); });
+  return out;
+}
+
+/// The strain gradient of a block of second order, and what it shares with its block.
+void add_gradient(const Body& body, BlockId id, double per_area, Mass& out) {
+  const Block& block = body.block(id);
+  const Vec2& centroid = block.moments.centroid;
+  const BlockId node = *body.gradient_of(id);
+  const auto own = [&](const Vec2& x) { return displacement_rows(x - centroid); };
+  const auto gradient = [&](const Vec2& x) {
+    return gradient_displacement_rows(x - centroid, body.size(id));
+  };
+  out.diagonal.push_back(per_area * integral_of_products(block.outline, centroid, gradient, gradient));
+  out.couplings.push_back(
+      {id, node, per_area * integral_of_products(block.outline, centroid, own, gradient)});
+}
+
+/// What the strain gradient of a block shares with the jumps by which a part of it moves, of a unit of mass per area.
+std::vector<Mass::Coupling> gradient_and_part(const Body& body, BlockId id, const Part& part) {
+  std::vector<Mass::Coupling> out;
+  const auto node = body.gradient_of(id);
+  if (!node) return out;
+  const Vec2 centroid = body.block(id).moments.centroid, of_part = moments(part.outline).centroid;
+  const auto gradient = [&](const Vec2& x) {
+    return gradient_displacement_rows(x - centroid, body.size(id));
+  };
+  for (const JumpId jump : part.jumps) {
+    const auto moved = [&](const Vec2& x) { return motion_of(body, jump, x).rows; };
+    out.push_back({*node, body.node_of(jump), integral_of_products(part.outline, of_part, gradient, moved)});
+  }
+  return out;
+}
+
 /// What the parts of a block of some mass per area that move beside it add to the nodes of their jumps, and share with the
 /// block.
 void add_parts(const Body& body, BlockId block, double per_area, Mass& out) {
@@ -56,6 +97,8 @@ void add_parts(const Body& body, BlockId block, double per_area, Mass& out) {
         else
           out.couplings.push_back({moves[i].first, moves[j].first, m});
       }
+    for (const auto& [node, jump, m] : gradient_and_part(body, block, part))
+      out.couplings.push_back({node, jump, per_area * m});
   }
 }
 
@@ -65,6 +108,7 @@ Mass mass_with(const Body& body, const std::vector<double>& densities) {
   const auto per_area = [&](std::size_t b) { return densities[b] * body.thickness; };
   for (std::size_t b = 0; b < densities.size(); ++b)
     out.diagonal.push_back(per_area(b) * integral_of(body.block(BlockId{b})));
+  for (const BlockId id : body.second_order.blocks) add_gradient(body, id, per_area(id.value()), out);
   if (!body.cracks) return out;
   constexpr double next_to_none = 1e-9;
   for (std::size_t j = 0; j < body.num_jumps(); ++j) {

@@ -30,7 +30,7 @@ struct Mass {
   static Mass identity(std::size_t num_nodes) { return {std::vector<Mat6>(num_nodes, Mat6::Identity())}; }
 };
 
-/// M = ∫ ρ NᵀN dV of every block, u = N d: of a block T, of the parts that move by a jump J beside it (motion.hpp), which
+/// M = ∫ ρ NᵀN dV of every block, u = N d: of a block T and its strain gradient's G, of the parts that move by a jump J beside it (motion.hpp), which
 /// share M with their block. The three unknowns of a jump's node that are none get next to no mass, so that no mode of
 /// theirs is among the lowest. With ρ = 1, or with the densities of the materials, all of them above 0.
 Mass unit_mass(const Body& body);

@@ -1,13 +1,11 @@
 #include "models/body/motion.hpp"
 
-#include <cmath>
+#include "models/kinematics/second_order.hpp"
 
 namespace dda {
 namespace {
 
-double length_of(const Body& body, JumpId jump) {
-  return std::sqrt(body.block(body.cracks->cut_of(jump).block).moments.area);
-}
+double length_of(const Body& body, JumpId jump) { return body.size(body.cracks->cut_of(jump).block); }
 
 std::span<const JumpId> jumps_at(const Body& body, BlockId block, const Vec2& x) {
   return body.cracks ? body.cracks->jumps_at(block, x) : std::span<const JumpId>();
@@ -24,13 +22,18 @@ NodeMotion motion_of(const Body& body, JumpId jump, const Vec2& x) {
 }
 
 std::vector<NodeMotion> motions_at(const Body& body, BlockId block, const Vec2& x) {
-  std::vector<NodeMotion> out{{block, displacement_rows(x - body.block(block).moments.centroid)}};
+  const Vec2 offset = x - body.block(block).moments.centroid;
+  std::vector<NodeMotion> out{{block, displacement_rows(offset)}};
+  if (const auto node = body.gradient_of(block))
+    out.push_back({*node, gradient_displacement_rows(offset, body.size(block))});
   for (const JumpId jump : jumps_at(body, block, x)) out.push_back(motion_of(body, jump, x));
   return out;
 }
 
 std::vector<std::pair<BlockId, Vec6>> rotations_at(const Body& body, BlockId block, const Vec2& x) {
   std::vector<std::pair<BlockId, Vec6>> out{{block, Vec6::Unit(2)}};
+  if (const auto node = body.gradient_of(block))
+    out.emplace_back(*node, gradient_rotation_row(x - body.block(block).moments.centroid, body.size(block)));
   for (const JumpId jump : jumps_at(body, block, x))
     out.emplace_back(body.node_of(jump), Vec6::Unit(2) / length_of(body, jump));
   return out;

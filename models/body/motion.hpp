@@ -20,7 +20,8 @@ struct NodeMotion {
 ///            [ 0  1   X/ℓ ]
 NodeMotion motion_of(const Body& body, JumpId jump, const Vec2& x);
 
-/// Of a point of a block: the block's own, T, and of the jumps by which its part there moves beside it.
+/// Of a point of a block: the block's own, T, that of its strain gradient if it is of second order, and those of the jumps
+/// by which its part there moves beside it.
 std::vector<NodeMotion> motions_at(const Body& body, BlockId block, const Vec2& x);
 
 /// Rates of rotation of a point of a block in the same nodes, 1 × 6 each.

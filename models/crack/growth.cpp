@@ -68,9 +68,8 @@ struct Before {
 };
 
 Growth growth(const Before& before, const Equilibrium& now, const std::vector<Cut>& cuts) {
-  const std::size_t leading = now.num_blocks() + now.num_jumps();
-  return {.nodes = nodes_of(now.num_blocks(), now.num_nodes() - leading, through_blocks(before.cuts),
-                            through_blocks(cuts)),
+  return {.nodes = nodes_of(now.num_block_nodes(), now.num_nodes() - now.num_leading(),
+                            through_blocks(before.cuts), through_blocks(cuts)),
           .points = points_of(before.points, stands(now, cuts)),
           .same_cuts = num_same(before.cuts, cuts)};
 }

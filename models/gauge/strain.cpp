@@ -2,6 +2,7 @@
 
 #include "models/body/place_schema.hpp"
 #include "models/gauge/gauge.hpp"
+#include "models/kinematics/second_order.hpp"
 #include "models/load/eigenstress.hpp"
 
 namespace dda {
@@ -49,14 +50,25 @@ Vec6 row_of(const Vec3& of_strain) {
   return out;
 }
 
+/// Rows of e·ε: the mean strain of a block, and at the point `at` what the gradient of its strain adds.
+Functional rows_of(const Body& body, const MeanParameters& p, const Share& share, const Vec3& e) {
+  const auto& [block, weight] = share;
+  Functional out{{{block, row_of(weight * e)}}};
+  if (const auto node = body.gradient_of(block); node && p.at) {
+    const Vec2 offset = locate(body.assembly, *p.at) - body.block(block).moments.centroid;
+    out.rows.emplace_back(*node, weight * gradient_strain_rows(offset, body.size(block)).transpose() * e);
+  }
+  return out;
+}
+
 /// Mean strain (εx, εy, γxy) of some blocks, e·ε.
 class StrainGauge final : public Gauge {
  public:
   explicit StrainGauge(MeanParameters p) : p_(std::move(p)) {}
   Functional functional(const GaugeSources& sources) const override {
     Functional out;
-    for (const auto& [block, weight] : shares(sources.body, p_))
-      out.rows.emplace_back(block, row_of(weight * unit(p_.component)));
+    for (const Share& share : shares(sources.body, p_))
+      out.add(1, rows_of(sources.body, p_, share, unit(p_.component)));
     return out;
   }
   Dimension dimension() const override { return dimension::none; }
@@ -75,8 +87,9 @@ class StressGauge final : public Gauge {
     const auto part = [&](std::span<const Vec3> stress, BlockId id) {
       return stress.empty() ? 0 : e.dot(stress[id.value()]);
     };
-    for (const auto& [block, weight] : shares(sources.body, p_)) {
-      out.rows.emplace_back(block, row_of(weight * sources.body.material(block).stiffness() * e));
+    for (const Share& share : shares(sources.body, p_)) {
+      const auto& [block, weight] = share;
+      out.add(1, rows_of(sources.body, p_, share, sources.body.material(block).stiffness() * e));
       out.constant += weight * part(sources.dead_stress, block);
       out.per_load_factor += weight * part(sources.reference_stress, block);
     }

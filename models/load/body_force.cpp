@@ -3,6 +3,7 @@
 #include "framework/base/suggestion.hpp"
 #include "framework/deck/formula.hpp"
 #include "models/body/motion.hpp"
+#include "models/kinematics/second_order.hpp"
 #include "models/load/load.hpp"
 #include "models/load/quadrature.hpp"
 
@@ -15,8 +16,9 @@ struct BodyForceParameters {
   Position where;
 };
 
-/// A force per volume, such as self-weight: f += ∫ Tᵀ b dV, and ∫ Jᵀ b dV on the jumps of what lies beyond cuts. An even
-/// one acts on the centroid's translations alone; another is integrated to 1e-11.
+/// A force per volume, such as self-weight: f += ∫ Tᵀ b dV, ∫ Gᵀ b dV on the strain gradients of blocks of second order, and
+/// ∫ Jᵀ b dV on the jumps of what lies beyond cuts. An even one acts on the centroid's translations alone of T; all else
+/// is integrated to 1e-11.
 class BodyForce final : public Load {
  public:
   explicit BodyForce(BodyForceParameters p) : p_(std::move(p)) {}
@@ -29,12 +31,25 @@ class BodyForce final : public Load {
       const auto rows = [&](const Vec2& x) { return displacement_rows(x - block.moments.centroid); };
       const Vec6 force = integral_of({block.outline, block.moments, body.thickness}, rows);
       Eigen::Map<Vec6>(stage.force.data() + 6 * i) += force;
+      add_to_gradient(stage, body, BlockId{i});
       if (body.cracks) add_to_jumps(stage, body, BlockId{i});
       stage.resultant += force.head<2>().norm();
     }
   }
 
  private:
+  /// f += ∫ Gᵀ b dV, u = G g.
+  void add_to_gradient(StageLoads& stage, const Body& body, BlockId id) const {
+    const auto node = body.gradient_of(id);
+    if (!node) return;
+    const Block& block = body.block(id);
+    const double size = body.size(id);
+    const auto density = [&](const Vec2& x) -> Integrals {
+      return gradient_displacement_rows(x - block.moments.centroid, size).transpose() * p_.force(x);
+    };
+    Eigen::Map<Vec6>(stage.force.data() + 6 * node->value()) +=
+        body.thickness * integral(block.outline, density);
+  }
   /// f += ∫ Jᵀ b dV over what a jump moves.
   void add_to_jumps(StageLoads& stage, const Body& body, BlockId id) const {
     for (const Part& part : body.cracks->parts(id)) {

@@ -23,13 +23,13 @@ class Consistent final : public Treatment {
   double largest_stiffness(const SideFaces& side) const override {
     return std::max(p_.alpha, largest_alpha) * mean_trace(side);
   }
-  PointRows rows(const SideFaces& side, const Mat26& first, const Mat26& second,
+  PointRows rows(const SideFaces& side, const MotionRows& first, const MotionRows& second,
                  const Vec2& p) const override {
-    PointRows out = jump_rows(side.normal, first, second);
+    PointRows out = jump_rows(side.normal, first.displacement, second.displacement);
     const Vec2 w = stress_weights(side);
     const auto traction = traction_rows(side.normal);
-    out.first_stress = w.x() * traction * side.first.stiffness * strain_rows();
-    out.second_stress = w.y() * traction * side.second.stiffness * strain_rows();
+    out.first_stress = w.x() * traction * side.first.stiffness * first.strain;
+    out.second_stress = w.y() * traction * side.second.stiffness * second.strain;
     out.first += p.cwiseInverse().asDiagonal() * out.first_stress;
     out.second += p.cwiseInverse().asDiagonal() * out.second_stress;
     return out;

@@ -17,8 +17,9 @@ class SpringJoint : public Treatment {
     constexpr double largest_factor = 1e4;
     return std::max(factor_, largest_factor) * unit(side);
   }
-  PointRows rows(const SideFaces& side, const Mat26& first, const Mat26& second, const Vec2&) const final {
-    return jump_rows(side.normal, first, second);
+  PointRows rows(const SideFaces& side, const MotionRows& first, const MotionRows& second,
+                 const Vec2&) const final {
+    return jump_rows(side.normal, first.displacement, second.displacement);
   }
   Vec2 stress_weights(const SideFaces&) const final { return Vec2::Zero(); }
 

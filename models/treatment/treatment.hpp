@@ -22,6 +22,12 @@ struct SideFaces {
   Vec2 normal;               ///< outward of first
 };
 
+/// How a point of a block moves and strains by one of its nodes: by d of the block, or by the gradient of its strain.
+struct MotionRows {
+  Mat26 displacement = Mat26::Zero();  ///< [L]
+  Mat36 strain = Mat36::Zero();
+};
+
 /// Rows of one interface point: q = first·d_first + second·d_second, and the mean traction
 /// {σ}n = first_stress·d_first + second_stress·d_second whose energy ½ {σ}n·P⁻¹{σ}n is subtracted.
 struct PointRows {
@@ -49,8 +55,8 @@ class Treatment {
   virtual double stiffness(const SideFaces& side) const = 0;
   /// The largest k to which a steep law may raise it [F/L³].
   virtual double largest_stiffness(const SideFaces& side) const = 0;
-  /// Rows of a point from the displacement rows T of both blocks at it.
-  virtual PointRows rows(const SideFaces& side, const Mat26& first, const Mat26& second,
+  /// Rows of a point from those of a node of each block at it.
+  virtual PointRows rows(const SideFaces& side, const MotionRows& first, const MotionRows& second,
                          const Vec2& p) const = 0;
   virtual Multiplier multiplier() const { return Multiplier::none; }
   /// δ of multipliers, t = (1 + δ) P m: what they leave open of a joint that holds, g = δ m. Keeps redundant

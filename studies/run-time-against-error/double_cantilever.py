@@ -20,6 +20,9 @@ MOMENT = math.sqrt(ENERGY * WIDTH * YOUNG * WIDTH * ARM**3 / 12)
 SIZES = {"triangles": (3, 4, 6, 8), "quads": (4, 6, 8, 10), "voronoi": (4, 6, 8, 10)}
 
 
+SECOND_ORDER_SIZES = {"triangles": (1, 2, 3, 4), "quads": (2, 4, 6), "voronoi": (2, 3, 4, 6)}  # of blocks of second order
+
+
 def scene_of(polygons, subdivision):
     half = ARM / 2
     return {"regions": blocks.regions(polygons), "subdivision": subdivision,

@@ -22,6 +22,9 @@ OUTLINE = blocks.rectangle(0, -HEIGHT / 2, LENGTH, HEIGHT / 2)
 SIZES = {"triangles": (2, 4, 8, 16, 24, 32), "quads": (4, 8, 16, 24, 32, 40), "voronoi": (4, 8, 16, 24, 32, 40)}
 
 
+SECOND_ORDER_SIZES = {"triangles": (1, 2, 4, 8, 16), "quads": (1, 2, 4, 8, 16), "voronoi": (2, 4, 8, 16)}  # of blocks of second order
+
+
 def displacement(x, y):
     h2 = HEIGHT**2
     scale = SHEAR / (6 * YOUNG * INERTIA)
@@ -99,10 +102,18 @@ def radon():
     return np.array(points), np.array(weights)
 
 
-def affine(vertices, moved):
-    """a, G with u(x) = a + G x of one block from its vertices."""
-    rows = np.column_stack([np.ones(len(vertices)), vertices])
-    return np.linalg.lstsq(rows, moved, rcond=None)[0]
+def monomials(x, y, degree):
+    """1, x, y and of degree two x², x y, y²; the last axis is theirs."""
+    linear = [np.ones_like(x), x, y]
+    return np.stack(linear + [x * x, x * y, y * y] if degree == 2 else linear, axis=-1)
+
+
+def polynomial(vertices, moved, degree):
+    """u(x) of one block as a function of places, from the vertices of its outline (and the middles of its sides)."""
+    centre = vertices.mean(axis=0)
+    of_vertices = monomials(*(vertices - centre).T, degree)
+    factors = np.linalg.lstsq(of_vertices, moved, rcond=None)[0]
+    return lambda at: monomials(*np.moveaxis(at - centre, -1, 0), degree) @ factors
 
 
 def error(run):
@@ -112,6 +123,7 @@ def error(run):
         raise ValueError("no solution")
     moved = fields.vertices[["displacement_x", "displacement_y"]].to_numpy() / fields.load_factor
     points, weights = radon()
+    degree = 2 if "strain_gradient_xx_x" in fields.blocks else 1
     wrong = total = 0
     for a, moves in zip(fields.mesh.polygons, fields.mesh.by_block(moved)):
         b, c = np.roll(a, -1, axis=0), a.mean(axis=0)
@@ -119,7 +131,7 @@ def error(run):
         at = points[:, :1] * c + points[:, 1:2] * a[:, None] + points[:, 2:] * b[:, None]
         share = areas[:, None] * weights
         exact = np.stack(displacement(at[..., 0], at[..., 1]), axis=-1)
-        found = np.concatenate([np.ones((*at.shape[:2], 1)), at], axis=-1) @ affine(a, moves)
+        found = polynomial(a, moves, degree)(at)
         wrong += np.sum(share * np.sum((found - exact) ** 2, axis=-1))
         total += np.sum(share * np.sum(exact**2, axis=-1))
     return float(np.sqrt(wrong / total))

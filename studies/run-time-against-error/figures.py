@@ -10,7 +10,7 @@ from ddapath import study
 
 plt = study.plots("run-time-against-error")
 
-COLOURS = {"consistent": "#0b5fa5", "penalty": "#c8550a", "augmented_lagrangian": "#2f8f4e", "lagrange": "#8e3a9d"}
+COLOURS = {"consistent": "#0b5fa5", "second_order": "#000000", "penalty": "#c8550a", "augmented_lagrangian": "#2f8f4e", "lagrange": "#8e3a9d"}
 GREY = "#a8a8a8"
 
 

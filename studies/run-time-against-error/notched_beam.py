@@ -49,11 +49,13 @@ def ligament():
 
 
 def quads(cuts):
-    """Coarse squares, graded with T-joints, each cut into cuts × cuts."""
+    """Coarse squares, graded with T-joints, each cut into cuts × cuts; below one they are so much coarser."""
     half = []
+    coarsest = COARSEST / min(cuts, 1)
+    cuts = max(cuts, 1)
     for start, end, scale in BANDS:
-        rows = round(DEPTH / (scale * COARSEST))
-        columns = max(1, round((end - start) / (scale * COARSEST)))
+        rows = round(DEPTH / (scale * coarsest))
+        columns = max(1, round((end - start) / (scale * coarsest)))
         width, height = (end - start) / columns, DEPTH / rows
         half += [blocks.rectangle(start + i * width, j * height, start + (i + 1) * width, (j + 1) * height)
                  for i in range(columns) for j in range(rows)]
@@ -69,6 +71,13 @@ def voronoi(size):
     half = blocks.with_vertex(half, [0, NOTCH])
     return ligament() | {"regions": blocks.regions(blocks.mirrored(half, 0)), "subdivision": {"type": "given"}}
 
+
+# Of blocks of second order.
+SECOND_ORDER_SIZES = {
+    "triangles": (22, 16, 11, 8, 5.6, 4),
+    "quads": (0.5, 1, 2, 3, 4, 5),
+    "voronoi": (12.5, 9, 6.25, 4, 2.8, 2),
+}
 
 SCENES = {"triangles": triangles, "quads": quads, "voronoi": voronoi}
 

@@ -11,7 +11,9 @@ import softening_bar
 CLAIMED_SHARE = 0.25  # of penalty's time, in which consistent is to reach the same peak load
 CLAIMED_SHAPES = ("quads", "voronoi")
 FINE_ERROR, MOST_BLOCKS = 0.002, 8000
-REFERENCE_TREATMENT = "consistent"
+REFERENCE_TREATMENT, SECOND_ORDER = "consistent", "second_order"
+UNKNOWNS = {REFERENCE_TREATMENT: 6, SECOND_ORDER: 12}  # of a block
+ORDERS_AT = (0.01, 0.003, 0.001)
 
 
 def lines_of(runs, time="seconds"):
@@ -26,7 +28,7 @@ def comparisons(found):
         elapsed, processor = lines_of(runs), lines_of(runs, "processor")
         references = {key[0]: key for key in chosen if key[1] == REFERENCE_TREATMENT}
         for key in chosen:
-            if key[1] != REFERENCE_TREATMENT:
+            if key[1] not in (REFERENCE_TREATMENT, SECOND_ORDER):
                 keys = (references[key[0]], key)
                 row = comparison(problem, elapsed, keys, target)
                 out.append(row | {"processor_factor": comparison(problem, processor, keys, target)["factor"]})
@@ -89,6 +91,22 @@ def comparison_table(rows):
                f"{ratio(row['factor'])} | {ratio(row['processor_factor'])} | {touch} |")
 
 
+def orders_table(runs):
+    """Blocks of first and of second order with consistent joints, at equal errors."""
+    yield "| blocks | error | first order: unknowns, seconds | second order: unknowns, seconds | unknowns | time |"
+    yield "|---|---|---|---|---|---|"
+    for shape in dict.fromkeys(key[0] for key in runs if key[1] == SECOND_ORDER):
+        found = {order: next(line for key, line in runs.items() if key[:2] == (shape, order)) for order in UNKNOWNS}
+        for target in ORDERS_AT:
+            unknowns, elapsed = ({order: fronts.time_to([(of(run, order), run.error) for run in line], target)
+                                  for order, line in found.items()}
+                                 for of in (lambda run, order: UNKNOWNS[order] * run.blocks, lambda run, order: run.seconds))
+            cells = (f"{unknowns[order]:.0f}, {seconds(elapsed[order])}" if math.isfinite(elapsed[order]) else "not reached"
+                     for order in UNKNOWNS)
+            factors = (ratio(of[REFERENCE_TREATMENT] / of[SECOND_ORDER]) for of in (unknowns, elapsed))
+            yield f"| {shape} | {percent(target)} | {' | '.join(cells)} | {' | '.join(factors)} |"
+
+
 def lucky_hit(row):
     """What the last column of the comparison hides: how a parameter that touched the target does on finer blocks."""
     name = row["treatment"].replace("_", " ")
@@ -141,6 +159,10 @@ def section(problem, runs, chosen, rows):
     yield f"![{problem.TITLE}: error over time](results/{problem.NAME}.svg)\n"
     yield from comparison_table(rows)
     yield ""
+    if any(key[1] == SECOND_ORDER for key in runs):
+        yield "Order of the blocks, both with consistent joints; the factors say how many times more first order takes:\n"
+        yield from orders_table(runs)
+        yield ""
     yield from (lucky_hit(row) for row in rows if row["touch_parameter"] not in ("", row["parameter"]))
     yield "\nThe best of each treatment, from coarse to fine:\n"
     yield from runs_table(runs, chosen)

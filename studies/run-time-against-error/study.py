@@ -27,7 +27,8 @@ import tables  # noqa: E402
 from ddapath import study  # noqa: E402
 
 PROBLEMS = (elastic_cantilever, softening_bar, double_cantilever, notched_beam)
-TREATMENTS = ("consistent", "penalty", "augmented_lagrangian", "lagrange")
+SECOND_ORDER = "second_order"  # consistent joints between blocks of second order
+TREATMENTS = ("consistent", SECOND_ORDER, "penalty", "augmented_lagrangian", "lagrange")
 FACTORS = (1, 5, 10, 20, 30, 50, 100, 1000, 1e4)  # of the penalty stiffness
 # Parameters tried beside a treatment's defaults; the softening bar shows that the consistent joint needs none.
 PARAMETERS = {("penalty", None): ("factor", FACTORS), ("consistent", softening_bar.NAME): ("alpha", (0.6, 2, 10))}
@@ -48,11 +49,12 @@ class Plan:
 
 
 QUICK = Plan((elastic_cantilever, softening_bar, notched_beam), sizes=2, factors=(10, 100), repeats=1,
-             treatments=("consistent", "penalty"))
+             treatments=("consistent", SECOND_ORDER, "penalty"))
 
 
 def known_treatments(wanted):
     known = {line.split()[0] for line in study.told("explain", "treatment").splitlines()[1:] if line.strip()}
+    known.add(SECOND_ORDER)
     for name in wanted:
         if name not in known:
             print(f"skipped: this program does not know the treatment {name}", file=sys.stderr)
@@ -69,6 +71,18 @@ def variants(treatment, problem, plan):
     return [(f"{value:g}", {"type": treatment, name: value}) for value in values]
 
 
+def sizes_of(problem, shape, treatment, most=100):
+    """The first sizes of a block type, from coarse to fine; blocks of second order have sizes of their own."""
+    sizes = getattr(problem, "SECOND_ORDER_SIZES", {}) if treatment == SECOND_ORDER else problem.SIZES
+    return sizes.get(shape, ())[:most]
+
+
+def deck_of(problem, scene, treatment):
+    if treatment["type"] == SECOND_ORDER:
+        return problem.deck(scene, {"type": "consistent"}) | {"kinematics": "second_order"}
+    return problem.deck(scene, treatment)
+
+
 class Runner:
     """Runs decks in one folder and says how far it is."""
 
@@ -76,17 +90,19 @@ class Runner:
         self.folder, self.repeats = folder, repeats
 
     def run(self, problem, scene, treatment):
-        return measure.measure(problem.deck(scene, treatment), problem.error, self.repeats, self.folder)
+        return measure.measure(deck_of(problem, scene, treatment), problem.error, self.repeats, self.folder)
 
     def sweep(self, problem, treatments, plan):
         """(block type, treatment, parameter) → its runs from coarse to fine. All that have the same blocks run one
         after another, so that what else the machine does disturbs them alike."""
         runs = {}
-        for shape, sizes in problem.SIZES.items():
-            for size in sizes[:plan.sizes]:
+        for shape in problem.SIZES:
+            own = {treatment: sizes_of(problem, shape, treatment, plan.sizes) for treatment in treatments}
+            is_of_blocks = problem.SIZES[shape][0] > problem.SIZES[shape][-1]  # else their number
+            for size in sorted({size for sizes in own.values() for size in sizes}, reverse=is_of_blocks):
                 print(f"{problem.NAME}: {shape} {size}", file=sys.stderr)
                 scene = problem.SCENES[shape](size)
-                for treatment in treatments:
+                for treatment in (t for t in treatments if size in own[t]):
                     for label, value in variants(treatment, problem, plan):
                         key = (shape, treatment, label)
                         done = runs.setdefault(key, [])
@@ -108,6 +124,8 @@ def arguments():
     parser.add_argument("--repeats", type=int, default=3, help="runs of which the median is kept (default 3)")
     parser.add_argument("--only", action="append", choices=[p.NAME for p in PROBLEMS],
                         help="run this problem again and keep the runs of the others; repeatable")
+    parser.add_argument("--treatment", action="append", choices=TREATMENTS,
+                        help="run this treatment again and keep the runs of the others; repeatable")
     parser.add_argument("--report", action="store_true", help="run nothing; figures and README from results/*.csv")
     return study.arguments(parser, HERE)
 
@@ -116,6 +134,8 @@ def plan_of(asked):
     plan = QUICK if asked.quick else Plan(PROBLEMS, repeats=asked.repeats)
     if asked.only:
         plan = replace(plan, problems=tuple(p for p in PROBLEMS if p.NAME in asked.only))
+    if asked.treatment:
+        plan = replace(plan, treatments=tuple(asked.treatment))
     return plan
 
 
@@ -123,8 +143,10 @@ def run_all(plan, results):
     treatments = known_treatments(plan.treatments)
     with tempfile.TemporaryDirectory() as folder:
         for problem in plan.problems:
-            runs = Runner(folder, plan.repeats).sweep(problem, treatments, plan)
-            tables.write_runs(results / f"{problem.NAME}.csv", problem.SIZES, runs)
+            file = results / f"{problem.NAME}.csv"
+            kept = tables.read_runs(file) if len(treatments) < len(TREATMENTS) and file.exists() else {}
+            runs = kept | Runner(folder, plan.repeats).sweep(problem, treatments, plan)
+            tables.write_runs(file, lambda shape, treatment: sizes_of(problem, shape, treatment), runs)
 
 
 def write_report(output):

@@ -7,13 +7,14 @@ from measure import Measured
 COLUMNS = ["block_type", "size", "treatment", "parameter", "blocks", "seconds", "processor_seconds", "error", "note"]
 
 
-def write_runs(file, sizes, runs):
-    """`runs`: (block type, treatment, parameter) → Measured from coarse to fine, of the first of the sizes."""
+def write_runs(file, sizes_of, runs):
+    """`runs`: (block type, treatment, parameter) → Measured from coarse to fine, of the first of the sizes that a block type
+    and a treatment have."""
     with file.open("w", newline="", encoding="utf-8") as stream:
         writer = csv.writer(stream, lineterminator="\n")
         writer.writerow(COLUMNS)
         for (shape, treatment, label), found in runs.items():
-            for size, run in zip(sizes[shape], found):
+            for size, run in zip(sizes_of(shape, treatment), found):
                 writer.writerow([shape, size, treatment, label, run.blocks, f"{run.seconds:.4f}",
                                  f"{run.processor:.4f}", f"{run.error:.6g}", run.note])
 

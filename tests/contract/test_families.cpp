@@ -9,6 +9,7 @@
 #include "models/crack_direction/direction.hpp"
 #include "models/gauge/gauge.hpp"
 #include "models/interface/law.hpp"
+#include "models/kinematics/kinematics.hpp"
 #include "models/load/load.hpp"
 #include "models/material/material.hpp"
 #include "models/time_function/time_function.hpp"
@@ -37,7 +38,7 @@ std::vector<FamilyUnderTest> known_families() {
           under_test(gauges()),           under_test(loads()),          under_test(direct_solvers()),
           under_test(crack_directions()), under_test(controls()),       under_test(subdivisions()),
           under_test(load_solvers()),     under_test(contact_laws()),   under_test(integrators()),
-          under_test(time_functions())};
+          under_test(time_functions()),   under_test(kinematics())};
 }
 
 struct Entry {

@@ -62,7 +62,8 @@ class TreatmentContract : public testing::TestWithParam<std::string> {
   }
   std::unique_ptr<Treatment> next() { return make(sample(schema(), random_)); }
   PointRows rows(const Treatment& treatment, const Pair& pair, const Vec2& p) const {
-    return treatment.rows(pair.faces, pair.rows(pair.first), pair.rows(pair.second), p);
+    return treatment.rows(pair.faces, {pair.rows(pair.first), strain_rows()},
+                          {pair.rows(pair.second), strain_rows()}, p);
   }
   Random random_{22};
 };

@@ -34,7 +34,8 @@ class Structure {
     std::vector<std::shared_ptr<const Material>> made;
     for (const Region& region : assembly_->regions)
       made.push_back(deck_.material_names.at(region.material).make(deck_.plane));
-    body_ = std::make_unique<const Body>(Body{*assembly_, deck_.thickness, made});
+    body_ = std::make_unique<const Body>(
+        Body{*assembly_, deck_.thickness, made, nullptr, second_order_blocks(*assembly_, deck_.kinematics)});
   }
 
   const ModelDeck& deck() const { return deck_; }
@@ -43,7 +44,7 @@ class Structure {
   Equilibrium equilibrium() const { return Equilibrium(*body_, deck_); }
   StageLoads no_loads() const {
     StageLoads out;
-    out.force.assign(6 * assembly_->num_blocks(), 0.0);
+    out.force.assign(6 * body_->num_nodes(), 0.0);
     return out;
   }
   /// Unknowns of the displacement field u(x) = a + G x: of every block the same field.

@@ -24,6 +24,8 @@ struct Cantilever {
 
   /// Deck of the cantilever cut into blocks; treatment, points and subdivision in YAML.
   std::string deck(const std::string& subdivision, const std::string& joint) const;
+  bool is_plane_strain = false;  ///< then by the moduli E/(1 − ν²) and ν/(1 − ν)
+  std::string kinematics = "first_order";
 };
 
 /// The result of one assembly.

@@ -23,6 +23,7 @@ scene:
     lower_outer: [[0, -{3}], [0, -{1}]]
   subdivision: {{type: grid, columns: {4}, rows: {5}}}
 thickness: {6}
+kinematics: {10}
 materials: {{concrete: {{type: linear_elastic, young_modulus: {7}, poisson_ratio: 0.2}}}}
 interfaces:
   ligament: {{law: {{type: linear_softening, tensile_strength: {8}, fracture_energy: {9}}}}}
@@ -38,7 +39,7 @@ stages:
 path: {{step: {{accuracy: 0.002}}, stop: {{load_below: 0.8, after_steps: 300}}}}
 )",
                      length, arm_height, crack, arm_height / 2, std::lround(rows * length / arm_height), rows,
-                     width, young, strength, energy);
+                     width, young, strength, energy, kinematics);
 }
 
 double DoubleCantilever::mean_plateau() const {

@@ -17,6 +17,7 @@ struct DoubleCantilever {
   double energy = 0.002;                                         ///< Gf [N/mm]
   double young = 30000;                                          ///< [MPa]
   double arm_height = 10, width = 10, length = 100, crack = 30;  ///< h, b, L, a [mm]
+  std::string kinematics = "first_order";
 
   std::string deck() const;
   double moment() const {

@@ -41,7 +41,8 @@ Traced traced(const Simulation& simulation, const Point& point) {
 Structure::Structure(const std::string& deck_text)
     : deck(deck_from_text(deck_text, "verification.yaml", {}).deck),
       assembly(mesh(deck.scene)),
-      body{assembly, deck.thickness, materials_of(assembly, deck)},
+      body{assembly, deck.thickness, materials_of(assembly, deck), nullptr,
+           second_order_blocks(assembly, deck.kinematics)},
       equilibrium(body, deck) {}
 
 std::size_t Trace::peak() const {

@@ -21,5 +21,13 @@ TEST(DoubleCantilever, MomentGoesWithTheRootOfTheFractureEnergy) {
   EXPECT_NEAR((DoubleCantilever{.energy = 0.003}.mean_plateau()), 1, 0.02);
 }
 
+/// With a sixteenth of the blocks, an eighth of the unknowns.
+TEST(DoubleCantilever, BlocksOfSecondOrderNeedAnEighthOfTheUnknowns) {
+  const double first = DoubleCantilever{.rows = 8}.mean_plateau() - 1,
+               second = DoubleCantilever{.rows = 2, .kinematics = "second_order"}.mean_plateau() - 1;
+  EXPECT_NEAR(second, 0, 0.01);
+  EXPECT_LT(std::abs(second), std::abs(first));
+}
+
 }  // namespace
 }  // namespace dda::verification

@@ -1,4 +1,4 @@
-"""Blocks that cracks have cut: jumps are nodes behind the blocks, e = (e_x, e_y, ℓ r) of what lies right of a cut.
+"""Blocks that cracks have cut: jumps are nodes behind the blocks and gradients, e = (e_x, e_y, ℓ r) of what lies right of a cut.
 
     J(x) = [1 0 −Y/ℓ; 0 1 X/ℓ],  (X, Y) from the middle of the cut,  ℓ² the area of its block
 """
@@ -17,12 +17,12 @@ def distance_to(x, polygon):
 
 
 class Jumps:
-    """Those across the cuts through blocks at a step, numbered as nodes behind the blocks."""
+    """Those across the cuts through blocks at a step, numbered as nodes behind those of the blocks."""
 
     def __init__(self, model, cut):
-        self.cut, self.num_blocks = cut, model.mesh.num_blocks
+        self.cut, self.first = cut, model.num_block_nodes
         through = cut.cuts[cut.cuts["side"] < 0]
-        self.node_of_cut = {number: self.num_blocks + i for i, number in enumerate(through.index)}
+        self.node_of_cut = {number: self.first + i for i, number in enumerate(through.index)}
         self.middle = (through[["start_x", "start_y"]].to_numpy() + through[["end_x", "end_y"]].to_numpy()) / 2
         self.length = np.sqrt(model.mesh.areas[through["block"]])
         self.block = through["block"].to_numpy()
@@ -39,7 +39,7 @@ class Jumps:
 
     def rows(self, node, x):
         """J(x), 2 × 6 with nothing in the last three columns."""
-        i = node - self.num_blocks
+        i = node - self.first
         out = np.zeros((2, 6))
         out[:, :2] = np.eye(2)
         out[:, 2] = (self.middle[i][1] - x[1]) / self.length[i], (x[0] - self.middle[i][0]) / self.length[i]
@@ -54,14 +54,14 @@ class Jumps:
         away = [distance_to(x, outlines.vertices[outlines.offsets[part]:outlines.offsets[part + 1]]) for part in parts]
         return self.moves[parts[int(np.argmin(away))]]
 
-    def along(self, blocks, line, normal, shares):
-        """By which jumps each point of a line opens, [(node, rows)] for each of `shares` of its length.
+    def along(self, blocks, line, normal, rule):
+        """By which jumps each point of a line opens, [(node, rows)] for each of its points, shares of its length.
 
         A jump along all of the line enters by its value at the point. Where a cut ends on the line it moves but a piece
         of it; then a point has what its share N of a traction that varies linearly along the line works on there,
         rows_i = 1/w_i ∫_piece N_i [n s]ᵀ J ds / L, with two Gauss points.
         """
-        start, end = line
+        (start, end), shares = line, rule[0]
         near = np.isin(self.cut.cuts["block"], blocks) & (self.cut.cuts["side"] < 0)
         ends = self.cut.cuts.loc[near, ["start_x", "start_y", "end_x", "end_y"]].to_numpy().reshape(-1, 2)
         at = stations(start, end, [x for x in ends if is_between(x, start, end, self.tolerance)], self.tolerance)
@@ -76,7 +76,7 @@ class Jumps:
                 if len(pieces) == len(at) - 1:
                     rows = pieces[0][2] * self.rows(node, start + share * (end - start))
                 else:
-                    rows = sum(sign * self._mean(node, (a, b), line, shares, i) for a, b, sign in pieces)
+                    rows = sum(sign * self._mean(node, (a, b), line, rule, i) for a, b, sign in pieces)
                 out[i].append((node, frame @ rows))
         return out
 
@@ -89,16 +89,16 @@ class Jumps:
                 signs[node] = signs.get(node, 0) + sign
         return {node: sign for node, sign in signs.items() if sign}
 
-    def _mean(self, node, piece, line, shares, i):
-        (start, end), (a, b) = line, piece
+    def _mean(self, node, piece, line, rule, i):
+        (start, end), (a, b), (shares, weights) = line, piece, rule
         along = end - start
         out = np.zeros((2, 6))
         for gauss in (0.5 - 0.5 / np.sqrt(3), 0.5 + 0.5 / np.sqrt(3)):
             x = a + gauss * (b - a)
             xi = (x - start) @ along / (along @ along)
-            weight = 1.0 if len(shares) == 1 else (xi - shares[1 - i]) / (shares[i] - shares[1 - i])
+            weight = np.prod([(xi - other) / (shares[i] - other) for other in shares if other != shares[i]])
             out += weight * self.rows(node, x)
-        return out * len(shares) / 2 * np.hypot(*(b - a)) / np.hypot(*along)
+        return out / (2 * weights[i]) * np.hypot(*(b - a)) / np.hypot(*along)
 
     def unknowns(self, of_parts, centroids):
         """e of every jump from the motions of the parts about the centroids of their blocks, jumps × 6."""
@@ -109,9 +109,9 @@ class Jumps:
             for k, part in enumerate(parts):
                 right[3 * k:3 * k + 3] = of_parts[part, :3] - of_parts[parts[0], :3]
                 for j, i in enumerate(own):
-                    if self.num_blocks + i not in self.moves[part]:
+                    if self.first + i not in self.moves[part]:
                         continue
-                    here = self.rows(self.num_blocks + i, centroids[block])
+                    here = self.rows(self.first + i, centroids[block])
                     system[3 * k:3 * k + 2, 3 * j:3 * j + 3] = here[:, :3]
                     system[3 * k + 2, 3 * j + 2] = 1 / self.length[i]
             out[own, :3] = np.linalg.lstsq(system, right, rcond=None)[0].reshape(-1, 3)

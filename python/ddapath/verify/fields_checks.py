@@ -29,8 +29,10 @@ def worst_point(step, values, what):
 
 def residuals(step):
     """(residual force of every block and jump, sum of the forces on it); nan where a traction is not stored."""
-    size = np.concatenate([np.sqrt(step.model.mesh.areas), np.ones(len(step.model.jumps))])
+    sizes = [np.sqrt(step.model.mesh.areas), step.model.gradients.sizes, np.ones(len(step.model.jumps))]
+    size = np.concatenate(sizes)
     unit = np.stack([np.ones_like(size), np.ones_like(size), size, size, size, size], -1)
+    unit[len(sizes[0]):len(sizes[0]) + len(sizes[1]), :2] = sizes[1][:, None]  # a gradient's unknowns are all strains
     residual, scale = np.zeros((len(size), 6)), np.zeros(len(size))
     for blocks, forces in step.parts():
         np.add.at(residual, blocks, forces)
@@ -39,8 +41,8 @@ def residuals(step):
     for side in (0, 1):  # tractions of bonds are worked out from displacements
         of_bonds = np.where(step.model.points.active, 0, step.model.points.weight * step.noise)
         np.add.at(noise, step.model.points.blocks[:, side], of_bonds)
-    point, node, _ = step.model.points.jumps
-    np.add.at(noise, node, np.where(step.model.points.active, 0, step.model.points.weight * step.noise)[point])
+    for point, node, *_ in (step.model.points.gradients, step.model.points.jumps):
+        np.add.at(noise, node, np.where(step.model.points.active, 0, step.model.points.weight * step.noise)[point])
     np.add.at(noise, step.model.springs["block"], step.spring_noise)
     return np.maximum(np.abs(residual / unit).max(axis=1) - noise, 0), scale
 
@@ -68,9 +70,10 @@ def equilibrium(steps):
 
 def place_of(step, node):
     """Where a node is, and what."""
-    beyond = node - step.model.mesh.num_blocks
+    beyond = node - step.model.num_block_nodes
     if beyond < 0:
-        return step.model.centroids[node], f"block {node}"
+        block = node if node < step.model.mesh.num_blocks else step.model.gradients.blocks[node - step.model.mesh.num_blocks]
+        return step.model.centroids[block], f"block {block}"
     return step.model.jumps.middle[beyond], f"the part beyond the cut through block {step.model.jumps.block[beyond]}"
 
 
@@ -186,6 +189,8 @@ def stored_energy(step):
     """Of blocks, joints and supports; loads and what drives the structure have none."""
     model, points = step.model, step.model.points
     total = 0.5 * (model.volumes * np.einsum("bi,bi->b", step.strain, step.stress)).sum()
+    g = step.d[model.mesh.num_blocks:model.num_block_nodes]
+    total += 0.5 * np.einsum("bi,bij,bj->", g, model.gradients.stiffness, g)
     springs = model.springs
     held = (springs["dead"] == 0) & (springs["reference"] == 0)
     total += 0.5 * (step.spring_forces[held]**2 / springs["stiffness"][held]).sum()

@@ -1,7 +1,8 @@
 """What a run's equilibrium is checked with: blocks, points, loads and springs, from fields/mesh.h5 and the deck alone.
 
 Per block d = (u0, v0, r0, εx, εy, γxy) about the centroid, u(x) = T(x) d; per point a trial opening q in (n, s).
-Nodes are the blocks and, where cracks cut them, behind these the jumps of cuts.py.
+Nodes are the blocks, behind them the strain gradients of blocks of second order (second_order.py) and, where cracks cut
+blocks, the jumps of cuts.py.
 """
 import copy
 from dataclasses import dataclass
@@ -11,10 +12,12 @@ import numpy as np
 
 from ..errors import NothingStored
 from ..fields import read_mesh, text_of
-from . import cuts, laws
+from . import cuts, laws, second_order
 
-GAUSS = 0.5 / np.sqrt(3.0)
-RULES = {"gauss": (0.5 - GAUSS, 0.5 + GAUSS), "vertices": (0.0, 1.0), "midpoint": (0.5,)}
+GAUSS, GAUSS_3 = 0.5 / np.sqrt(3.0), 0.5 * np.sqrt(0.6)
+RULES = {"gauss": (0.5 - GAUSS, 0.5 + GAUSS), "gauss_3": (0.5 - GAUSS_3, 0.5, 0.5 + GAUSS_3), "vertices": (0.0, 1.0),
+         "midpoint": (0.5,)}
+WEIGHTS = {"gauss": (1 / 2, 1 / 2), "gauss_3": (5 / 18, 8 / 18, 5 / 18), "vertices": (1 / 2, 1 / 2), "midpoint": (1.0,)}
 WITH_MULTIPLIERS = ("lagrange", "augmented_lagrangian")
 
 
@@ -52,6 +55,7 @@ class Interface:
     law: object
     treatment: str
     points: str
+    second_order_points: str
     perturbation: float
     energy_exponent: float
 
@@ -75,13 +79,15 @@ def interface_of(name, deck):
     kind = treatment if isinstance(treatment, str) else treatment["type"]
     given = {} if isinstance(treatment, str) else treatment
     law = laws.make(entry["law"])
-    points = entry.get("points") or ("vertices" if kind in WITH_MULTIPLIERS else "gauss")
+    has_multipliers, given_points = kind in WITH_MULTIPLIERS, entry.get("points")
+    points = {"gauss_2": "gauss"}.get(given_points, given_points) or ("vertices" if has_multipliers else "gauss")
+    second_order_points = "gauss_3" if (given_points or ("gauss_2" if has_multipliers else "gauss")) == "gauss" else "gauss"
     field = entry.get("field") or {}
-    return Interface(name, law, kind, points, perturbation_of(kind, given, law.is_separate),
+    return Interface(name, law, kind, points, second_order_points, perturbation_of(kind, given, law.is_separate),
                      field.get("energy_exponent", 2.0))
 
 
-BOND = Interface("", laws.make({"type": "bonded"}), "consistent", "gauss", 0.0, 2.0)
+BOND = Interface("", laws.make({"type": "bonded"}), "consistent", "gauss", "gauss_3", 0.0, 2.0)
 
 
 class Tables:
@@ -140,6 +146,8 @@ class Model:
         self.moduli = np.array([material["young_modulus"] for material in materials])[self.mesh.region]
         self.largest_modulus = max(material["young_modulus"] for material in materials)
         self.weak_stiffness = self.deck["weak_springs"] * self.largest_modulus * self.thickness
+        numbers = tables.rows("second_order/block", 1)
+        self.gradients = second_order.Gradients(self, np.zeros(0, dtype=int) if numbers is None else numbers[:, 0].astype(int))
         none = np.zeros((self.mesh.num_blocks, 3))
         self.stress = [none if found is None else found
                        for found in (tables.rows(f"initial_stress/{part}", 3) for part in ("dead", "reference"))]
@@ -157,7 +165,7 @@ class Model:
         self.loads = {}
         blocks = tables["load/block"].astype(int)
         for part in ("dead", "reference"):
-            force = np.zeros((self.mesh.num_blocks, 6))
+            force = np.zeros((self.num_block_nodes, 6))
             force[blocks] = tables.rows(f"load/{part}", 6)
             self.loads[part] = force
 
@@ -165,6 +173,17 @@ class Model:
         self.springs = {name: tables[f"spring/{name}"] for name in ("stiffness", "dead", "reference", "names")}
         self.springs |= {"spring": tables["spring_part/spring"].astype(int), "block": tables["spring_part/block"].astype(int),
                          "row": tables.rows("spring_part/row", 6)}
+
+    @property
+    def num_block_nodes(self):
+        """Of blocks and strain gradients."""
+        return self.mesh.num_blocks + len(self.gradients)
+
+    def rule_of(self, side):
+        """Shares of the points of a side, and their weights."""
+        interface = self.interfaces[self.sides["interface"][side]]
+        name = interface.second_order_points if self.gradients.is_second_order[self.sides["blocks"][side]].any() else interface.points
+        return RULES[name], WEIGHTS[name]
 
     @cached_property
     def size(self):
@@ -188,22 +207,23 @@ class Points:
 
     def __init__(self, model):
         sides = model.sides
-        rules = [RULES[interface.points] for interface in model.interfaces]
-        counts = np.array([len(rules[i]) for i in sides["interface"]], dtype=int)
+        rules = [model.rule_of(side) for side in range(len(sides["interface"]))]
+        counts = np.array([len(shares) for shares, _ in rules], dtype=int)
         self.side = np.repeat(np.arange(len(counts)), counts)
         self.interface = sides["interface"][self.side]
-        share = np.concatenate([rules[i] for i in sides["interface"]]) if len(counts) else np.zeros(0)
+        share, weight = (np.concatenate([rule[i] for rule in rules]) if rules else np.zeros(0) for i in (0, 1))
         start, end = sides["ends"][self.side, :2], sides["ends"][self.side, 2:]
         length = np.hypot(*(end - start).T)
         self.place = start + share[:, None] * (end - start)
         edge = sides["edge"][self.side]
         self.normal = np.stack([edge[:, 1], -edge[:, 0]], -1) / np.hypot(edge[:, 0], edge[:, 1])[:, None]
         self.tangent = np.stack([-self.normal[:, 1], self.normal[:, 0]], -1)
-        self.weight = length * model.thickness / counts[self.side]
+        self.weight = length * model.thickness * weight
         self.blocks = sides["blocks"][self.side]
         self.is_through = sides["is_through"][self.side]
         self._set_laws(model)
         self._set_rows(model)
+        self._set_gradients(model)
         self._set_jumps(model)
 
     def _set_laws(self, model):
@@ -225,7 +245,7 @@ class Points:
         n, s = self.normal, self.tangent
         traction = np.stack([np.stack([n[:, 0]**2, n[:, 1]**2, 2 * n[:, 0] * n[:, 1]], -1),
                              np.stack([s[:, 0] * n[:, 0], s[:, 1] * n[:, 1], s[:, 0] * n[:, 1] + s[:, 1] * n[:, 0]], -1)], 1)
-        trace = trace_constants(model.mesh, model.stiffness)[self.blocks]
+        trace = model.gradients.traces(trace_constants(model.mesh, model.stiffness))[self.blocks]
         shares = np.where((self.kind == "consistent")[:, None], trace[:, ::-1] / trace.sum(axis=1, keepdims=True), 0.0)
         shares[self.is_through] = 1, 0
         self.jump_rows, self.stress_rows = [], []
@@ -235,13 +255,30 @@ class Points:
             self.jump_rows.append(np.where(self.is_through[:, None, None], 0, rows))
             self.stress_rows.append(shares[:, side, None, None] * traction)
 
+    def _set_gradients(self, model):
+        """(point, node, rows of the jump, rows of the mean traction) by the strain gradients of either side's block."""
+        frame, out = np.stack([self.normal, self.tangent], 1), [[], [], [], []]
+        for side, sign in ((0, -1.0), (1, 1.0)):
+            block = self.blocks[:, side]
+            points = np.flatnonzero(model.gradients.is_second_order[block])
+            points = points[~self.is_through[points] | (side == 0)]
+            block = block[points]
+            x, y = (self.place[points] - model.centroids[block]).T
+            size = np.sqrt(model.mesh.areas[block])
+            jump = sign * frame[points] @ second_order.displacement_rows(x, y, size)
+            jump[self.is_through[points]] = 0
+            stress = self.stress_rows[side][points] @ model.stiffness[block] @ second_order.strain_rows(x, y, size)
+            for to, values in zip(out, (points, model.gradients.node_of[block], jump, stress)):
+                to.append(values)
+        self.gradients = [np.concatenate(values) for values in out]
+
     def _set_jumps(self, model):
         jumps, point, node, rows = model.jumps, [], [], []
         is_cut = np.isin(model.sides["blocks"], list(jumps.parts_of)).any(axis=1) if jumps else np.zeros(0, dtype=bool)
         first = np.searchsorted(self.side, np.arange(len(is_cut)))
         for s in np.flatnonzero(is_cut):
-            ends, shares = model.sides["ends"][s].reshape(2, 2), RULES[model.interfaces[model.sides["interface"][s]].points]
-            moved = jumps.along(model.sides["blocks"][s], ends, self.normal[first[s]], shares)
+            moved = jumps.along(model.sides["blocks"][s], model.sides["ends"][s].reshape(2, 2), self.normal[first[s]],
+                                model.rule_of(s))
             for p, found in enumerate(moved, start=first[s]):
                 for of, opens in found:
                     point.append(p)

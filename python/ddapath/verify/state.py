@@ -30,17 +30,26 @@ def motions(mesh, moved, strain, about):
     return np.column_stack([centre, turn, strain])
 
 
+def without_gradients(model, g, mesh, of, moved):
+    """Displacements of the vertices of polygons that belong to the blocks `of`, without what strain gradients add."""
+    of = np.repeat(of, np.diff(mesh.offsets))
+    x, y = (mesh.vertices - model.centroids[of]).T
+    return moved - model.gradients.moved(g, of, x, y)
+
+
 def unknowns(model, fields):
-    """d of every block, of one that is cut by the part that moves with it, and e of every jump."""
-    strain = fields.blocks[STRAIN].to_numpy()
-    out = motions(model.mesh, fields.vertices[DISPLACEMENT].to_numpy(), strain, model.centroids)
+    """d of every block, of one that is cut by the part that moves with it, g of every gradient, and e of every jump."""
+    strain, g = fields.blocks[STRAIN].to_numpy(), model.gradients.unknowns(fields)
+    moved = without_gradients(model, g, model.mesh, np.arange(model.mesh.num_blocks), fields.vertices[DISPLACEMENT].to_numpy())
+    out = motions(model.mesh, moved, strain, model.centroids)
     if not len(fields.cut.block):
-        return np.concatenate([out, np.zeros((len(model.jumps), 6))])
+        return np.concatenate([out, g, np.zeros((len(model.jumps), 6))])
     block = fields.cut.block
-    of_parts = motions(fields.cut.parts, fields.part_vertices[DISPLACEMENT].to_numpy(), strain[block], model.centroids[block])
+    moved = without_gradients(model, g, fields.cut.parts, block, fields.part_vertices[DISPLACEMENT].to_numpy())
+    of_parts = motions(fields.cut.parts, moved, strain[block], model.centroids[block])
     for b, parts in model.jumps.parts_of.items():
         out[b] = of_parts[parts[0]]
-    return np.concatenate([out, model.jumps.unknowns(of_parts, model.centroids)])
+    return np.concatenate([out, g, model.jumps.unknowns(of_parts, model.centroids)])
 
 
 class Step:
@@ -66,6 +75,9 @@ class Step:
         point, node, rows = points.jumps
         np.add.at(self.jump, point, np.einsum("pij,pj->pi", rows, self.d[node]))
         self.mean = self._of_blocks(points.stress_rows, self.stress)
+        point, node, rows, stress_rows = points.gradients
+        np.add.at(self.jump, point, np.einsum("pij,pj->pi", rows, self.d[node]))
+        np.add.at(self.mean, point, np.einsum("pij,pj->pi", stress_rows, self.d[node]))
         self.trial = self.jump + self.mean / points.trial
 
     def _set_tractions(self):
@@ -154,6 +166,12 @@ class Step:
             of_stress = np.einsum("pij,pi->pj", points.stress_rows[side], (self.traction - self.mean) / points.trial)
             force[:, 3:] += np.einsum("pij,pj->pi", model.stiffness[block], of_stress)
             yield block, -points.weight[:, None] * force
+        point, node, rows, stress_rows = points.gradients
+        of_stress = (self.traction - self.mean) / points.trial
+        force = np.einsum("pij,pi->pj", rows, self.traction[point]) + np.einsum("pij,pi->pj", stress_rows, of_stress[point])
+        yield node, -points.weight[point, None] * force
+        of_gradients = np.arange(model.mesh.num_blocks, model.num_block_nodes)
+        yield of_gradients, -np.einsum("bij,bj->bi", model.gradients.stiffness, self.d[of_gradients])
         point, node, rows = points.jumps
         yield node, -points.weight[point, None] * np.einsum("pij,pi->pj", rows, self.traction[point])
         springs = model.springs

@@ -60,10 +60,18 @@ StageSums sums(const Body& body, const LoadProgramme& programme) {
   return out;
 }
 
-void add_loads(const StageSums& loads, std::size_t num_blocks, std::vector<ResultsTable>& out) {
+/// Blocks whose strain gradients are nodes behind the blocks, in that order.
+void add_second_order(const Body& body, std::vector<ResultsTable>& out) {
+  if (body.num_gradients() == 0) return;
+  std::vector<std::int64_t> blocks;
+  for (const BlockId id : body.second_order.blocks) blocks.push_back(static_cast<std::int64_t>(id.value()));
+  out.push_back({"second_order/block", {}, std::move(blocks), {}, 1});
+}
+
+void add_loads(const StageSums& loads, std::size_t num_nodes, std::vector<ResultsTable>& out) {
   Vector dead, reference;
   std::vector<std::int64_t> blocks;
-  for (std::size_t b = 0; b < num_blocks; ++b) {
+  for (std::size_t b = 0; b < num_nodes; ++b) {
     const Eigen::Map<const Vec6> before(loads.dead.data() + block_unknowns * b),
         now(loads.reference.data() + block_unknowns * b);
     if (before.isZero(0) && now.isZero(0)) continue;
@@ -111,7 +119,7 @@ void add_springs(const LoadProgramme& programme, const Equilibrium& equilibrium,
     stiffness.push_back(springs[s].stiffness);
     names.push_back(springs[s].reaction);
     for (const auto& [block, row] : springs[s].displacement.rows) {
-      if (block.value() >= equilibrium.num_blocks()) continue;  // jumps come and go
+      if (block.value() >= equilibrium.num_block_nodes()) continue;  // jumps come and go
       numbers.push_back(static_cast<std::int64_t>(s));
       blocks.push_back(static_cast<std::int64_t>(block.value()));
       append(row, rows);
@@ -196,12 +204,12 @@ void add_forces_on_jumps(const Body& body, const LoadProgramme& programme, const
                          std::vector<ResultsTable>& out) {
   const StageSums loads = sums(body, programme);
   const std::vector<std::int64_t> cut = cuts_of_jumps(body.cracks->cuts());
-  const std::size_t num_blocks = body.assembly.num_blocks();
+  const std::size_t first = body.assembly.num_blocks() + body.num_gradients();
   Vector dead(3 * body.cracks->cuts().size()), reference(dead.size()), rows;
   for (std::size_t jump = 0; jump < cut.size(); ++jump)
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t to = 3 * static_cast<std::size_t>(cut[jump]) + i,
-                        from = block_unknowns * (num_blocks + jump) + i;
+                        from = block_unknowns * body.node_of(JumpId{jump}).value() + i;
       dead[to] = loads.dead[from];
       reference[to] = loads.reference[from];
     }
@@ -209,9 +217,9 @@ void add_forces_on_jumps(const Body& body, const LoadProgramme& programme, const
   const std::vector<Spring> springs = all_springs(programme, equilibrium);
   for (std::size_t s = 0; s < springs.size(); ++s)
     for (const auto& [node, row] : springs[s].displacement.rows) {
-      if (node.value() < num_blocks) continue;
+      if (node.value() < first) continue;
       numbers.push_back(static_cast<std::int64_t>(s));
-      of_springs.push_back(cut[node.value() - num_blocks]);
+      of_springs.push_back(cut[node.value() - first]);
       append(row.head<3>(), rows);
     }
   out.push_back({"cuts/dead", std::move(dead), {}, {}, 3});
@@ -231,10 +239,13 @@ std::vector<ResultsTable> model_tables(const Body& body, const ModelParameters& 
   std::vector<ResultsTable> out;
   if (body.cracks)
     add_sides(body.assembly,
-              make_interface_points({body.assembly, body.thickness, body.materials}, model, none), out);
+              make_interface_points(
+                  {body.assembly, body.thickness, body.materials, nullptr, body.second_order}, model, none),
+              out);
   else
     add_sides(body.assembly, equilibrium.interfaces(), out);
-  add_loads(loads, body.assembly.num_blocks(), out);
+  add_second_order(body, out);
+  add_loads(loads, body.assembly.num_blocks() + body.num_gradients(), out);
   add_initial_stress(loads, out);
   add_springs(programme, equilibrium, out);
   return out;

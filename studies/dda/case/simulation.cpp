@@ -94,8 +94,9 @@ Simulation::Simulation(const Deck& deck, Timings& timings) : deck_(deck), timing
 
 void Simulation::assemble() {
   if (!deck_.cracks.empty()) crack_geometry_ = std::make_unique<CrackGeometry>(*assembly_);
-  body_ = std::make_unique<const Body>(
-      Body{*assembly_, deck_.thickness, materials_of(*assembly_, deck_), crack_geometry_.get()});
+  body_ = std::make_unique<const Body>(Body{*assembly_, deck_.thickness, materials_of(*assembly_, deck_),
+                                            crack_geometry_.get(),
+                                            second_order_blocks(*assembly_, deck_.kinematics)});
   if (crack_geometry_) {
     front_ = std::make_unique<CrackFront>(*crack_geometry_, *body_, deck_);
     front_->begin();

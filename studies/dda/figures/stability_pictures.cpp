@@ -146,9 +146,11 @@ class ModeSheet {
         out.moves.emplace_back(moved[3 * v], moved[3 * v + 1]);
     };
     const std::vector<double> of_blocks = results_.values(step, name);
-    const auto& blocks = fields_.body().assembly.blocks;
-    for (std::size_t b = 0, vertex = 0; b < blocks.size(); vertex += blocks[b++].outline.vertices.size())
-      if (!std::ranges::binary_search(cut.part_block, b)) add(blocks[b].outline.vertices, of_blocks, vertex);
+    for (std::size_t b = 0, first = 0; b < fields_.body().assembly.num_blocks(); ++b) {
+      const std::vector<Vec2> outline = fields_.outline(BlockId{b});
+      if (!std::ranges::binary_search(cut.part_block, b)) add(outline, of_blocks, first);
+      first += outline.size();
+    }
     if (cut.parts.empty()) return out;
     const std::vector<double> of_parts = results_.values(step, "parts/" + name);
     std::size_t vertex = 0;

@@ -31,7 +31,7 @@ Mass mass_for(const Simulation& simulation, EigenvalueMass kind) {
   if (kind == EigenvalueMass::density) return mass_of(simulation.body());
   Mass out = unit_mass(simulation.body());
   if (kind == EigenvalueMass::unit) return out;
-  const std::size_t blocks = simulation.equilibrium().num_blocks();
+  const std::size_t blocks = simulation.equilibrium().num_block_nodes();
   out = Mass::identity(out.num_nodes());
   constexpr double next_to_none = 1e-9;
   for (std::size_t node = blocks; node < out.num_nodes(); ++node)
@@ -50,7 +50,7 @@ FailureIndicator::FailureIndicator(Simulation& simulation, IndicatorMemory memor
 std::vector<double> FailureIndicator::followed(const std::vector<double>& shape, const Growth& growth) const {
   std::vector<double> out = growth.unknowns(shape);
   const Equilibrium& now = simulation_.equilibrium();
-  out.resize(block_unknowns * (now.num_blocks() + now.num_jumps()));
+  out.resize(block_unknowns * now.num_leading());
   return out;
 }
 

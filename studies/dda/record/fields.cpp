@@ -5,6 +5,7 @@
 #include <map>
 
 #include "models/body/motion.hpp"
+#include "models/kinematics/second_order.hpp"
 #include "models/loading.hpp"
 #include "studies/dda/case/model_tables.hpp"
 
@@ -81,15 +82,33 @@ Fields::Fields(const Body& body, const ModelParameters& model, const Equilibrium
 ResultsMesh Fields::mesh() const {
   ResultsMesh out{.blocks = {}, .block_region = {}, .segments = segments_, .length_unit = units_.length};
   for (const Block& block : body_.assembly.blocks) {
-    out.blocks.push_back(block.outline.vertices);
+    out.blocks.push_back(outline(BlockId{out.blocks.size()}));
     out.block_region.push_back(block.region);
   }
   return out;
 }
 
+std::vector<Vec2> Fields::outline(BlockId block) const { return drawn(block, body_.block(block).outline); }
+
+std::vector<Vec2> Fields::drawn(BlockId block, const Polygon& outline) const {
+  if (!body_.gradient_of(block)) return outline.vertices;
+  std::vector<Vec2> out;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    out.push_back(outline.at(i));
+    out.emplace_back((outline.at(i) + outline.at(i + 1)) / 2);
+  }
+  return out;
+}
+
 Vec2 Fields::displacement(BlockId block, const Vec2& x, std::span<const double> d) const {
-  return displacement_rows(x - body_.block(block).moments.centroid) *
-         Eigen::Map<const Vec6>(d.data() + block_unknowns * block.value());
+  const Vec2 offset = x - body_.block(block).moments.centroid;
+  const auto of = [&](BlockId node) {
+    return Eigen::Map<const Vec6>(d.data() + block_unknowns * node.value());
+  };
+  const Vec2 out = displacement_rows(offset) * of(block);
+  const auto gradient = body_.gradient_of(block);
+  if (!gradient) return out;
+  return out + gradient_displacement_rows(offset, body_.size(block)) * of(*gradient);
 }
 
 Vec2 Fields::displacement_by(std::span<const JumpId> jumps, const Vec2& x, std::span<const double> d) const {
@@ -115,25 +134,31 @@ Vec2 Fields::displacement_between(std::size_t p, const Vec2& x, std::span<const 
 std::vector<std::vector<Fields::MovedVertex>> Fields::moved_parts(BlockId block,
                                                                   std::span<const double> d) const {
   std::vector<std::vector<MovedVertex>> out;
-  const auto add = [&](const std::vector<Vec2>& outline, std::span<const JumpId> jumps) {
+  const auto add = [&](const Polygon& outline, std::span<const JumpId> jumps) {
     out.emplace_back();
-    for (const Vec2& x : outline)
+    for (const Vec2& x : drawn(block, outline))
       out.back().push_back({x, displacement(block, x, d) + displacement_by(jumps, x, d)});
   };
   if (body_.cracks)
-    for (const Part& part : body_.cracks->parts(block)) add(part.outline.vertices, part.jumps);
-  if (out.empty()) add(body_.block(block).outline.vertices, {});
+    for (const Part& part : body_.cracks->parts(block)) add(part.outline, part.jumps);
+  if (out.empty()) add(body_.block(block).outline, {});
   return out;
 }
 
-/// Of a cut each point has the half in which it stands.
+/// Of a cut each point has the half, or the third, in which it stands.
 std::array<Vec2, 2> Fields::segment(std::size_t p) const {
   const InterfacePoint& point = equilibrium_.point(p);
   if (!point.cut) return segments_[p];
   const Cut& cut = body_.cracks->cuts()[*point.cut];
-  const Vec2 middle = (cut.start + cut.end) / 2;
-  const bool is_first = (point.x - cut.start).norm() < (point.x - cut.end).norm();
-  return is_first ? std::array{cut.start, middle} : std::array{middle, cut.end};
+  const auto stands_beside = [&](std::size_t other) { return equilibrium_.point(other).cut == point.cut; };
+  std::size_t first = p, last = p;
+  while (first > 0 && stands_beside(first - 1)) --first;
+  while (last + 1 < equilibrium_.num_active() && stands_beside(last + 1)) ++last;
+  const auto count = static_cast<double>(last - first + 1);
+  const auto at = [&](std::size_t i) -> Vec2 {
+    return ((count - static_cast<double>(i)) * cut.start + static_cast<double>(i) * cut.end) / count;
+  };
+  return {at(p - first), at(p - first + 1)};
 }
 
 Fields::Interface Fields::interface_at(const StoredState& at) const {
@@ -163,7 +188,7 @@ void Fields::add_motion(const std::string& name, const std::string& unit, std::s
   StoredField parts{name, unit, FieldPlace::part_vertex, 2, {}, "x y z"};
   for (std::size_t b = 0; b < body_.assembly.num_blocks(); ++b) {
     const BlockId block(b);
-    for (const Vec2& x : body_.assembly.blocks[b].outline.vertices) {
+    for (const Vec2& x : outline(block)) {
       Vec2 u = displacement(block, x, d);
       if (body_.cracks) u += displacement_by(body_.cracks->jumps_at(block, x), x, d);
       append(u, whole.values);
@@ -174,6 +199,43 @@ void Fields::add_motion(const std::string& name, const std::string& unit, std::s
   }
   out.fields.push_back(std::move(whole));
   if (!parts.values.empty()) out.fields.push_back(std::move(parts));
+}
+
+/// Of blocks of second order; zero of the others.
+void Fields::add_gradients(const State& state, Snapshot& out) const {
+  StoredField gradient{"strain_gradient",
+                       label(dimension::curvature, units_),
+                       FieldPlace::block,
+                       block_unknowns,
+                       {},
+                       "xx_x xx_y yy_x yy_y 2xy_x 2xy_y"};
+  for (std::size_t b = 0; b < body_.assembly.num_blocks(); ++b) {
+    Vec6 row = Vec6::Zero();
+    if (const auto node = body_.gradient_of(BlockId(b)))
+      row = Eigen::Map<const Vec6>(state.d.data() + block_unknowns * node->value()) / body_.size(BlockId(b));
+    gradient.values.insert(gradient.values.end(), row.begin(), row.end());
+  }
+  if (!out.cut.parts.empty()) out.fields.push_back(of_parts(gradient, out.cut.part_block));
+  out.fields.push_back(std::move(gradient));
+}
+
+/// From the means of the blocks, σ + C F g.
+StoredField Fields::stress_at_vertices(const StoredField& means, const State& state) const {
+  StoredField out{"stress_at_vertices", means.unit, FieldPlace::block_vertex, 3, {}, means.labels};
+  for (std::size_t b = 0; b < body_.assembly.num_blocks(); ++b) {
+    const BlockId block(b);
+    const Vec3 mean = Eigen::Map<const Vec3>(means.values.data() + 3 * b);
+    const auto node = body_.gradient_of(block);
+    for (const Vec2& x : outline(block)) {
+      const Vec2 offset = x - body_.block(block).moments.centroid;
+      Vec3 strain = Vec3::Zero();
+      if (node)
+        strain = gradient_strain_rows(offset, body_.size(block)) *
+                 Eigen::Map<const Vec6>(state.d.data() + block_unknowns * node->value());
+      append(Vec3(mean + body_.material(block).stiffness() * strain), out.values);
+    }
+  }
+  return out;
 }
 
 void Fields::add_blocks(const State& state, Snapshot& out) const {
@@ -188,6 +250,10 @@ void Fields::add_blocks(const State& state, Snapshot& out) const {
     append(s, stress.values);
   }
   add_motion("displacement", units_.length, state.d, out);
+  if (body_.num_gradients() > 0) {
+    add_gradients(state, out);
+    out.fields.push_back(stress_at_vertices(stress, state));
+  }
   for (StoredField* field : {&strain, &stress}) {
     if (!out.cut.parts.empty()) out.fields.push_back(of_parts(*field, out.cut.part_block));
     out.fields.push_back(std::move(*field));
@@ -234,7 +300,7 @@ CutBlocks Fields::cut_blocks() const {
   if (!body_.cracks || body_.cracks->empty()) return out;
   for (std::size_t b = 0; b < body_.assembly.num_blocks(); ++b)
     for (const Part& part : body_.cracks->parts(BlockId(b))) {
-      out.parts.push_back(part.outline.vertices);
+      out.parts.push_back(drawn(BlockId(b), part.outline));
       out.part_block.push_back(b);
     }
   for (std::size_t p = segments_.size(); p < equilibrium_.num_active(); ++p) out.pieces.push_back(segment(p));

@@ -20,7 +20,8 @@ struct StoredState {
 
 /// Turns a state into the fields that a run stores.
 ///
-///     blocks     displacement (vertices), strain ε, stress C ε + σ0(λ)
+///     blocks     displacement (vertices), strain ε, stress C ε + σ0(λ), of blocks of second order the means of both, and
+///                the gradient of ε and σ at the vertices
 ///     modes      φ_1, φ_2, … as displacements (vertices), the largest of each 1
 ///     parts      of blocks that cracks have cut: displacement (vertices), modes, strain and stress of their block
 ///     points     jump g = [u] (n, s),  opening w = q − P⁻¹ t,  traction t,  damage,
@@ -52,15 +53,20 @@ class Fields {
   };
   /// Outlines of a block, or of the parts that cuts leave of it.
   std::vector<std::vector<MovedVertex>> moved_parts(BlockId block, std::span<const double> d) const;
+  /// Outline of a block as it is stored and drawn: of a block of second order, whose sides bend, with their middles.
+  std::vector<Vec2> outline(BlockId block) const;
   const Body& body() const { return body_; }
   const Equilibrium& equilibrium() const { return equilibrium_; }
 
  private:
+  std::vector<Vec2> drawn(BlockId block, const Polygon& outline) const;
   /// Displacement of a block at x, as far as cuts leave it whole [L].
   Vec2 displacement(BlockId block, const Vec2& x, std::span<const double> d) const;
   Vec2 displacement_by(std::span<const JumpId> jumps, const Vec2& x, std::span<const double> d) const;
   void add_motion(const std::string& name, const std::string& unit, std::span<const double> d,
                   Snapshot& out) const;
+  void add_gradients(const State& state, Snapshot& out) const;
+  StoredField stress_at_vertices(const StoredField& means, const State& state) const;
   void add_blocks(const State& state, Snapshot& out) const;
   /// Active points, from the first to before the last.
   struct Points {

@@ -74,8 +74,10 @@ void add(StiffnessRecord& out, const std::string& which, const StiffnessParts& p
 void drop_released(StiffnessParts& parts, const Equilibrium& equilibrium, const LawValues& laws) {
   std::vector<std::pair<BlockId, BlockId>> pairs;
   for (std::size_t p = 0; p < laws.tangent.size(); ++p)
-    pairs.emplace_back(equilibrium.point(p).first, equilibrium.point(p).second);
-  BlockMatrix back(equilibrium.num_blocks(), pairs);
+    equilibrium.point(p).for_each_stress([&](BlockId a, const Mat26&) {
+      equilibrium.point(p).for_each_stress([&](BlockId b, const Mat26&) { pairs.emplace_back(a, b); });
+    });
+  BlockMatrix back(equilibrium.num_leading(), pairs);
   for (std::size_t p = 0; p < laws.tangent.size(); ++p)
     if (laws.is_released(p)) add_stress_energy(back, equilibrium.point(p));
   for (std::size_t row = 0; row < back.num_rows(); ++row)

@@ -232,10 +232,12 @@ class MotionRecorder {
   Clock::time_point written_ = Clock::now();
 };
 
-nlohmann::ordered_json summary_of(const Beginning& from) {
+nlohmann::ordered_json summary_of(const Beginning& from, const PathEnd& end) {
   nlohmann::ordered_json out{{"is_pushed", from.handover.is_pushed},
                              {"released_energy", from.equilibrium.released},
                              {"largest_displacement", from.equilibrium.moved}};
+  if (end.equilibrium.num_gradients() > 0)
+    out["gradient_energy"] = end.equilibrium.gradient_energy(end.state.d.all());
   if (!from.equilibrium.failure.empty()) out["failure"] = from.equilibrium.failure;
   return out;
 }
@@ -320,7 +322,7 @@ MotionRecord run_motion(const RunFolder& run_folder, const Simulation& simulatio
   const bool is_interrupted = motion.ending() == Motion::Ending::none;
   const Ending ending = ending_of(motion, parameters, is_interrupted);
   nlohmann::ordered_json summary = summary_of(motion, ending, recorder.steps());
-  if (end.is_of_path) summary["handover"] = summary_of(beginning);
+  if (end.is_of_path) summary["handover"] = summary_of(beginning, end);
   return {ending, summary};
 }
 

@@ -7,6 +7,7 @@
 
 #include "models/body/mass.hpp"
 #include "models/body/motion.hpp"
+#include "models/kinematics/second_order.hpp"
 #include "models/stiffness_parts.hpp"
 #include "support/cut_structure.hpp"
 #include "support/dense.hpp"
@@ -17,8 +18,22 @@ namespace {
 
 using Vector = Eigen::VectorXd;
 
-const std::vector<std::string> patterns{"{type: voronoi, blocks: 60, seed: 3}",
-                                        "{type: triangles, size: 2.5}", "{type: grid, columns: 12, rows: 4}"};
+struct Pattern {
+  std::string subdivision;
+  std::string kinematics = "first_order";
+
+  std::string more() const { return "kinematics: " + kinematics + "\n"; }
+};
+
+std::ostream& operator<<(std::ostream& out, const Pattern& pattern) {
+  return out << pattern.subdivision << ", " << pattern.kinematics;
+}
+
+const std::vector<Pattern> patterns{{"{type: voronoi, blocks: 60, seed: 3}"},
+                                    {"{type: triangles, size: 2.5}"},
+                                    {"{type: grid, columns: 12, rows: 4}"},
+                                    {"{type: voronoi, blocks: 30, seed: 3}", "second_order"},
+                                    {"{type: grid, columns: 12, rows: 4}", "second_order"}};
 
 Vector vector(const std::vector<double>& v) {
   return Eigen::Map<const Vector>(v.data(), static_cast<Eigen::Index>(v.size()));
@@ -36,8 +51,8 @@ int cut_some(CutStructure& structure) {
 }
 
 TEST(CutBlocks, TheOldUnknownsKeepTheirStiffness) {
-  for (const std::string& pattern : patterns) {
-    CutStructure structure({.subdivision = pattern});
+  for (const Pattern& pattern : patterns) {
+    CutStructure structure({.subdivision = pattern.subdivision, .more = pattern.more()});
     const Eigen::MatrixXd before = dense(structure.equilibrium().intact());
     ASSERT_GE(cut_some(structure), 9);
     const Equilibrium cut = structure.equilibrium();
@@ -54,8 +69,8 @@ TEST(CutBlocks, TheOldUnknownsKeepTheirStiffness) {
 TEST(CutBlocks, UniformStressGoesThroughClosedCuts) {
   Mat2 g;
   g << 0.1, 0.3, -0.2, 0.2;
-  for (const std::string& pattern : patterns) {
-    CutStructure structure({.subdivision = pattern});
+  for (const Pattern& pattern : patterns) {
+    CutStructure structure({.subdivision = pattern.subdivision, .more = pattern.more()});
     ASSERT_GE(cut_some(structure), 9);
     const Mat3 c = structure.body().materials[0]->stiffness();
     const Vec3 stress = c * Vec3(g(0, 0), g(1, 1), g(0, 1) + g(1, 0));
@@ -78,9 +93,12 @@ TEST(CutBlocks, UniformStressGoesThroughClosedCuts) {
 
 /// α next to its bound, the cuts' stiffness at theirs, slivers and blocks cut twice among them.
 TEST(CutBlocks, AreDefiniteAtTheBounds) {
-  for (const std::string& pattern : patterns) {
-    CutStructure structure(
-        {.subdivision = pattern, .alpha = 0.51, .stiffness = 0, .support_stiffness = 1e-3});
+  for (const Pattern& pattern : patterns) {
+    CutStructure structure({.subdivision = pattern.subdivision,
+                            .alpha = 0.51,
+                            .stiffness = 0,
+                            .more = pattern.more(),
+                            .support_stiffness = 1e-3});
     ASSERT_GE(cut_some(structure), 9);
     structure.cut_straight({2.5 + 1e-6, 0}, {0, 1});
     const Equilibrium equilibrium = structure.equilibrium();
@@ -115,7 +133,18 @@ TEST(CutBlocks, AreDefiniteWhereTheyAreNotConvex) {
   EXPECT_EQ(dense(equilibrium.intact()).llt().info(), Eigen::Success);
 }
 
-/// ∫ |u|² dV by three points on each triangle of a fan, exact for squares of linear fields.
+/// ∫ f dA over a triangle by Gauss points towards its first corner, exact to degree four.
+template <class Function>
+double integral(const Vec2& a, const Vec2& b, const Vec2& c, const Function& f) {
+  const double g = std::sqrt(0.6) / 2;
+  const std::pair<double, double> rule[] = {{0.5 - g, 5.0 / 18}, {0.5, 8.0 / 18}, {0.5 + g, 5.0 / 18}};
+  double sum = 0;
+  for (const auto& [s, ws] : rule)
+    for (const auto& [t, wt] : rule) sum += ws * wt * s * f(a + s * (b - a + t * (c - b)));
+  return cross(b - a, c - a) * sum;
+}
+
+/// ∫ |u|² dV over the triangles of a fan.
 double kinetic(const CutStructure& structure, const Vector& d) {
   const Body& body = structure.body();
   double sum = 0;
@@ -123,14 +152,13 @@ double kinetic(const CutStructure& structure, const Vector& d) {
     const auto square = [&](const Vec2& x) {
       const auto of = [&](BlockId node) { return d.segment<6>(6 * static_cast<Eigen::Index>(node.value())); };
       Vec2 u = displacement_rows(x - body.block(block).moments.centroid) * of(block);
+      if (const auto node = body.gradient_of(block))
+        u += gradient_displacement_rows(x - body.block(block).moments.centroid, body.size(block)) * of(*node);
       for (const JumpId jump : jumps) u += motion_of(body, jump, x).rows * of(body.node_of(jump));
       return u.squaredNorm();
     };
-    for (std::size_t i = 1; i + 1 < outline.size(); ++i) {
-      const Vec2 &a = outline[0], &b = outline[i], &c = outline[i + 1];
-      const double area = cross(b - a, c - a) / 2;
-      sum += area / 3 * (square((a + b) / 2) + square((b + c) / 2) + square((c + a) / 2));
-    }
+    for (std::size_t i = 1; i + 1 < outline.size(); ++i)
+      sum += integral(outline[0], outline[i], outline[i + 1], square);
   };
   for (std::size_t b = 0; b < body.assembly.num_blocks(); ++b) {
     const auto parts = body.cracks->parts(BlockId{b});
@@ -141,8 +169,8 @@ double kinetic(const CutStructure& structure, const Vector& d) {
 }
 
 TEST(CutBlocks, MoveWithTheMassOfTheirParts) {
-  for (const std::string& pattern : patterns) {
-    CutStructure structure({.subdivision = pattern});
+  for (const Pattern& pattern : patterns) {
+    CutStructure structure({.subdivision = pattern.subdivision, .more = pattern.more()});
     ASSERT_GE(cut_some(structure), 9);
     const Mass mass = unit_mass(structure.body());
     const Eigen::MatrixXd m = mass.dense();
@@ -159,10 +187,11 @@ TEST(CutBlocks, MoveWithTheMassOfTheirParts) {
   }
 }
 
-/// Of blocks all unknowns, of jumps the three that are some.
+/// Of blocks and gradients all unknowns, of jumps the three that are some.
 std::vector<Eigen::Index> used_unknowns(const CutStructure& structure) {
   std::vector<Eigen::Index> out;
-  const auto blocks = static_cast<Eigen::Index>(structure.assembly().num_blocks());
+  const auto blocks =
+      static_cast<Eigen::Index>(structure.assembly().num_blocks() + structure.body().num_gradients());
   for (Eigen::Index node = 0; node < static_cast<Eigen::Index>(structure.body().num_nodes()); ++node)
     for (Eigen::Index i = 0; i < (node < blocks ? 6 : 3); ++i) out.push_back(6 * node + i);
   return out;
@@ -170,8 +199,9 @@ std::vector<Eigen::Index> used_unknowns(const CutStructure& structure) {
 
 /// Three eigenvalues of K φ = μ M φ are those of a free body where nothing is left of a cut all through, none before.
 TEST(CutBlocks, WhatIsSeveredMovesFreely) {
-  for (const std::string& pattern : patterns) {
-    CutStructure structure({.subdivision = pattern, .support_stiffness = 1e3});
+  for (const Pattern& pattern : patterns) {
+    CutStructure structure(
+        {.subdivision = pattern.subdivision, .more = pattern.more(), .support_stiffness = 1e3});
     ASSERT_GE(structure.cut_straight({11.3, 0}, {0.07, 1}), 3);
     const Equilibrium equilibrium = structure.equilibrium();
     std::vector<Mat2> tangents;

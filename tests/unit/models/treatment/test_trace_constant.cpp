@@ -48,5 +48,35 @@ TEST(TraceConstant, ScalesWithStiffnessOverLength) {
   EXPECT_NEAR(trace_constant(block_of(vertices), 7 * c) / trace_constant(small, c), 0.7, 1e-12);
 }
 
+/// Linear stress. A square of side h at ν = 0: 6 E/h, three times that of constant stress; other values by an
+/// independent solution of the pencil.
+TEST(TraceConstant, OfLinearStress) {
+  const double h = 2, e = 5;
+  const Block square = block_of({{1, 1}, {1 + h, 1}, {1 + h, 1 + h}, {1, 1 + h}});
+  EXPECT_NEAR(second_order_trace_constant(square, isotropic(e, 0)) / (6 * e / h), 1, 1e-13);
+  EXPECT_NEAR(second_order_trace_constant(square, isotropic(e, 0.25)) / (6.5914 * e / h), 1, 2e-5);
+  std::vector<Vec2> hexagon;
+  for (int i = 0; i < 6; ++i) hexagon.emplace_back(std::cos(i * M_PI / 3), std::sin(i * M_PI / 3));
+  EXPECT_NEAR(second_order_trace_constant(block_of(hexagon), isotropic(1, 0.25)) / 3.9465, 1, 2e-5);
+}
+
+/// A slender rectangle at ν = 0: σ linear across it counts three times.
+TEST(TraceConstant, OfLinearStressInASlenderRectangle) {
+  const Block slender = block_of({{0, 0}, {0.1, 0}, {0.1, 3}, {0, 3}});
+  EXPECT_NEAR(second_order_trace_constant(slender, isotropic(4, 0)) / (3 * 2 * 4 / 0.1), 1, 1e-12);
+}
+
+/// Across the middle of a square at ν = 0 the stress that is linear along the line counts; σ = x is there no more than
+/// elsewhere: c_Γ of σxx = 1 is E/h, of σxx = y the same.
+TEST(TraceConstant, OfALineUnderLinearStressIsAtLeastThatOfConstantStress) {
+  const double h = 2, e = 5;
+  const Block square = block_of({{0, 0}, {h, 0}, {h, h}, {0, h}});
+  const Mat3 c = isotropic(e, 0);
+  EXPECT_NEAR(second_order_line_trace_constant({h / 2, 0}, {h / 2, h}, square, c) / (e / h), 1, 1e-13);
+  const double along_side = second_order_line_trace_constant({0, 0}, {0, h}, square, c);
+  EXPECT_NEAR(along_side / (4 * e / h), 1, 1e-13)
+      << "σxx = 1 − 3 x/h from the middle, max of (1 + 3)²/(1 + 3)";
+}
+
 }  // namespace
 }  // namespace dda
