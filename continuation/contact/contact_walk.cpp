@@ -179,7 +179,8 @@ class Walk {
     way_ = matrix_.solve(right);
     if (!way_.allFinite()) return {};
     direction_ = -1;
-    nearest_ = 1;
+    nearest_ = tau_;
+    const double size = tau_ * right.lpNorm<Eigen::Infinity>();
     last_ = -1;
     std::unordered_set<std::uint64_t> passed;
     std::uint64_t set = 0;  // of the pieces that are others than at the start
@@ -200,7 +201,7 @@ class Walk {
       if (!cross(end->point, end->to, right)) return {};
       if (!came_nearer || direction_ < 0 || tau_ >= nearest_) continue;
       nearest_ = tau_;
-      if (auto found = solved_nearby(right.lpNorm<Eigen::Infinity>())) return found;
+      if (auto found = solved_nearby(size)) return found;
       if (!matrix_.move_to(problem_, changes())) return {};
     }
     return {};
