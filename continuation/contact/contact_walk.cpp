@@ -179,6 +179,8 @@ class Walk {
     way_ = matrix_.solve(right);
     if (!way_.allFinite()) return {};
     direction_ = -1;
+    nearest_ = tau_;
+    const double size = tau_ * right.lpNorm<Eigen::Infinity>();
     last_ = -1;
     std::unordered_set<std::uint64_t> passed;
     std::uint64_t set = 0;  // of the pieces that are others than at the start
@@ -195,8 +197,43 @@ class Walk {
       x_ += end->length * along;
       tau_ += direction_ * end->length;
       set += mark_of(end->point, end->to) - mark_of(end->point, pieces_[end->point]);
+      const bool came_nearer = direction_ < 0;
       if (!cross(end->point, end->to, right)) return {};
+      if (!came_nearer || direction_ < 0 || tau_ >= nearest_) continue;
+      nearest_ = tau_;
+      if (auto found = solved_nearby(size)) return found;
+      if (!matrix_.move_to(problem_, changes())) return {};
     }
+    return {};
+  }
+
+  /// Where the way turns round, the equations with the residual stiffness have no solution nearer. As they are
+  /// they may have one all the same: at the load of a mechanism joints stand at their limits, and nothing
+  /// bears the little that moving against that stiffness takes. From here by Newton's method over the pieces,
+  /// without it, as near as it gets: weak springs may be too much to bear as well, and what they leave the full
+  /// equations judge. `size` of what walking has to bring to 0.
+  std::optional<Vector> solved_nearby(double size) {
+    if (!residual_.is_taken_off) return {};
+    constexpr int most = 8;
+    constexpr double near = 1e-3, solved = 1e3, nearly = 1e6;
+    const Vector turn = x_;
+    const std::vector<ContactPiece> pieces = pieces_;
+    Vector best;
+    double least = nearly * problem_.accuracy;
+    for (int iteration = 0; iteration < most; ++iteration) {
+      x_ = *corrected();
+      read_pieces();
+      const double left = residual(x_, 0).lpNorm<Eigen::Infinity>();
+      if (left < least) {
+        best = x_;
+        least = left;
+      }
+      if (least <= solved * problem_.accuracy || !(left <= near * size)) break;
+      if (!matrix_.move_to(problem_, changes())) break;
+    }
+    if (best.size() > 0) return best;
+    x_ = turn;
+    pieces_ = pieces;
     return {};
   }
 
@@ -263,6 +300,7 @@ class Walk {
   Vector centre_;  ///< w that the residual stiffness pulls to
   Vector x_, way_;
   double tau_ = 1, direction_ = -1;
+  double nearest_ = 1;                       ///< least τ at which the way has turned round
   int last_ = -1;                            ///< point that crossed last
   ContactPiece left_ = ContactPiece::stuck;  ///< the piece it came from
 };

@@ -20,10 +20,11 @@ struct ResidualStiffness {
 /// What is open or slides keeps a residual stiffness ε P, without which a body all of whose points slide
 /// leaves the equations singular; it is taken off again by proximal corrections (an iteration with the
 /// regularised matrix on the equations as they are). Where these hardly move, another walk from there with a
-/// smaller ε finds the point that sticks. Ends after finitely many corners, for any coefficient of friction,
-/// when it starts from closed and stuck joints pressed together (`covered`): then no ray leads to infinity.
-/// Nothing where the equations have no solution, as beyond the load of a mechanism. `matrix` is kept from
-/// walk to walk.
+/// smaller ε finds the point that sticks. Where the way turns round near τ = 0 the equations as they are may
+/// have a solution that those with ε have not: a mechanism that moves on while joints stand at their limits.
+/// Ends after finitely many corners, for any coefficient of friction, when it starts from closed and stuck
+/// joints pressed together (`covered`): then no ray leads to infinity. Nothing where the equations have no
+/// solution, as beyond the load of a mechanism. `matrix` is kept from walk to walk.
 std::optional<Eigen::VectorXd> walk_from(const ContactProblem& problem, const Eigen::VectorXd& start,
                                          ContactMatrix& matrix, const ResidualStiffness& residual = {});
 /// Solves it by many walks, each centred at the end of the one before (proximal point method), where a single

@@ -91,6 +91,52 @@ TEST(ContactWalk, MovesToRestWhereItWouldGoRoundInLoops) {
   EXPECT_GT(lost, 0);
 }
 
+/// Pressed points that all stand at their limits of friction, and a body that moves off freely at the load factor 1:
+/// the way by which its gap shall open is prescribed, and nothing else moves.
+struct Mechanism {
+  ContactProblem problem;
+  Vector before, after;  ///< where it stands, and where it has moved by 1
+};
+Mechanism mechanism(Random& random, int pressed) {
+  const Eigen::Index last = 2 * pressed, n = last + 2;
+  Mechanism out{random_problem(random, pressed + 1, 3), Vector::Zero(n + 1), {}};
+  ContactProblem& problem = out.problem;
+  problem.couplings.topRows(last) =
+      random_problem(random, pressed, 3).couplings.topRows(last) * Matrix::Identity(last, n);
+  problem.couplings.bottomRows(3).setZero();
+  problem.couplings(last, last) = 1;
+  problem.couplings(last + 1, last + 1) = 0.5;
+  for (int i = 0; i < pressed; ++i) {
+    const double pressure = random.between(0.5, 1);
+    out.before.segment<2>(2 * i) << -pressure, (random.coin() ? 3 : -3) * pressure;
+    problem.points[static_cast<std::size_t>(i)].slides = true;
+  }
+  out.before[last] = 1;
+  out.before[n] = 1;
+  out.after = out.before;
+  out.after[last] = 2;
+  for (Eigen::Index i = 0; i < last; ++i) problem.live[i] = random.between(-1, 1);
+  problem.live[last] = 1;
+  problem.constant << problem.live - out.before.head(n), -2;
+  problem.constant[last] = 1;
+  problem.control = Vector::Unit(n + 1, last);
+  return out;
+}
+
+/// The residual stiffness bears a little that joints at their limits cannot bear: without it there is nothing.
+TEST(ContactWalk, MovesAMechanismWhoseJointsStandAtTheirLimits) {
+  Random random(10);
+  for (int i = 0; i < 40; ++i) {
+    const Mechanism m = mechanism(random, 12);
+    EXPECT_LT(missed(m.problem, m.after), 1e-12);
+    ContactMatrix matrix;
+    const auto found = walk_from(m.problem, m.before, matrix);
+    ASSERT_TRUE(found) << i;
+    EXPECT_LT(missed(m.problem, *found), 1e-10) << i;
+    EXPECT_NEAR((*found)[m.after.size() - 1], 1, 1e-9) << i;
+  }
+}
+
 /// A matrix that is moved by few changes solves like one that is factorised.
 TEST(ContactMatrix, MovesByChangesOfRankOne) {
   Random random(9);
