@@ -5,6 +5,7 @@
 #include <string>
 
 #include "continuation/control/step_kind.hpp"
+#include "continuation/control/stop.hpp"
 #include "continuation/detour/increment/load_solver.hpp"
 #include "continuation/walk/walker.hpp"
 #include "framework/deck/family.hpp"
@@ -28,8 +29,8 @@ class Control {
   virtual ~Control() = default;
   /// The next move from where the walker stands.
   virtual Move next(Walker& walker) = 0;
-  /// Why this control cannot go along this direction although equilibria do; "" when it can.
-  virtual std::string obstacle(const Tangent&) { return {}; }
+  /// Why this control cannot go along this direction although equilibria do; nothing when it can.
+  virtual std::optional<Stopped> obstacle(const Tangent&) { return {}; }
   /// Rate, along a direction, of what is prescribed; positive where the control goes on.
   virtual double prescribed_rate(const Tangent&) const { return 1; }
   /// What stays while points are released at once; nothing = their own opening.

@@ -19,16 +19,18 @@ class GaugeControl final : public Control {
     return {.kind = kind_, .equation = make_gauge_equation(gauge_), .rate = walker.leaving().rate(gauge_)};
   }
 
-  std::string obstacle(const Tangent& along) override {
+  std::optional<Stopped> obstacle(const Tangent& along) override {
     const double now = along.rate(gauge_);
-    if (now == 0) return fmt::format("'{}' does not move along the path", name_);
+    if (now == 0) return Stopped{Stop::gauge_stands, fmt::format("'{}' does not move along the path", name_)};
     if (direction_ == 0) direction_ = now > 0 ? 1.0 : -1.0;
     if (now * direction_ > 0) return {};
-    return kind_ == StepKind::load
-               ? "limit point of the load: load control cannot follow the path down; use `staged` or "
-                 "`arc_length`"
-               : fmt::format("'{}' snaps back here: {} control cannot follow; use `staged` or `arc_length`",
-                             name_, to_string(kind_));
+    if (kind_ == StepKind::load)
+      return Stopped{Stop::limit_point,
+                     "limit point of the load: load control cannot follow the path down; use `staged` or "
+                     "`arc_length`"};
+    return Stopped{Stop::snap_back,
+                   fmt::format("'{}' snaps back here: {} control cannot follow; use `staged` or `arc_length`",
+                               name_, to_string(kind_))};
   }
   double prescribed_rate(const Tangent& along) const override {
     return direction_ == 0 ? 1 : along.rate(gauge_) * direction_;

@@ -22,8 +22,10 @@ Schema<NoParameters> staged_schema() {
 class DissipationOnly final : public Control {
  public:
   Move next(Walker& walker) override { return dissipation_move(walker); }
-  std::string obstacle(const Tangent& along) override {
-    return along.dissipates ? "" : "nothing dissipates here: dissipation control cannot go on; use `staged`";
+  std::optional<Stopped> obstacle(const Tangent& along) override {
+    if (along.dissipates) return {};
+    return Stopped{Stop::nothing_dissipates,
+                   "nothing dissipates here: dissipation control cannot go on; use `staged`"};
   }
 };
 

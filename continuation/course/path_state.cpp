@@ -63,24 +63,29 @@ double PathState::displacement_of(const State& state) const { return state.value
 double PathState::displacement_rate(const Tangent& tangent) const { return tangent.rate(displacement); }
 
 std::optional<Point> PathState::end(Ending::Kind kind, std::string reason) {
-  if (kind == Ending::Kind::stopped_early && !unsound.empty())
+  ending = {kind, std::move(reason)};
+  return {};
+}
+
+std::optional<Point> PathState::stop_early(Stop stop, std::string reason) {
+  if (unsound)
     end_unsound(reason);
   else
-    ending = {kind, std::move(reason)};
+    ending = {Ending::Kind::stopped_early, std::move(reason), stop};
   return {};
 }
 
 /// The end where every equilibrium that was found is unsound: of a path that is followed to rupture its goal,
 /// when hardly any load is left.
 void PathState::end_unsound(const std::string& reason) {
-  const std::string why = std::exchange(unsound, {});
+  const Stopped refused = *std::exchange(unsound, {});
   constexpr double hardly_any = 0.01;
   const double left = std::abs(load_of(walker.state())) / memory.peak_load;
   if (parameters.stop.load_below == 0 && walker.here().dissipated > 0 && left < hardly_any)
     ending = {Ending::Kind::goal_reached,
-              fmt::format("complete rupture: {:.1e} of the peak was left; beyond, {}", left, why)};
+              fmt::format("complete rupture: {:.1e} of the peak was left; beyond, {}", left, refused.text)};
   else
-    ending = {Ending::Kind::stopped_early, fmt::format("{} ({})", why, reason)};
+    ending = {Ending::Kind::stopped_early, fmt::format("{} ({})", refused.text, reason), refused.stop};
 }
 
 void PathState::reject(const std::string& control_name, const std::string& why) {

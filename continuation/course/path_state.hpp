@@ -44,6 +44,7 @@ struct PathState {
   /// Ends the path; where equilibria were found that are no results, by them. Nothing, for the caller to
   /// return.
   std::optional<Point> end(Ending::Kind kind, std::string reason);
+  std::optional<Point> stop_early(Stop stop, std::string reason);
   /// Counts a step that is not taken, remembers why, and tells the log.
   void reject(const std::string& control, const std::string& why);
   void report(const std::string& event, const std::string& text) const {
@@ -62,7 +63,8 @@ struct PathState {
   double size = 0;  ///< of the structure [L]
   Standstill standstill;
   std::string refusal;  ///< why the last try has not been taken
-  std::string unsound;  ///< what the last candidate of this step was refused for, beside equilibrium
+  /// What the last candidate of this step was refused for, beside equilibrium.
+  std::optional<Stopped> unsound;
   PathMemory memory;
   Ending ending;
   std::function<void(const std::string& event, const std::string& text)> listener;  ///< the log

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "continuation/control/step_kind.hpp"
+#include "continuation/control/stop.hpp"
 #include "continuation/state/system.hpp"
 
 namespace dda {
@@ -72,6 +73,7 @@ struct Ending {
   enum class Kind { running, goal_reached, stopped_early, interrupted };
   Kind kind = Kind::running;
   std::string reason;
+  std::optional<Stop> stop = {};  ///< of one that has stopped early, where it is known
 };
 
 /// What the path remembers beside the walker; a restart brings it back.

@@ -100,11 +100,12 @@ void end_where_stuck(PathState& path) {
   const CrackFront& front = path.cracks->structure.front();
   for (int crack = 0; crack < static_cast<int>(front.num_cracks()); ++crack)
     if (front.is_stuck(crack)) {
-      path.end(Ending::Kind::stopped_early,
-               fmt::format("crack {} cannot be followed any farther at ({:.6g}, {:.6g}): {}; other blocks, "
-                           "of another size "
-                           "or seed, may lead it on",
-                           crack, front.tip(crack).x(), front.tip(crack).y(), front.end_of(crack)));
+      path.stop_early(
+          Stop::crack_stuck,
+          fmt::format("crack {} cannot be followed any farther at ({:.6g}, {:.6g}): {}; other blocks, "
+                      "of another size "
+                      "or seed, may lead it on",
+                      crack, front.tip(crack).x(), front.tip(crack).y(), front.end_of(crack)));
       return;
     }
 }
@@ -156,8 +157,8 @@ void look_for_standstill(PathState& path, const Point& point) {
       path.standstill.add({movements(path), here.state.load_factor, here.dissipated, is_rescue});
   if (path.ending.kind != Ending::Kind::running || since.empty()) return;
   const auto points = active_points(path.walker.system(), here.state);
-  path.end(
-      Ending::Kind::stopped_early,
+  path.stop_early(
+      Stop::standstill,
       fmt::format("standstill: {}{}; {}", since,
                   points.empty() ? "" : "; active: " + places_of(path.walker.system(), points), what_to_try));
 }

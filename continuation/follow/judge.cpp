@@ -73,7 +73,7 @@ bool is_coarse(const PathState& path, const Candidate& candidate) {
                     only_touches(path, candidate) ? std::max(fine, of_sliding * work) : fine);
 }
 
-std::string unsoundness(const PathState& path, const Candidate& candidate) {
+std::optional<Stopped> unsoundness(const PathState& path, const Candidate& candidate) {
   const System& system = path.walker.system();
   const auto of = [&](const Holding& holding) {
     return objection_to(holding, {path.size, path.memory.largest_force}, system.equilibrium());
@@ -81,8 +81,10 @@ std::string unsoundness(const PathState& path, const Candidate& candidate) {
   std::string why;
   if (candidate.state.d.are_all_known() || !of(bound_of_holding(system, candidate.state)).empty())
     why = of(holding_of(system, candidate.state));
-  if (why.empty()) why = objection_to(candidate.excess, system);
-  return why;
+  if (!why.empty()) return Stopped{Stop::weak_springs, std::move(why)};
+  why = objection_to(candidate.excess, system);
+  if (!why.empty()) return Stopped{Stop::beyond_strength, std::move(why)};
+  return {};
 }
 
 std::string jump_of(const PathState& path, const Candidate& candidate) {
@@ -98,8 +100,9 @@ std::string jump_of(const PathState& path, const Candidate& candidate) {
 }
 
 Objection objection_to(const PathState& path, const Candidate& candidate) {
-  if (std::string why = unsoundness(path, candidate); !why.empty()) return {std::move(why), true};
-  if (std::string why = energy_objection(path, candidate); !why.empty()) return {std::move(why), true};
+  if (auto refused = unsoundness(path, candidate)) return {std::move(refused->text), refused->stop};
+  if (std::string why = energy_objection(path, candidate); !why.empty())
+    return {std::move(why), Stop::energies};
   if (!only_touches(path, candidate))  // there it may only be long
     if (std::string why = jump_of(path, candidate); !why.empty()) return {std::move(why)};
   const Candidate& here = path.walker.here();

@@ -20,17 +20,17 @@ bool only_touches(const PathState& path, const Candidate& candidate);
 /// of these.
 bool is_coarse(const PathState& path, const Candidate& candidate);
 
-/// Why a converged state is no result: what nothing holds, or a point that bears more than its strength; ""
+/// Why a converged state is no result: what nothing holds, or a point that bears more than its strength; nothing
 /// when it is one.
-std::string unsoundness(const PathState& path, const Candidate& candidate);
+std::optional<Stopped> unsoundness(const PathState& path, const Candidate& candidate);
 
 /// What a step leaves unaccounted for, where it is more than the chord of a path may; "" where it is not.
 std::string jump_of(const PathState& path, const Candidate& candidate);
 
 /// Why a converged state is not the next point of a path.
 struct Objection {
-  std::string why;          ///< "" when it is
-  bool is_unsound = false;  ///< it is no result at all
+  std::string why;                   ///< "" when it is
+  std::optional<Stop> unsound = {};  ///< why it is no result at all, where it is none
 };
 /// Steps that only open, close and slide joints have none for what they leave unaccounted for, as long as they may
 /// be shortened: see `jump_of`.

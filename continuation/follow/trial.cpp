@@ -76,7 +76,7 @@ std::optional<Candidate> judged(PathState& path, const Attempt& tried, const std
     const Objection objection = objection_to(path, candidate);
     why = objection.why;
     if (why.empty()) return candidate;
-    if (objection.is_unsound) path.unsound = why;
+    if (objection.unsound) path.unsound = {*objection.unsound, why};
   }
   path.reject(control, why);
   return {};
@@ -156,9 +156,9 @@ std::optional<Point> jump_to(PathState& path, Candidate beyond, StepKind kind, d
     path.report("rejected", label + ": " + path.refusal);
     return {};
   }
-  if (const std::string why = unsoundness(path, beyond); !why.empty()) {
-    path.unsound = why;
-    path.report("rejected", fmt::format("{}: {}", label, why));
+  if (const auto refused = unsoundness(path, beyond)) {
+    path.unsound = refused;
+    path.report("rejected", fmt::format("{}: {}", label, refused->text));
     return {};
   }
   if (!beyond.solution && !path.walker.confirm(beyond)) {

@@ -182,6 +182,7 @@ bool Motion::advance() {
     m_.dt.now *= solver_->cut();
     if (m_.dt.now < smallest * natural_) {
       ending_ = Ending::failed;
+      stop_ = Stop::no_step;
       reason_ = fmt::format("no step of {:.3g} was found: {}", m_.dt.now / solver_->cut(), reason_);
       return false;
     }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "continuation/control/stop.hpp"
 #include "continuation/integrator/integrator.hpp"
 #include "continuation/motion/ledger.hpp"
 #include "continuation/motion/step/step_solver.hpp"
@@ -70,6 +71,8 @@ class Motion {
   int rejected() const { return m_.rejected; }
   Ending ending() const { return ending_; }
   const std::string& reason() const { return reason_; }
+  /// Why it has failed; nothing where it has not.
+  std::optional<Stop> stop() const { return stop_; }
   const MeetingSearch& search() const { return *search_; }
   std::vector<Meeting> meetings() const { return potential_->meetings_anywhere(now_); }
   std::size_t num_meetings() const { return num_meetings_; }
@@ -109,6 +112,7 @@ class Motion {
   std::size_t num_meetings_ = 0;
   Ending ending_ = Ending::none;
   std::string reason_;
+  std::optional<Stop> stop_;
 };
 
 }  // namespace dda

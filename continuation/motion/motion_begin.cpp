@@ -37,6 +37,7 @@ void Motion::require_apart() {
   const auto [i, j] = *pair;
   const Vec2 one = centre_of(now_[i]), other = centre_of(now_[j]);
   ending_ = Ending::failed;
+  stop_ = Stop::overlap;
   reason_ = fmt::format(
       "blocks {} at ({:.4g}, {:.4g}) and {} at ({:.4g}, {:.4g}) overlap where it begins; where they have "
       "turned about "

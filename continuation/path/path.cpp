@@ -43,13 +43,13 @@ std::optional<Point> Path::next() {
   if (interrupted_ && interrupted_()) return state_.end(Ending::Kind::interrupted, "interrupted");
   const StopRules& stop = state_.parameters.stop;
   if (state_.walker.effort().accepted >= stop.steps)
-    return state_.end(Ending::Kind::stopped_early,
-                      fmt::format("the limit of {} steps is reached; `path.stop.steps` raises it, "
-                                  "`path.stop.after_steps` makes a number of steps the goal",
-                                  stop.steps));
-  state_.unsound.clear();
+    return state_.stop_early(Stop::limit_of_steps,
+                             fmt::format("the limit of {} steps is reached; `path.stop.steps` raises it, "
+                                         "`path.stop.after_steps` makes a number of steps the goal",
+                                         stop.steps));
+  state_.unsound.reset();
   auto point = take_step(state_);
-  state_.unsound.clear();
+  state_.unsound.reset();
   if (!point) return {};
   note_travel(state_);
   settle(state_);

@@ -19,21 +19,21 @@ std::optional<Point> next_step(PathState& path) {
       is_release_pending(path.walker.system()))
     return release_step(path);
   if (path.walker.leaving().d.empty())
-    return path.end(
-        Ending::Kind::stopped_early,
+    return path.stop_early(
+        Stop::singular,
         fmt::format("the tangent stiffness is singular here: a part is free to move; {}", what_to_try));
   const bool cracked = path.walker.here().dissipated > 0 || path.walker.leaving().dissipates;
   if (path.control->load_increment() > 0) return increment_step(path);
   if (!cracked) return event_step(path);
-  if (const std::string why = path.control->obstacle(path.walker.leaving()); !why.empty())
-    return path.end(Ending::Kind::stopped_early, why);
+  if (const auto obstacle = path.control->obstacle(path.walker.leaving()))
+    return path.stop_early(obstacle->stop, obstacle->text);
   const Move move = path.control->next(path.walker);
   const bool between_releases =
       path.releases_at_once && !path.walker.leaving().dissipates && std::isfinite(next_event(path.walker));
   if (!move.to_event && !between_releases) return controlled_step(path, move);
   if (!path.walker.leaving().dissipates) return event_step(path);
   auto point = sequential_step(path, StepKind::event, std::numeric_limits<double>::min());
-  return point ? point : path.end(Ending::Kind::stopped_early, "no interface limits the load any more");
+  return point ? point : path.stop_early(Stop::no_further_crack, "no interface limits the load any more");
 }
 
 }  // namespace

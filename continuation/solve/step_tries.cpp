@@ -81,8 +81,10 @@ Attempt StepTries::find() {
   return std::move(out_);
 }
 
-/// Whether nothing touches where the step begins: no contact has a say.
+/// Whether nothing touches where the step begins, so that no contact has a say, and a shorter step is sure to help.
+/// Redundant multipliers leave so many digits of the columns that the points alone may fail however short it is.
 bool StepTries::opens_only() const {
+  if (system_.equilibrium().num_unknown_multipliers() > 0) return false;
   const auto laws = system_.laws_at(goal_.start);
   for (std::size_t p = 0; p < laws->opening.size(); ++p)
     if (system_.history()[p].dissipated > 0 && laws->opening[p].x() < 0) return false;

@@ -47,36 +47,35 @@ Outcome after_failure(PathState& path, Stride& stride, bool is_cut) {
 
 /// Looks beyond the point where a control ends, by dissipation: the control's own word if the path turns
 /// against it.
-std::string turning_point(PathState& path) {
+std::optional<Stopped> turning_point(PathState& path) {
   if (!path.walker.leaving().dissipates) return {};
   const double smallest = std::max(path.memory.last_quantum, 1e-4 * path.walker.here().dissipated);
   for (const double multiple : {1.0, 10.0, 100.0}) {
     const auto beyond = try_step(path, dissipation_move(path.walker), multiple * smallest);
     if (!beyond) continue;
-    if (std::string turned = path.control->obstacle(beyond->arriving); !turned.empty()) return turned;
+    if (auto turned = path.control->obstacle(beyond->arriving)) return turned;
   }
   return {};
 }
 
 /// Why a path ends whose control finds no next equilibrium.
 std::optional<Point> end_of_control(PathState& path, const Stride& stride) {
-  if (const std::string turned = turning_point(path); !turned.empty())
-    return path.end(Ending::Kind::stopped_early, turned);
+  if (const auto turned = turning_point(path)) return path.stop_early(turned->stop, turned->text);
   constexpr double hardly_any = 1e-3;
   const double left = std::abs(path.load_of(path.walker.state())) / path.memory.peak_load;
   if (left < hardly_any)
     return path.end(Ending::Kind::goal_reached,
                     fmt::format("complete rupture: what is left is a mechanism ({:.1e} of the peak)", left));
   if (!path.walker.leaving().keeps_equilibrium) {
-    path.unsound.clear();  // what was refused on the way is not why
-    return path.end(
-        Ending::Kind::stopped_early,
+    path.unsound.reset();  // what was refused on the way is not why
+    return path.stop_early(
+        Stop::dynamic,
         "the path ends here: no rates were found that keep the equilibrium, whichever points crack, unload, "
         "slide and hold; the structure would go on dynamically");
   }
-  return path.end(Ending::Kind::stopped_early,
-                  fmt::format("{} control found no next equilibrium: {}; {}", to_string(stride.move.kind),
-                              stride.why, what_to_try));
+  return path.stop_early(Stop::no_next_equilibrium,
+                         fmt::format("{} control found no next equilibrium: {}; {}",
+                                     to_string(stride.move.kind), stride.why, what_to_try));
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ std::optional<Point> event_step(PathState& path) {
         return point;
       if (auto point = driven_step(path)) return point;
     }
-    return end_without_equilibrium(path, "the next initiation was not found: " + why);
+    return end_without_equilibrium(path, Stop::next_initiation, "the next initiation was not found: " + why);
   }
   if (is_coarse(path, *candidate)) {
     if (auto point = can_slide(path) ? sliding_step(path) : approach(path, amount)) return point;
@@ -69,7 +69,7 @@ std::optional<Point> linear_step(PathState& path) {
   const double rest = 1 - path.walker.state().load_factor;
   constexpr double round_off = 1e-12;
   if (rest <= round_off && path.walker.here().dissipated > 0)
-    return path.end(Ending::Kind::stopped_early, "no interface can crack any further under this load");
+    return path.stop_early(Stop::no_further_crack, "no interface can crack any further under this load");
   if (rest <= round_off)
     return path.end(Ending::Kind::goal_reached, "nothing can crack; the full reference load is applied");
   const Move move = load_move(path.walker);
@@ -77,7 +77,7 @@ std::optional<Point> linear_step(PathState& path) {
   const std::string why = path.refusal;
   if (!candidate || is_coarse(path, *candidate)) {
     auto point = approach(path, rest / path.walker.leaving().load_factor);
-    if (point || !candidate) return point ? point : path.end(Ending::Kind::stopped_early, why);
+    if (point || !candidate) return point ? point : path.stop_early(Stop::no_next_equilibrium, why);
   }
   if (const auto crossing = first_crossing(path, *candidate))
     if (auto point = land(path, *candidate, *crossing, move.kind)) return point;

@@ -169,8 +169,8 @@ std::optional<Point> growth_step(PathState& path, int crack) {
   const std::vector<Cut> refused = front.geometry().cuts();
   front.restore(cuts, memory);
   follow_cuts(path, refused);
-  return path.end(
-      Ending::Kind::stopped_early,
+  return path.stop_early(
+      Stop::crack_grown,
       fmt::format("no equilibrium was found next to the last one once the crack at {} had grown: {}",
                   place(front.tip(crack)), path.refusal));
 }

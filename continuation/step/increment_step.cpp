@@ -33,9 +33,9 @@ std::optional<Point> increment_step(PathState& path) {
     path.memory.step = increment;
     return point;
   }
-  return path.end(Ending::Kind::stopped_early,
-                  fmt::format("failure: no equilibrium beyond a load factor of {:g}: {}",
-                              path.walker.state().load_factor, why));
+  return path.stop_early(Stop::increments_failed,
+                         fmt::format("failure: no equilibrium beyond a load factor of {:g}: {}",
+                                     path.walker.state().load_factor, why));
 }
 
 }  // namespace dda

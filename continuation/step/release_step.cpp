@@ -73,7 +73,8 @@ std::optional<Point> release_by_jump(PathState& path) {
     point = accepted(release_at_gauge(stepper, start, {path.displacement, path.displacement_of(start)}));
   for (const double share : {1.0, 0.9, 0.75, 0.5, 0.25, 0.1})
     if (!point) point = accepted(release_at_load(stepper, start, share * start.load_factor));
-  if (!point) return end_without_equilibrium(path, "what is released leaves no equilibrium");
+  if (!point)
+    return end_without_equilibrium(path, Stop::release_held, "what is released leaves no equilibrium");
   ++path.walker.effort().rescues;
   path.report("rescued", fmt::format("the release jumped from a load factor of {:g} to {:g}",
                                      start.load_factor, path.walker.state().load_factor));
@@ -86,9 +87,10 @@ std::optional<Point> release_step(PathState& path) {
   const auto held = path.control->held_in_release();
   if (auto point = release_holding(path, held ? &*held : nullptr)) return point;
   if (!path.control->may_be_rescued())
-    return path.end(Ending::Kind::stopped_early,
-                    held ? "failure: what is released leaves no equilibrium under this control; use `staged`"
-                         : "what is released leaves no equilibrium");
+    return path.stop_early(
+        Stop::release_held,
+        held ? "failure: what is released leaves no equilibrium under this control; use `staged`"
+             : "what is released leaves no equilibrium");
   return release_by_jump(path);
 }
 

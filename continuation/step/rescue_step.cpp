@@ -42,13 +42,13 @@ std::optional<Point> driven_step(PathState& path) {
   return {};
 }
 
-std::optional<Point> end_without_equilibrium(PathState& path, const std::string& why) {
+std::optional<Point> end_without_equilibrium(PathState& path, Stop stop, const std::string& why) {
   constexpr double hardly_any = 0.01;
   const double left = std::abs(path.load_of(path.walker.state())) / path.memory.peak_load;
   if (left < hardly_any)
     return path.end(Ending::Kind::goal_reached,
                     fmt::format("complete rupture: {:.1e} of the peak was left", left));
-  return path.end(Ending::Kind::stopped_early, why);
+  return path.stop_early(stop, why);
 }
 
 }  // namespace dda

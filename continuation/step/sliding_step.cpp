@@ -94,8 +94,8 @@ void note_mechanism(PathState& path, Point& point, const State& before) {
 }  // namespace
 
 std::optional<Point> sliding_step(PathState& path) {
-  if (const std::string why = path.control->obstacle(path.walker.leaving()); !why.empty())
-    return path.end(Ending::Kind::stopped_early, why);
+  if (const auto obstacle = path.control->obstacle(path.walker.leaving()))
+    return path.stop_early(obstacle->stop, obstacle->text);
   const double change = next_contact_change(path.walker), goal = amount_to_landing(path);
   const bool is_loaded = path.walker.here().stored > 0;
   if (!std::isfinite(change) && is_loaded) {

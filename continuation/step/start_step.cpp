@@ -36,9 +36,10 @@ std::optional<Point> start_step(PathState& path, const CrackFront::Asked& asked)
   const std::vector<Cut> refused = front.geometry().cuts();
   front.restore(cuts, memory);
   follow_cuts(path, refused);
-  return path.end(Ending::Kind::stopped_early,
-                  fmt::format("no equilibrium was found once a crack stood ready at ({:.6g}, {:.6g}): {}",
-                              asked.start.at.x(), asked.start.at.y(), path.refusal));
+  return path.stop_early(
+      Stop::crack_grown,
+      fmt::format("no equilibrium was found once a crack stood ready at ({:.6g}, {:.6g}): {}",
+                  asked.start.at.x(), asked.start.at.y(), path.refusal));
 }
 
 }  // namespace dda

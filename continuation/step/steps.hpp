@@ -75,6 +75,6 @@ std::optional<Point> sequential_step(PathState& path, StepKind kind, double quan
 std::optional<Point> driven_step(PathState& path);
 
 /// The end where nothing is found any more: rupture if hardly any load is left.
-std::optional<Point> end_without_equilibrium(PathState& path, const std::string& why);
+std::optional<Point> end_without_equilibrium(PathState& path, Stop stop, const std::string& why);
 
 }  // namespace dda

@@ -12,7 +12,7 @@ std::optional<Point> unload_step(PathState& path) {
   const Landing goal = path.leg().until.front();
   const double rest = goal.value - path.walker.value(goal.gauge);
   if (path.walker.leaving().d.empty())
-    return path.end(Ending::Kind::stopped_early, "the tangent stiffness is singular here");
+    return path.stop_early(Stop::singular, "the tangent stiffness is singular here");
   if (path.walker.leaving().rate(goal.gauge) * rest < 0 && !path.walker.leaving().dissipates)
     path.walker.turn_back();
   const double rate = path.walker.leaving().rate(goal.gauge);
@@ -20,8 +20,8 @@ std::optional<Point> unload_step(PathState& path) {
   if (has_turned && path.walker.leaving().dissipates)
     return controlled_step(path, dissipation_move(path.walker));
   if (has_turned)
-    return path.end(Ending::Kind::stopped_early,
-                    fmt::format("unloading does not lead to {} = {:g}", goal.name, goal.value));
+    return path.stop_early(Stop::unloading,
+                           fmt::format("unloading does not lead to {} = {:g}", goal.name, goal.value));
   constexpr double parts = 10;
   if (path.memory.step == 0 || path.memory.step_kind != StepKind::unloading)
     path.memory.step = std::abs(rest) / parts;
@@ -36,7 +36,7 @@ std::optional<Point> unload_step(PathState& path) {
     if (arrives) point.landed.push_back(fmt::format("{}={:g}", goal.name, goal.value));
     return point;
   }
-  return path.end(Ending::Kind::stopped_early, "unloading found no next equilibrium: " + path.refusal);
+  return path.stop_early(Stop::unloading, "unloading found no next equilibrium: " + path.refusal);
 }
 
 }  // namespace dda

@@ -1,7 +1,5 @@
-#include <algorithm>
-
-#include "framework/base/suggestion.hpp"
 #include "framework/deck/formula.hpp"
+#include "models/body/chosen.hpp"
 #include "models/body/motion.hpp"
 #include "models/kinematics/second_order.hpp"
 #include "models/load/load.hpp"
@@ -12,7 +10,7 @@ namespace {
 
 struct BodyForceParameters {
   VectorFormula force;
-  std::vector<std::string> materials;
+  std::vector<std::string> regions, materials;
   Position where;
 };
 
@@ -23,10 +21,10 @@ class BodyForce final : public Load {
  public:
   explicit BodyForce(BodyForceParameters p) : p_(std::move(p)) {}
   void add_to(StageLoads& stage, const Body& body) const override {
-    check_materials(body);
+    const Chosen chosen{p_.regions, p_.materials};
+    chosen.require_known(body, p_.where);
     for (std::size_t i = 0; i < body.assembly.num_blocks(); ++i) {
-      if (!acts_on(body.assembly.regions[static_cast<std::size_t>(body.assembly.blocks[i].region)].material))
-        continue;
+      if (!chosen.has(body, BlockId{i})) continue;
       const Block& block = body.block(BlockId{i});
       const auto rows = [&](const Vec2& x) { return displacement_rows(x - block.moments.centroid); };
       const Vec6 force = integral_of({block.outline, block.moments, body.thickness}, rows);
@@ -73,16 +71,6 @@ class BodyForce final : public Load {
     const auto density = [&](const Vec2& x) -> Integrals { return rows(x).transpose() * p_.force(x); };
     return of.thickness * integral(of.outline, density);
   }
-  bool acts_on(const std::string& material) const {
-    return p_.materials.empty() || std::ranges::find(p_.materials, material) != p_.materials.end();
-  }
-  void check_materials(const Body& body) const {
-    std::vector<std::string> known;
-    for (const Region& region : body.assembly.regions) known.push_back(region.material);
-    for (const std::string& name : p_.materials)
-      if (std::ranges::find(known, name) == known.end())
-        throw InputError(p_.where, "unknown material '" + name + "'" + suggest(name, known));
-  }
   BodyForceParameters p_;
 };
 
@@ -92,7 +80,11 @@ Schema<BodyForceParameters> schema() {
       .value("force", &P::force, vector_formula_kind(dimension::body_force),
              {.text = "Force per volume (bx, by), each a number or an expression of x and y."})
       .texts("materials", &P::materials,
-             {.fallback = std::vector<std::string>{}, .text = "Materials it acts on; all when empty."});
+             {.fallback = std::vector<std::string>{},
+              .text = "Materials it acts on; with those of `regions` all that are named, all there are when "
+                      "none is."})
+      .texts("regions", &P::regions,
+             {.fallback = std::vector<std::string>{}, .text = "Names of the regions it acts on."});
 }
 
 }  // namespace

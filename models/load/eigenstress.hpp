@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "framework/deck/formula.hpp"
+#include "models/body/chosen.hpp"
 #include "models/load/load.hpp"
 
 namespace dda {
@@ -18,15 +19,6 @@ using Components = std::array<Formula, 3>;
 
 /// Their mean over a block: at once where they are constant, else integrated to 1e-11.
 Vec3 mean_over(const Block& block, const Components& components);
-
-/// Which blocks are meant: those of the regions and of the materials named; all of them where neither is named.
-struct Chosen {
-  std::vector<std::string> regions, materials;
-
-  /// Throws InputError for a name that the body does not have.
-  void require_known(const Body& body, const Position& where) const;
-  bool has(const Body& body, BlockId block) const;
-};
 
 /// Adds the stress σ0 of a block to a stage.
 void add_eigenstress(StageLoads& stage, const Body& body, BlockId block, const Vec3& stress);

@@ -5,7 +5,7 @@ namespace {
 
 struct InitialStressParameters {
   Formula xx, yy, xy;
-  std::vector<std::string> regions;
+  std::vector<std::string> regions, materials;
   Position where;
 };
 
@@ -15,7 +15,7 @@ class InitialStress final : public Load {
  public:
   explicit InitialStress(InitialStressParameters p) : p_(std::move(p)) {}
   void add_to(StageLoads& stage, const Body& body) const override {
-    const Chosen chosen{p_.regions, {}};
+    const Chosen chosen{p_.regions, p_.materials};
     chosen.require_known(body, p_.where);
     for (std::size_t i = 0; i < body.assembly.num_blocks(); ++i)
       if (const BlockId id{i}; chosen.has(body, id))
@@ -38,9 +38,13 @@ Schema<InitialStressParameters> schema() {
       .value("yy", &P::yy, formula_kind(dimension::stress),
              {.fallback = Formula(), .text = "σy, tension positive."})
       .value("xy", &P::xy, formula_kind(dimension::stress), {.fallback = Formula(), .text = "τxy."})
-      .texts(
-          "regions", &P::regions,
-          {.fallback = std::vector<std::string>{}, .text = "Names of the regions it is in; all when empty."});
+      .texts("regions", &P::regions,
+             {.fallback = std::vector<std::string>{},
+              .text = "Names of the regions it is in; with those of `materials` all that are named, all "
+                      "there are when "
+                      "none is."})
+      .texts("materials", &P::materials,
+             {.fallback = std::vector<std::string>{}, .text = "Materials it is in."});
 }
 
 }  // namespace

@@ -130,6 +130,10 @@ limits() {
   expect 3 "limit of steps" "$program" run "$bar" --folder limited --quiet --set path.stop.steps=4
   status_is limited stopped_early
   said "path.stop.steps"
+  said "what now: \`dda explain limit-of-steps\`"
+  grep -q '"stop": "limit-of-steps"' limited/summary.json || complain "no name of the stop"
+  expect 0 "what now" "$program" explain limit-of-steps
+  said "The run was on its way."
   expect 0 "steps as a goal" "$program" run "$bar" --folder counted --quiet --set path.stop.after_steps=4
   status_is counted goal_reached
 }

@@ -156,6 +156,19 @@ class ByInterface(Scratch):
         handover = run.summary["motion"]["handover"]
         self.assertLess(abs(handover["released_energy"]), 1e-2 * run.curve.stored_energy.max())
 
+    def test_blocks_of_second_order_go_on_with_first(self):
+        """What tears takes Gf times the ligament all the same; what the strain gradients held is told."""
+        deck = ddapath.read_deck(Path(__file__).resolve().parents[2] / "studies" / "falling-beam" / "deck.yaml")
+        run = ddapath.run(deck, {"kinematics": {"type": "second_order", "regions": ["left", "right"]},
+                                 "scene.subdivision.size": 50, "interfaces.ligament.points": "gauss"}, folder=self.folder)
+        motion = run.summary["motion"]
+        self.assertTrue(motion["is_at_rest"])
+        self.assertAlmostEqual((run.summary["dissipated_energy"] + motion["fracture"]) / (0.05 * 100 * 100), 1, delta=1e-4)
+        self.assertNotIn("released_energy", motion["handover"])
+        self.assertGreater(motion["handover"]["gradient_energy"], 0)
+        self.assertLess(motion["handover"]["gradient_energy"], run.curve.stored_energy.iloc[-1])
+        self.assertEqual([str(finding) for finding in verify(self.folder) if not finding.holds], [])
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -7,7 +7,7 @@ import re
 
 LITERAL = re.compile(r'"((?:[^"\\\n]|\\.)*)"')
 # Where a reason is given, and functions whose texts become one.
-GIVEN = re.compile(r"(?:stopped_early|end_without_equilibrium\(path),")
+GIVEN = re.compile(r"(?:stopped_early,|(?:stop_early\(|end_without_equilibrium\(path,)\s*Stop::\w+,)")
 MAKERS = re.compile(r"\b(?:obstacle|(?:energy_)?objection(?:_to)?|require_apart|Motion::advance)\([^;{]*\{|\bout_of_range =")
 
 

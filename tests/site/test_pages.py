@@ -119,6 +119,11 @@ class Commands(unittest.TestCase):
 
 
 class Stopped(unittest.TestCase):
+    def test_every_way_to_stop_has_an_entry_of_its_name(self):
+        names = re.findall(r'Stop::\w+, "([a-z-]+)"', (ROOT / "continuation/control/stop.hpp").read_text(encoding="utf-8"))
+        entries = re.findall(r"^### (\S+)$", (ROOT / "docs/stopped.md").read_text(encoding="utf-8"), re.MULTILINE)
+        self.assertEqual(names, entries)
+
     def test_every_message_has_an_entry(self):
         page = " ".join((ROOT / "docs/stopped.md").read_text(encoding="utf-8").split())
         found = endings(ROOT)

@@ -1,11 +1,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "continuation/control/stop.hpp"
 #include "framework/deck/expression/expression.hpp"
 #include "framework/deck/writing/explain.hpp"
 #include "framework/deck/writing/keys.hpp"
+#include "pages_of_explain.hpp"
 #include "studies/dda/case/deck_tree.hpp"
 #include "studies/dda/case/parameter_list.hpp"
 #include "studies/dda/case/written_deck.hpp"
@@ -73,6 +76,17 @@ std::string manual_of(const std::string& topic) {
       fmt::join(functions_of_expressions(), ", "));
 }
 
+/// What docs/stopped.md says of a way to stop; "" where the topic is none.
+std::string entry_of_stop(const std::string& topic) {
+  const std::string_view page = pages_of_explain[0].second;
+  const auto is_it = [&](const auto& stop) { return topic == stop.second; };
+  if (std::ranges::none_of(names_of_stops, is_it)) return "";
+  const std::size_t heading = page.find("\n### " + topic + "\n");
+  if (heading == std::string_view::npos) return "";
+  const std::size_t begin = heading + 1, end = page.find("\n##", begin);
+  return std::string(page.substr(begin, end - begin)) + '\n';
+}
+
 Json schema_for_editors() {
   Json out = written_deck_schema().json_schema();
   out["patternProperties"] = {{std::string("^") + key_of_anchors, true}};
@@ -86,6 +100,8 @@ int command_explain(const CommandLine& line) {
     fmt::print("{}\n", schema_for_editors().dump(2));
   else if (!line.find.empty())
     fmt::print("{}", find_in_manual(written_deck_schema(), line.find));
+  else if (const std::string entry = entry_of_stop(line.topic); !entry.empty())
+    fmt::print("{}", entry);
   else if (line.topic == "parameters")
     fmt::print("{}", explain_parameter_lists());
   else

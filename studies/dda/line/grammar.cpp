@@ -245,7 +245,9 @@ void Grammar::add_new() {
 void Grammar::add_explain() {
   CLI::App* explain =
       add("explain", "The manual of the deck: a section, a family, or family/name", command_explain);
-  explain->add_option("topic", line_.topic, "Such as `path`, `law` or `law/linear_softening`")
+  explain
+      ->add_option("topic", line_.topic,
+                   "Such as `path`, `law`, `law/linear_softening`, or why a run stopped, `standstill`")
       ->type_name("TOPIC");
   explain->add_option("--find", line_.find, "Every key whose name or text has this word")->type_name("WORD");
   explain->add_flag("--json", line_.json, "The JSON schema of decks, for editors");

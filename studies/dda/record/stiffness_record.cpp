@@ -22,21 +22,25 @@ Json rows(const Matrix& k) {
   return out;
 }
 
-/// "3" of a block, "jump 1" of a node behind them.
-std::string name_of(Eigen::Index node, std::size_t num_blocks) {
-  const auto blocks = static_cast<Eigen::Index>(num_blocks);
-  return node < blocks ? std::to_string(node + 1) : fmt::format("jump {}", node - blocks + 1);
+/// "3" of a block, "gradient of 3" of its strain gradient, "jump 1" of a node behind these.
+std::string name_of(Eigen::Index index, const Equilibrium& equilibrium) {
+  const auto node = static_cast<std::size_t>(index);
+  if (node < equilibrium.num_blocks()) return std::to_string(node + 1);
+  if (node >= equilibrium.num_block_nodes())
+    return fmt::format("jump {}", node - equilibrium.num_block_nodes() + 1);
+  return fmt::format("gradient of {}",
+                     equilibrium.gradients()[node - equilibrium.num_blocks()].block.value() + 1);
 }
 
 /// The blocks of the upper half that are not zero.
-std::string text(const std::string& name, const Matrix& k, std::size_t num_blocks) {
+std::string text(const std::string& name, const Matrix& k, const Equilibrium& equilibrium) {
   std::string out;
   for (Eigen::Index i = 0; i < k.rows(); i += 6)
     for (Eigen::Index j = i; j < k.cols(); j += 6) {
       const Mat6 block = k.block<6, 6>(i, j);
       if (block.isZero(0)) continue;
-      out += fmt::format("  {}, blocks {} and {}\n", name, name_of(i / 6, num_blocks),
-                         name_of(j / 6, num_blocks));
+      out += fmt::format("  {}, blocks {} and {}\n", name, name_of(i / 6, equilibrium),
+                         name_of(j / 6, equilibrium));
       constexpr double round_off = 1e-13;
       const double unit = round_off * k.cwiseAbs().maxCoeff();
       for (const auto& row : block.rowwise()) {
@@ -57,7 +61,7 @@ std::string eigenvalues(const Matrix& k) {
 }
 
 void add(StiffnessRecord& out, const std::string& which, const StiffnessParts& parts,
-         std::size_t num_blocks) {
+         const Equilibrium& equilibrium) {
   const std::pair<const char*, const Matrix*> named[] = {{"strain", &parts.strain},
                                                          {"contact", &parts.contact},
                                                          {"support", &parts.support},
@@ -66,7 +70,7 @@ void add(StiffnessRecord& out, const std::string& which, const StiffnessParts& p
   out.text += which + ": lowest eigenvalues of K⁰ + Kᶜ + Kˢ + Kʷ\n" + eigenvalues(parts.sum()) + '\n';
   for (std::size_t i = 0; i < std::size(named); ++i) {
     out.numbers[which][named[i].first] = rows(*named[i].second);
-    out.text += text(symbols[i], *named[i].second, num_blocks);
+    out.text += text(symbols[i], *named[i].second, equilibrium);
   }
 }
 
@@ -93,12 +97,11 @@ StiffnessRecord stiffness_record(const Simulation& simulation) {
   const State& here = simulation.walker().state();
   const LawValues laws = system.laws(here);
   StiffnessRecord out{.numbers = Json::object(), .text = {}};
-  const std::size_t num_blocks = simulation.equilibrium().num_blocks();
-  add(out, "algorithmic", stiffness_parts(simulation.equilibrium(), system.all_tangents(laws, false)),
-      num_blocks);
-  StiffnessParts physical = stiffness_parts(simulation.equilibrium(), system.all_tangents(laws, true));
-  drop_released(physical, simulation.equilibrium(), laws);
-  add(out, "physical", physical, num_blocks);
+  const Equilibrium& equilibrium = simulation.equilibrium();
+  add(out, "algorithmic", stiffness_parts(equilibrium, system.all_tangents(laws, false)), equilibrium);
+  StiffnessParts physical = stiffness_parts(equilibrium, system.all_tangents(laws, true));
+  drop_released(physical, equilibrium, laws);
+  add(out, "physical", physical, equilibrium);
   return out;
 }
 

@@ -32,6 +32,7 @@ nlohmann::ordered_json summary_of(const Simulation& simulation, const MotionReco
                              {"units", {{"length", units.length}, {"force", units.force}}},
                              {"timings", to_json(timings)},
                              {"threads", num_threads()}};
+  if (motion.ending.stop) out["stop"] = to_string(*motion.ending.stop);
   add_program(out);
   return out;
 }
@@ -100,9 +101,9 @@ MotionResult resume_motion_alone(const std::filesystem::path& existing,
 }
 
 std::string last_line(const MotionResult& result) {
-  return fmt::format("{}: {} ({}) — {} steps, {:.2f} s", result.folder.string(), status_of(result.ending),
+  return fmt::format("{}: {} ({}) — {} steps, {:.2f} s{}", result.folder.string(), status_of(result.ending),
                      result.ending.reason, result.summary["motion"]["steps"].get<int>(),
-                     result.summary["timings"]["total"].get<double>());
+                     result.summary["timings"]["total"].get<double>(), what_now(result.ending));
 }
 
 }  // namespace dda

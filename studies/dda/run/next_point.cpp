@@ -23,7 +23,7 @@ std::optional<Point> next_point(Simulation& simulation, RunRecorder* recorder, E
   }
   if (!is_finite(simulation.walker().here())) {
     ending = {Ending::Kind::stopped_early,
-              "the numbers of the next step are too large or too small to compute with"};
+              "the numbers of the next step are too large or too small to compute with", Stop::out_of_range};
     return {};
   }
   if (recorder) recorder->record(*point);

@@ -118,12 +118,13 @@ std::string last_line(const RunResult& result) {
   const std::string unit = result.measures.load_unit();
   const std::size_t notices = summary["notices"].size();
   return fmt::format(
-      "{}: {}{} — peak {:.6g}{}{} at step {}, {} steps{}, {:.2f} s{}", result.folder.string(),
+      "{}: {}{} — peak {:.6g}{}{} at step {}, {} steps{}, {:.2f} s{}{}", result.folder.string(),
       status_of(result.ending), result.ending.reason.empty() ? "" : " (" + result.ending.reason + ")",
       summary["peak"]["load"].get<double>(), unit.empty() ? "" : " " + unit, bias,
       summary["peak"]["step"].get<int>(), summary["steps"].get<int>(), moved,
       summary["timings"]["total"].get<double>(),
-      notices == 0 ? "" : fmt::format("; {} notice{}: see summary.json", notices, notices == 1 ? "" : "s"));
+      notices == 0 ? "" : fmt::format("; {} notice{}: see summary.json", notices, notices == 1 ? "" : "s"),
+      what_now(result.ending));
 }
 
 }  // namespace dda

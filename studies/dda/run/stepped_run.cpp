@@ -29,7 +29,7 @@ void SteppedRun::carry_dead_loads() {
   const std::string obstacle = simulation_.apply_dead_loads();
   simulation_.walker().effort().count_steps_anew();
   simulation_.begin_path();
-  if (!obstacle.empty()) ending_ = {Ending::Kind::stopped_early, obstacle};
+  if (!obstacle.empty()) ending_ = {Ending::Kind::stopped_early, obstacle, Stop::dead_load};
 }
 
 void SteppedRun::begin() { carry_dead_loads(); }

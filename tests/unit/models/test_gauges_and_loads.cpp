@@ -100,6 +100,8 @@ TEST_F(OnSquare, BodyForce) {
   const double mortar = blocks[0].moments.area + blocks[3].moments.area;
   EXPECT_NEAR(power(load("{type: body_force, force: [2, -3], materials: [mortar]}"), {0, 1}, Mat2::Zero()),
               -3 * 0.7 * mortar, 1e-14);
+  EXPECT_NEAR(power(load("{type: body_force, force: [2, -3], regions: [b]}"), {0, 1}, Mat2::Zero()),
+              -3 * 0.7 * blocks[1].moments.area, 1e-14);
 }
 
 TEST_F(OnSquare, InitialStressWorksAgainstTheStrain) {
@@ -109,6 +111,7 @@ TEST_F(OnSquare, InitialStressWorksAgainstTheStrain) {
   const StageLoads partly = load("{type: initial_stress, xx: 2, regions: [b]}");
   EXPECT_EQ(partly.initial_stress[1], Vec3(2, 0, 0));
   EXPECT_EQ(partly.initial_stress[0], Vec3(0, 0, 0));
+  EXPECT_EQ(load("{type: initial_stress, xx: 2, materials: [mortar]}").initial_stress[3], Vec3(2, 0, 0));
 }
 
 TEST_F(OnSquare, PrescribedDisplacementDrivesASpring) {

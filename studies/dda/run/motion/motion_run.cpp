@@ -232,12 +232,15 @@ class MotionRecorder {
   Clock::time_point written_ = Clock::now();
 };
 
+/// Blocks of second order begin as bodies that the supports do not fit any more: what equilibrium releases then is no
+/// energy of the path's, that of the strain gradients is.
 nlohmann::ordered_json summary_of(const Beginning& from, const PathEnd& end) {
-  nlohmann::ordered_json out{{"is_pushed", from.handover.is_pushed},
-                             {"released_energy", from.equilibrium.released},
-                             {"largest_displacement", from.equilibrium.moved}};
-  if (end.equilibrium.num_gradients() > 0)
+  nlohmann::ordered_json out{{"is_pushed", from.handover.is_pushed}};
+  if (end.equilibrium.num_gradients() == 0)
+    out["released_energy"] = from.equilibrium.released;
+  else
     out["gradient_energy"] = end.equilibrium.gradient_energy(end.state.d.all());
+  out["largest_displacement"] = from.equilibrium.moved;
   if (!from.equilibrium.failure.empty()) out["failure"] = from.equilibrium.failure;
   return out;
 }
@@ -269,9 +272,10 @@ Ending ending_of(const Motion& motion, const MotionParameters& parameters, bool 
              has_failed = motion.ending() == Motion::Ending::failed;
   if (is_too_long)
     return {Ending::Kind::stopped_early,
-            fmt::format("motion: not at rest after {:.4g} s; `motion.time` gives it longer", motion.time())};
-  return {has_failed ? Ending::Kind::stopped_early : Ending::Kind::goal_reached,
-          "motion: " + motion.reason()};
+            fmt::format("motion: not at rest after {:.4g} s; `motion.time` gives it longer", motion.time()),
+            Stop::not_at_rest};
+  return {has_failed ? Ending::Kind::stopped_early : Ending::Kind::goal_reached, "motion: " + motion.reason(),
+          motion.stop()};
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "studies/dda/run/recording/summary.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "continuation/linear/matrix_quality.hpp"
@@ -50,6 +52,10 @@ std::string status_of(const Ending& ending) {
       break;
   }
   return "stopped_early";
+}
+
+std::string what_now(const Ending& ending) {
+  return ending.stop ? fmt::format("; what now: `dda explain {}`", to_string(*ending.stop)) : "";
 }
 
 int exit_code_of(const Ending& ending) {
@@ -111,6 +117,7 @@ Json summarise(const Simulation& simulation, const RunMemory& memory, const Meas
   const double jump_energy = simulation.path().memory().jump_energy;
   const Measurement end = measures.measure(walker, effort.accepted, "", 0);
   Json out{{"title", simulation.deck().title}, {"status", status_of(ending)}, {"reason", ending.reason}};
+  if (ending.stop) out["stop"] = to_string(*ending.stop);
   out["blocks"] = equilibrium.num_blocks();
   out["interface_points"] = equilibrium.num_points();
   out["crackable_points"] = equilibrium.interfaces().num_crackable();

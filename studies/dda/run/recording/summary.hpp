@@ -10,6 +10,9 @@ namespace dda {
 /// "goal_reached", "stopped_early" or "interrupted": what summary.json and the last line call an ending.
 std::string status_of(const Ending& ending);
 
+/// Where its entry is found, for the last line; "" where it has none.
+std::string what_now(const Ending& ending);
+
 /// 0 goal_reached, 3 stopped_early, 130 interrupted.
 int exit_code_of(const Ending& ending);
 

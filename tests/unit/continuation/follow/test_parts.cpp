@@ -49,7 +49,7 @@ TEST_F(OnTheWayDown, WhatLosesWorkHasJumped) {
   next.work += 12;
   const Objection objection = objection_to(path, next);
   EXPECT_THAT(objection.why, HasSubstr("the step jumps"));
-  EXPECT_FALSE(objection.is_unsound);
+  EXPECT_FALSE(objection.unsound);
   EXPECT_TRUE(is_coarse(path, next));
 }
 

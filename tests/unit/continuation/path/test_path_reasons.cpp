@@ -13,6 +13,7 @@ TEST(Path, RefusedStepsHaveTheirReason) {
   for ([[maybe_unused]] const Point& point : coarse.path()) {
   }
   EXPECT_EQ(coarse.path().ending().kind, Ending::Kind::stopped_early);
+  EXPECT_EQ(coarse.path().ending().stop, Stop::no_next_equilibrium);
   EXPECT_THAT(coarse.path().ending().reason,
               testing::StartsWith("dissipation control found no next equilibrium: the step leaves too much "
                                   "energy unaccounted for; "));
@@ -45,6 +46,7 @@ TEST(Path, EveryEarlyStopHasItsReason) {
   increments.path().restore(memory);
   EXPECT_FALSE(increments.path().next());
   EXPECT_EQ(increments.path().ending().kind, Ending::Kind::stopped_early);
+  EXPECT_EQ(increments.path().ending().stop, Stop::increments_failed);
   EXPECT_THAT(increments.path().ending().reason,
               testing::EndsWith("the increments have fallen below 0.0001 of it"));
 }
