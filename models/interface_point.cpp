@@ -210,8 +210,7 @@ class PointMaker {
   /// Of the gradient of a block's strain; none of a block of first order.
   MotionRows gradient_rows(BlockId id, const Vec2& x) const {
     if (!body_.gradient_of(id)) return {};
-    const Vec2 offset = x - body_.block(id).moments.centroid;
-    return {gradient_displacement_rows(offset, body_.size(id)), gradient_strain_rows(offset, body_.size(id))};
+    return {gradient_motion(body_, id, x), gradient_strain(body_, id, x)};
   }
 
   void add_cuts(InterfaceSet& out) {
@@ -270,7 +269,7 @@ class PointMaker {
     point.rows.first = compliance.asDiagonal() * point.rows.first_stress;
     point.rows.second.setZero();
     if (const auto node = body_.gradient_of(point.first)) {
-      const Mat26 stress = traction * gradient_rows(point.first, point.x).strain;
+      const Mat26 stress = traction * gradient_strain(body_, point.first, point.x);
       point.gradients.push_back({*node, compliance.asDiagonal() * stress, stress});
     }
   }

@@ -28,22 +28,40 @@ std::uint64_t mark_of(std::size_t point, ContactPiece piece) {
   return z ^ (z >> 31);
 }
 
+/// Corners that a walk may pass before it is said to wander, and how many of them after it has first turned round.
+struct Limits {
+  std::size_t all, after_turn;
+};
+
+Limits limits_of(Patience patience, std::size_t points) {
+  constexpr std::size_t per_point = 2, few = 200;
+  const std::size_t all = per_point * points + few;
+  return {all, patience == Patience::little ? few : all};
+}
+
+/// A covered walk ends by itself, but where strong friction wedges bricks many joints are let go and held again on the
+/// way.
+Limits limits_of_covered(std::size_t points) {
+  constexpr std::size_t per_point = 20, few = 200;
+  return {per_point * points + few, per_point * points + few};
+}
+
 class Walk {
  public:
-  Walk(const ContactProblem& problem, ContactMatrix& matrix, const ResidualStiffness& residual)
+  Walk(const ContactProblem& problem, ContactMatrix& matrix, const WalkRule& rule)
       : problem_(problem),
         matrix_(matrix),
-        residual_(residual),
+        rule_(rule),
         pieces_(size(), ContactPiece::stuck),
         centre_(Vector::Zero(2 * count())) {}
 
   std::optional<Vector> from(const Vector& start) {
     x_ = start;
     set_centre(start);
-    disturb(residual(x_, residual_.share).lpNorm<Eigen::Infinity>());
+    disturb(residual(x_, rule_.share).lpNorm<Eigen::Infinity>());
     read_pieces();
     tau_ = 1;
-    return follow(residual(x_, residual_.share), most_near * size() + few);
+    return follow(residual(x_, rule_.share), limits_of(rule_.patience, size()));
   }
 
   std::optional<Vector> covered() {
@@ -52,20 +70,16 @@ class Walk {
         pieces_[i] = contact->coefficient > 0 ? ContactPiece::stuck : ContactPiece::forward;
     x_ = Vector::Zero(problem_.constant.size());
     if (!matrix_.move_to(problem_, changes())) return {};
-    x_ -= matrix_.solve(residual(x_, residual_.share));
+    x_ -= matrix_.solve(residual(x_, rule_.share));
     Vector overlap = Vector::Zero(x_.size());
     for (std::size_t i = 0; i < size(); ++i)
       if (problem_.points[i].contact) overlap[place(i)] = -tie_breaker(i);
     tau_ = covering(overlap);
     x_ += tau_ * overlap;
-    return follow(times(overlap), most_covered * size() + few);
+    return follow(times(overlap), limits_of_covered(size()));
   }
 
  private:
-  /// Corners a walk may pass, per point and beside: one that passes more wanders. A covered one ends by itself,
-  /// but where strong friction wedges bricks many joints are let go and held again on the way.
-  static constexpr std::size_t most_near = 2, most_covered = 20, few = 200;
-
   std::size_t size() const { return problem_.points.size(); }
   Eigen::Index count() const { return static_cast<Eigen::Index>(size()); }
   Vec2 opening(const Vector& x, std::size_t i) const { return x.segment<2>(place(i)); }
@@ -83,7 +97,7 @@ class Walk {
     if (!problem_.points[i].is_exact) return {1, share};
     return {1 / (1 + share), share / (1 + share)};
   }
-  bool holds_jump(std::size_t i) const { return residual_.share >= 1 && !problem_.points[i].is_exact; }
+  bool holds_jump(std::size_t i) const { return rule_.share >= 1 && !problem_.points[i].is_exact; }
 
   /// Traction and tangent of a point on its piece, its residual stiffness included.
   Response respond(std::size_t i, const Vec2& q, double share) const {
@@ -123,7 +137,7 @@ class Walk {
 
   Mat2 change_of(std::size_t i) const {
     const ContactProblem::Point& point = problem_.points[i];
-    return point.weight * (respond(i, Vec2::Zero(), residual_.share).tangent - point.base);
+    return point.weight * (respond(i, Vec2::Zero(), rule_.share).tangent - point.base);
   }
 
   std::vector<Mat2> changes() const {
@@ -172,19 +186,15 @@ class Walk {
     return 1.1 * out + largest;
   }
 
-  /// Follows F(x) = τ r to τ = 0, past not more than `most` corners, and corrects until F is met as it is. On
-  /// one set of pieces there is one line of solutions: a set that comes back closes a loop that never ends.
-  std::optional<Vector> follow(const Vector& right, std::size_t most) {
-    if (!matrix_.move_to(problem_, changes())) return {};
-    way_ = matrix_.solve(right);
-    if (!way_.allFinite()) return {};
-    direction_ = -1;
-    nearest_ = tau_;
-    const double size = tau_ * right.lpNorm<Eigen::Infinity>();
-    last_ = -1;
+  /// Follows F(x) = τ r to τ = 0 and corrects until F is met as it is. On one set of pieces there is one line of
+  /// solutions: a set that comes back closes a loop that never ends.
+  std::optional<Vector> follow(const Vector& right, const Limits& limits) {
+    if (!set_out(right)) return {};
+    const double distance = tau_ * right.lpNorm<Eigen::Infinity>();
     std::unordered_set<std::uint64_t> passed;
     std::uint64_t set = 0;  // of the pieces that are others than at the start
-    for (std::size_t corners = 0; corners < most; ++corners) {
+    std::size_t after_turn = 0;
+    for (std::size_t corners = 0; corners < limits.all && after_turn < limits.after_turn; ++corners) {
       if (!passed.insert(set).second) return {};
       const Vector along = direction_ * way_;
       const auto end = next_end(along);
@@ -192,19 +202,29 @@ class Walk {
       if (!end || end->length >= rest) {
         if (!std::isfinite(rest)) return {};  // a ray: nothing holds what moves
         x_ += rest * along;
-        return residual_.is_taken_off ? corrected() : std::optional(x_);
+        return rule_.is_taken_off ? corrected() : std::optional(x_);
       }
       x_ += end->length * along;
       tau_ += direction_ * end->length;
       set += mark_of(end->point, end->to) - mark_of(end->point, pieces_[end->point]);
       const bool came_nearer = direction_ < 0;
       if (!cross(end->point, end->to, right)) return {};
+      if (after_turn > 0 || direction_ > 0) ++after_turn;
       if (!came_nearer || direction_ < 0 || tau_ >= nearest_) continue;
       nearest_ = tau_;
-      if (auto found = solved_nearby(size)) return found;
+      if (auto found = solved_nearby(distance)) return found;
       if (!matrix_.move_to(problem_, changes())) return {};
     }
     return {};
+  }
+
+  bool set_out(const Vector& right) {
+    if (!matrix_.move_to(problem_, changes())) return false;
+    way_ = matrix_.solve(right);
+    direction_ = -1;
+    nearest_ = tau_;
+    last_ = -1;
+    return way_.allFinite();
   }
 
   /// Where the way turns round, the equations with the residual stiffness have no solution nearer. As they are
@@ -213,7 +233,7 @@ class Walk {
   /// without it, as near as it gets: weak springs may be too much to bear as well, and what they leave the full
   /// equations judge. `size` of what walking has to bring to 0.
   std::optional<Vector> solved_nearby(double size) {
-    if (!residual_.is_taken_off) return {};
+    if (!rule_.is_taken_off) return {};
     constexpr int most = 8;
     constexpr double near = 1e-3, solved = 1e3, nearly = 1e6;
     const Vector turn = x_;
@@ -266,7 +286,7 @@ class Walk {
     last_ = static_cast<int>(i);
     left_ = pieces_[i];
     pieces_[i] = to;
-    const double by = residual_of(i, residual_.share).of_law * point.weight;
+    const double by = residual_of(i, rule_.share).of_law * point.weight;
     if (matrix_.add(problem_, {i, by * change.u, change.v, change_of(i)}) < 0) direction_ = -direction_;
     if (!matrix_.is_worn()) {
       matrix_.update(way_);
@@ -295,7 +315,7 @@ class Walk {
 
   const ContactProblem& problem_;
   ContactMatrix& matrix_;
-  const ResidualStiffness residual_;
+  const WalkRule rule_;
   std::vector<ContactPiece> pieces_;
   Vector centre_;  ///< w that the residual stiffness pulls to
   Vector x_, way_;
@@ -308,15 +328,15 @@ class Walk {
 }  // namespace
 
 std::optional<Vector> walk_from(const ContactProblem& problem, const Vector& start, ContactMatrix& matrix,
-                                const ResidualStiffness& residual) {
-  return Walk(problem, matrix, residual).from(start);
+                                const WalkRule& rule) {
+  return Walk(problem, matrix, rule).from(start);
 }
 
 std::optional<Vector> walk_proximally(const ContactProblem& problem, Vector start, ContactMatrix& matrix,
-                                      const ResidualStiffness& residual) {
+                                      const WalkRule& rule) {
   constexpr double firm = 0.1, at_rest = 0.1;
   constexpr int most_walks = 1000;
-  const double wanted = residual.share;
+  const double wanted = rule.share;
   constexpr int firmest = -1;
   int level = 1;  // of the share, in powers of `firm`
   const Eigen::Index last = start.size() - 1;
@@ -325,7 +345,7 @@ std::optional<Vector> walk_proximally(const ContactProblem& problem, Vector star
   bool is_trial = false;
   for (int walks = 0; walks < most_walks && level >= firmest; ++walks) {
     const double share = std::max(wanted, std::pow(firm, level));
-    const auto found = walk_from(problem, start, matrix, {share, share <= wanted});
+    const auto found = walk_from(problem, start, matrix, {share, share <= wanted, Patience::little});
     if (!found) {
       if (is_trial) patience *= 2;
       moved_then = moved;
@@ -346,8 +366,8 @@ std::optional<Vector> walk_proximally(const ContactProblem& problem, Vector star
 }
 
 std::optional<Vector> walk_covered(const ContactProblem& problem, ContactMatrix& matrix,
-                                   const ResidualStiffness& residual) {
-  return Walk(problem, matrix, residual).covered();
+                                   const WalkRule& rule) {
+  return Walk(problem, matrix, rule).covered();
 }
 
 }  // namespace dda

@@ -7,10 +7,14 @@
 
 namespace dda {
 
-/// The residual stiffness ε P of what is open or slides.
-struct ResidualStiffness {
-  double share = 1e-7;       ///< ε
+/// How long a walk may wander: one of little patience is given up soon after it has turned round, since against a firmer
+/// residual stiffness the way is mostly found past far fewer corners.
+enum class Patience { little, much };
+
+struct WalkRule {
+  double share = 1e-7;       ///< ε of the residual stiffness ε P of what is open or slides
   bool is_taken_off = true;  ///< by corrections at the end
+  Patience patience = Patience::much;
 };
 
 /// Solves a contact problem by walking from piece to piece: with x₀ and F(x₀) = r the solutions of F(x) = τ r are followed
@@ -26,16 +30,16 @@ struct ResidualStiffness {
 /// joints pressed together (`covered`): then no ray leads to infinity. Nothing where the equations have no
 /// solution, as beyond the load of a mechanism. `matrix` is kept from walk to walk.
 std::optional<Eigen::VectorXd> walk_from(const ContactProblem& problem, const Eigen::VectorXd& start,
-                                         ContactMatrix& matrix, const ResidualStiffness& residual = {});
+                                         ContactMatrix& matrix, const WalkRule& rule = {});
 /// Solves it by many walks, each centred at the end of the one before (proximal point method), where a single
 /// one wanders, as among the many states in which bricks are wedged by strong friction: with more residual
 /// stiffness a walk ends soon, and from there with less again. Where less wanders, the same again, twice as
 /// often each time or until what moves is nearly at rest, as in viscous motion.
 std::optional<Eigen::VectorXd> walk_proximally(const ContactProblem& problem, Eigen::VectorXd start,
-                                               ContactMatrix& matrix, const ResidualStiffness& residual = {});
+                                               ContactMatrix& matrix, const WalkRule& rule = {});
 /// Solves it by a walk that starts with all joints closed and held, so far overlapping that no ray leads to
 /// infinity.
 std::optional<Eigen::VectorXd> walk_covered(const ContactProblem& problem, ContactMatrix& matrix,
-                                            const ResidualStiffness& residual = {});
+                                            const WalkRule& rule = {});
 
 }  // namespace dda

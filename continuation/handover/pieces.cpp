@@ -4,7 +4,6 @@
 
 #include "meshing/geometry/triangle_rule.hpp"
 #include "models/body/motion.hpp"
-#include "models/kinematics/second_order.hpp"
 
 namespace dda {
 namespace {
@@ -12,13 +11,13 @@ namespace {
 /// The motion of first order that is closest to that of a block's strain gradient over a piece of it, as its mass weighs
 /// it: ∫ Tᵀ(T x − G g) dA = 0, so that momentum is kept.
 Vec6 closest_motion(const Body& whole, BlockId block, const Block& piece, const Vec6& g) {
-  const Vec2 &centroid = piece.moments.centroid, &of_whole = whole.block(block).moments.centroid;
+  const Vec2& centroid = piece.moments.centroid;
   Mat6 mass = Mat6::Zero();
   Vec6 moved = Vec6::Zero();
   for_each_quadrature_point(piece.outline, centroid, [&](double weight, const Vec2& x) {
     const Mat26 rows = displacement_rows(x - centroid);
     mass += weight * rows.transpose() * rows;
-    moved += weight * rows.transpose() * (gradient_displacement_rows(x - of_whole, whole.size(block)) * g);
+    moved += weight * rows.transpose() * (gradient_motion(whole, block, x) * g);
   });
   return mass.ldlt().solve(moved);
 }

@@ -52,10 +52,11 @@ std::optional<Reduced> ContactSolver::solve(const StepGoal& goal) {
   return found && found->converged ? std::move(found) : std::nullopt;
 }
 
-/// Under a control that is a sum, taking points in until none is left out.
+/// Under a control that is a sum, taking points in until none is left out: each time from what has been found.
 std::optional<Reduced> ContactSolver::solve_sum(const ControlSum& sum, const StepGoal& goal,
                                                 const State& guess) {
   LinearSystem& linear = system_.contact_linear();
+  std::optional<Reduced> out;
   int iterations = 0;
   constexpr int most_rounds = 60;
   for (int round = 0; round < most_rounds; ++round) {
@@ -63,7 +64,7 @@ std::optional<Reduced> ContactSolver::solve_sum(const ControlSum& sum, const Ste
     if (!points_ || points_->num_points() != linear.updated_points().size())
       points_.emplace(system_, linear, sum);
     const auto scope = system_.timings().measure("contact");
-    auto out = iterate(goal, guess);
+    out = out ? iterate(out->state, out->state, goal.step) : iterate(goal.start, guess, goal.step);
     if (!out) return {};
     out->iterations = iterations += out->iterations;
     out->state.multipliers = guess.multipliers;
@@ -79,12 +80,12 @@ std::optional<Reduced> ContactSolver::solve_sum(const ControlSum& sum, const Ste
 
 /// By Newton's method where something cracks, that is wanted and does it, else by walking: where only
 /// contacts change one walk is all, and Newton's method steps round between their pieces.
-std::optional<Reduced> ContactSolver::iterate(const StepGoal& goal, const State& guess) {
+std::optional<Reduced> ContactSolver::iterate(const State& start, const State& guess, double step) {
   const int most = stepper_.parameters().newton.max_iterations;
   if (tries_newton_ && !points_->only_touch())
-    if (auto found = solve_from(points_->begin(guess, {.max_iterations = most}), goal.step, Method::newton))
+    if (auto found = solve_from(points_->begin(guess, {.max_iterations = most}), step, Method::newton))
       return found;
-  return solve_from(points_->begin_walks(goal.start, {.max_iterations = most}), goal.step, Method::walk);
+  return solve_from(points_->begin_walks(start, {.max_iterations = most}), step, Method::walk);
 }
 
 std::optional<Reduced> ContactSolver::solve_from(const Iterate& at, double step, Method method) {

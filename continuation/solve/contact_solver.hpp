@@ -35,7 +35,7 @@ class ContactSolver {
  private:
   void prepare(const State& near);
   std::optional<Reduced> solve_sum(const ControlSum& sum, const StepGoal& goal, const State& guess);
-  std::optional<Reduced> iterate(const StepGoal& goal, const State& guess);
+  std::optional<Reduced> iterate(const State& start, const State& guess, double step);
   std::optional<Reduced> solve_from(const Iterate& at, double step, Method method);
   void refine(Reduced& found, double step);
 

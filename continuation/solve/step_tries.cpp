@@ -60,7 +60,7 @@ Attempt StepTries::find() {
   const int of_points = reduced ? reduced->iterations : 0;
   if (reduced && !reduced->converged) {
     reduced.reset();
-    if (thoroughness_ == Thoroughness::quick && opens_only()) {
+    if (thoroughness_ == Thoroughness::quick && a_shorter_step_helps()) {
       out_ = {.state = goal_.guess,
               .newton_iterations = of_points,
               .reduced_iterations = of_points,
@@ -83,7 +83,7 @@ Attempt StepTries::find() {
 
 /// Whether nothing touches where the step begins, so that no contact has a say, and a shorter step is sure to help.
 /// Redundant multipliers leave so many digits of the columns that the points alone may fail however short it is.
-bool StepTries::opens_only() const {
+bool StepTries::a_shorter_step_helps() const {
   if (system_.equilibrium().num_unknown_multipliers() > 0) return false;
   const auto laws = system_.laws_at(goal_.start);
   for (std::size_t p = 0; p < laws->opening.size(); ++p)

@@ -17,7 +17,7 @@ class StepTries {
 
  private:
   bool are_few() const;
-  bool opens_only() const;
+  bool a_shorter_step_helps() const;
   bool only_touches() const { return touches_ && num_cracked_ == 0 && are_few(); }
   void by_contacts();
   void by_all(const State& guess);

@@ -5,7 +5,6 @@
 
 #include "meshing/geometry/triangle_rule.hpp"
 #include "models/body/motion.hpp"
-#include "models/kinematics/second_order.hpp"
 
 namespace dda {
 namespace {
@@ -53,9 +52,7 @@ void add_gradient(const Body& body, BlockId id, double per_area, Mass& out) {
   const Vec2& centroid = block.moments.centroid;
   const BlockId node = *body.gradient_of(id);
   const auto own = [&](const Vec2& x) { return displacement_rows(x - centroid); };
-  const auto gradient = [&](const Vec2& x) {
-    return gradient_displacement_rows(x - centroid, body.size(id));
-  };
+  const auto gradient = [&](const Vec2& x) { return gradient_motion(body, id, x); };
   out.diagonal.push_back(per_area * integral_of_products(block.outline, centroid, gradient, gradient));
   out.couplings.push_back(
       {id, node, per_area * integral_of_products(block.outline, centroid, own, gradient)});
@@ -66,10 +63,8 @@ std::vector<Mass::Coupling> gradient_and_part(const Body& body, BlockId id, cons
   std::vector<Mass::Coupling> out;
   const auto node = body.gradient_of(id);
   if (!node) return out;
-  const Vec2 centroid = body.block(id).moments.centroid, of_part = moments(part.outline).centroid;
-  const auto gradient = [&](const Vec2& x) {
-    return gradient_displacement_rows(x - centroid, body.size(id));
-  };
+  const Vec2 of_part = moments(part.outline).centroid;
+  const auto gradient = [&](const Vec2& x) { return gradient_motion(body, id, x); };
   for (const JumpId jump : part.jumps) {
     const auto moved = [&](const Vec2& x) { return motion_of(body, jump, x).rows; };
     out.push_back({*node, body.node_of(jump), integral_of_products(part.outline, of_part, gradient, moved)});

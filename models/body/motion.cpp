@@ -21,11 +21,16 @@ NodeMotion motion_of(const Body& body, JumpId jump, const Vec2& x) {
   return {body.node_of(jump), rows};
 }
 
+Mat26 gradient_motion(const Body& body, BlockId block, const Vec2& x) {
+  return gradient_displacement_rows(x - body.block(block).moments.centroid, body.size(block));
+}
+Mat36 gradient_strain(const Body& body, BlockId block, const Vec2& x) {
+  return gradient_strain_rows(x - body.block(block).moments.centroid, body.size(block));
+}
+
 std::vector<NodeMotion> motions_at(const Body& body, BlockId block, const Vec2& x) {
-  const Vec2 offset = x - body.block(block).moments.centroid;
-  std::vector<NodeMotion> out{{block, displacement_rows(offset)}};
-  if (const auto node = body.gradient_of(block))
-    out.push_back({*node, gradient_displacement_rows(offset, body.size(block))});
+  std::vector<NodeMotion> out{{block, displacement_rows(x - body.block(block).moments.centroid)}};
+  if (const auto node = body.gradient_of(block)) out.push_back({*node, gradient_motion(body, block, x)});
   for (const JumpId jump : jumps_at(body, block, x)) out.push_back(motion_of(body, jump, x));
   return out;
 }

@@ -20,6 +20,11 @@ struct NodeMotion {
 ///            [ 0  1   X/ℓ ]
 NodeMotion motion_of(const Body& body, JumpId jump, const Vec2& x);
 
+/// Displacement and strain of a point of a block of second order by the unknowns of its strain gradient
+/// (second_order.hpp), 2 × 6 and 3 × 6.
+Mat26 gradient_motion(const Body& body, BlockId block, const Vec2& x);
+Mat36 gradient_strain(const Body& body, BlockId block, const Vec2& x);
+
 /// Of a point of a block: the block's own, T, that of its strain gradient if it is of second order, and those of the jumps
 /// by which its part there moves beside it.
 std::vector<NodeMotion> motions_at(const Body& body, BlockId block, const Vec2& x);

@@ -1,8 +1,8 @@
 #include <algorithm>
 
+#include "models/body/motion.hpp"
 #include "models/body/place_schema.hpp"
 #include "models/gauge/gauge.hpp"
-#include "models/kinematics/second_order.hpp"
 #include "models/load/eigenstress.hpp"
 
 namespace dda {
@@ -54,10 +54,9 @@ Vec6 row_of(const Vec3& of_strain) {
 Functional rows_of(const Body& body, const MeanParameters& p, const Share& share, const Vec3& e) {
   const auto& [block, weight] = share;
   Functional out{{{block, row_of(weight * e)}}};
-  if (const auto node = body.gradient_of(block); node && p.at) {
-    const Vec2 offset = locate(body.assembly, *p.at) - body.block(block).moments.centroid;
-    out.rows.emplace_back(*node, weight * gradient_strain_rows(offset, body.size(block)).transpose() * e);
-  }
+  if (const auto node = body.gradient_of(block); node && p.at)
+    out.rows.emplace_back(
+        *node, weight * gradient_strain(body, block, locate(body.assembly, *p.at)).transpose() * e);
   return out;
 }
 

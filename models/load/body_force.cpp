@@ -1,7 +1,6 @@
 #include "framework/deck/formula.hpp"
 #include "models/body/chosen.hpp"
 #include "models/body/motion.hpp"
-#include "models/kinematics/second_order.hpp"
 #include "models/load/load.hpp"
 #include "models/load/quadrature.hpp"
 
@@ -40,13 +39,11 @@ class BodyForce final : public Load {
   void add_to_gradient(StageLoads& stage, const Body& body, BlockId id) const {
     const auto node = body.gradient_of(id);
     if (!node) return;
-    const Block& block = body.block(id);
-    const double size = body.size(id);
     const auto density = [&](const Vec2& x) -> Integrals {
-      return gradient_displacement_rows(x - block.moments.centroid, size).transpose() * p_.force(x);
+      return gradient_motion(body, id, x).transpose() * p_.force(x);
     };
     Eigen::Map<Vec6>(stage.force.data() + 6 * node->value()) +=
-        body.thickness * integral(block.outline, density);
+        body.thickness * integral(body.block(id).outline, density);
   }
   /// f += ∫ Jᵀ b dV over what a jump moves.
   void add_to_jumps(StageLoads& stage, const Body& body, BlockId id) const {

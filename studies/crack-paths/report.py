@@ -6,7 +6,7 @@ import figures
 import patterns
 from ddapath import study
 
-PARTS = ("beams", "curved", "paper")
+PARTS = ("beams", "curved", "second-order", "paper")
 STRAIGHT_KITOH = 14997.0  # N
 
 
@@ -97,22 +97,53 @@ def curved_table(rows, paths, structure):
     yield from spread(rows, paths, structure)
 
 
+def differences(rows, paths, structure):
+    """Peaks, and half of what the paths differ by at each station, in depths."""
+    places = []
+    for at in structure.stations:
+        values = [station(chosen(paths, structure=structure.name, direction=row["direction"], pattern=row["pattern"]),
+                          structure, at) for row in rows]
+        values = [value for value in values if value is not None]
+        places.append((max(values) - min(values)) / 2 / structure.depth if values else 0.0)
+    return [row["peak"] for row in rows], places
+
+
 def spread(rows, paths, structure):
     """How much peak and path differ between the patterns."""
     for direction in dict.fromkeys(row["direction"] for row in rows):
         found = chosen(rows, structure=structure.name, direction=direction)
         if len(found) < 2:
             continue
-        peaks = [row["peak"] for row in found]
-        places = []
-        for at in structure.stations:
-            values = [station(chosen(paths, structure=structure.name, direction=direction, pattern=row["pattern"]),
-                              structure, at) for row in found]
-            values = [value for value in values if value is not None]
-            places.append((max(values) - min(values)) / 2 / structure.depth if values else 0.0)
+        peaks, places = differences(found, paths, structure)
         yield (f"`{direction}`: peaks differ by {100 * (max(peaks) / min(peaks) - 1):.2f} %, paths by "
                + ", ".join(f"± {100 * value:.1f} %" for value in places) + " of the depth.")
         yield ""
+
+
+def second_order_tables(rows, paths):
+    """Blocks of second order: bias of the beams, and how much curved cracks differ between the patterns."""
+    yield "### Blocks of second order, about 1300"
+    yield "| beam | " + " | ".join(patterns.PATTERNS) + " | seconds |"
+    yield "|---|" + "---|" * (len(patterns.PATTERNS) + 1)
+    for structure in patterns.BEAMS:
+        found = {row["pattern"]: row for row in chosen(rows, structure=structure.name)}
+        cells = [percent(found[name]["peak"] / structure.reference - 1) if name in found else "–" for name in patterns.PATTERNS]
+        yield f"| {structure.title} | " + " | ".join(cells) + f" | {middle_seconds(found.values())} |"
+    yield ""
+    yield "| curved crack | peak [N] | peaks differ by | paths by ± | seconds |"
+    yield "|---|---|---|---|---|"
+    for structure in patterns.CURVED:
+        found = chosen(rows, structure=structure.name)
+        if len(found) > 1:
+            peaks, places = differences(found, paths, structure)
+            shown = ", ".join(f"{100 * value:.1f} %" for value in places)
+            yield (f"| {structure.title} | {min(peaks):.0f} to {max(peaks):.0f} | {100 * (max(peaks) / min(peaks) - 1):.2f} % | "
+                   f"{shown} of the depth | {middle_seconds(found)} |")
+    yield ""
+
+
+def middle_seconds(rows):
+    return f"{statistics.median(row['seconds'] for row in rows):.1f}" if rows else "–"
 
 
 def paper_table(rows):
@@ -134,6 +165,7 @@ def write(folder):
     for structure in patterns.CURVED:
         if chosen(data["curved"], structure=structure.name):
             lines += curved_table(data["curved"], data["curved-paths"], structure)
+    lines += second_order_tables(data["second-order"], data["second-order-paths"])
     lines += paper_table(data["paper"])
     study.write_region(folder / "README.md", "\n".join(lines).strip())
     figures.draw_paths(data["beams-paths"], data["curved-paths"], folder / "results" / "paths.svg")

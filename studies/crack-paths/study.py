@@ -2,7 +2,7 @@
 
     study.py --program DDA [--quick] [--jobs N] [--only PART ...] [--report] [--output FOLDER]
 
-Parts: beams, curved, paper. Writes results/*.csv, the figures and the marked region of README.md into FOLDER: this
+Parts: beams, curved, second-order, paper. Writes results/*.csv, the figures and the marked region of README.md into FOLDER: this
 folder, or with --quick runs/crack-paths.
 """
 
@@ -20,6 +20,7 @@ import report  # noqa: E402
 from ddapath import study  # noqa: E402
 
 DIRECTIONS = ("nonlocal_stress", "released_energy")
+CURVED = 1250  # blocks of structures whose cracks curve
 PAPER = {"coarse": 130, "fine": 455}  # blocks of the paper's meshes
 PAPER_SEEDS = range(1, 6)
 THROUGH = {"cracks": [{"through_blocks": ["beam"], "begin": "automatic"}]}
@@ -73,9 +74,21 @@ def curved_jobs(quick):
         for direction in DIRECTIONS:
             for pattern in patterns.FIVE[:1] if quick else patterns.FIVE:
                 what = {"structure": structure.name, "direction": direction, "pattern": pattern}
-                settings = {"scene.subdivision": patterns.subdivision(pattern, structure.area, 330 if quick else 1250)}
+                settings = {"scene.subdivision": patterns.subdivision(pattern, structure.area, 330 if quick else CURVED)}
                 settings["cracks.0.direction"] = direction
                 yield what, f"{structure.name}.yaml", settings
+
+
+def second_order_jobs(quick):
+    """The middle size, and curved cracks by stress, with blocks of second order."""
+    structures = patterns.BEAMS + patterns.CURVED
+    for structure in structures[:1] if quick else structures:
+        chosen, blocks = (patterns.PATTERNS, patterns.SIZES["middle"]) if structure.reference else (patterns.FIVE, CURVED)
+        for pattern in chosen[:1] if quick else chosen:
+            what = {"structure": structure.name, "direction": DIRECTIONS[0], "pattern": pattern}
+            yield what, f"{structure.name}.yaml", {
+                "kinematics": "second_order",
+                "scene.subdivision": patterns.subdivision(pattern, structure.area, 330 if quick else blocks)}
 
 
 def paper_jobs(quick):
@@ -88,7 +101,7 @@ def paper_jobs(quick):
                 yield what, "../kitoh-beam/deck.yaml", size | settings
 
 
-PARTS = {"beams": beam_jobs, "curved": curved_jobs, "paper": paper_jobs}
+PARTS = {"beams": beam_jobs, "curved": curved_jobs, "second-order": second_order_jobs, "paper": paper_jobs}
 
 
 def run_part(part, asked):

@@ -17,7 +17,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 from contact_scenes import ANGLES, MESHES, TREATMENTS, block_pressed, block_pushed, plate_inclined, plate_pressed  # noqa: E402
 from contact_structures import (  # noqa: E402
     FADING_MORTAR, SLENDER, brittle_wall, dry_wall, dry_wall_of_bricks, end_notched_flexure, plates_on_beam, slender, wall_of_mortar)
-from masonry_structures import ARCHES, TRILITHS, arch_leaning, arch_loaded, trilith  # noqa: E402
+from masonry_structures import ARCHES, TRILITHS, arch_leaning, arch_loaded, trilith, wall_with_door  # noqa: E402
 from matrix_runner import print_rows, run_cases  # noqa: E402
 
 SCENES = (block_pushed, block_pressed, plate_pressed, plates_on_beam, dry_wall, end_notched_flexure)
@@ -35,7 +35,7 @@ def all_cases():
     cases += [arch(*shape, t) for arch in (arch_loaded, arch_leaning) for shape in ARCHES for t in TREATMENTS]
     cases += [wall_of_mortar(*wall) for wall in MORTAR_WALLS]
     cases += [wall_of_mortar(3, "consistent", 0.069, 0.84, FADING_MORTAR, "mortar_wall_fading"),
-              brittle_wall()]
+              brittle_wall(), wall_with_door()]
     cases += [block_pushed("given", t, a, unit) for t in TREATMENTS for a in ANGLES for unit in (1.0, *UNITS)]
     cases += [scene(*place) for scene in SCENES for place in grid]
     cases += [plate_inclined(*place) for place in grid if place[2] >= 10]

@@ -58,13 +58,17 @@ def is_passed_by_jump(row, name, value):
     return row["goal"][name] > value and said in row["reason"]
 
 
+def goals(deck):
+    """The values of gauges at which a run ends: of its last stage, or of its path."""
+    return deck["stages"][-1].get("until") or deck["path"]["stop"]["gauges"]
+
+
 def faults(case, row):
     """What is wrong with a case's run, in words; empty when all that is known of it holds."""
     has_stopped = row["exit"] == 3 and case.may_stop and case.may_stop in row["reason"]
     out = [] if row["exit"] == 0 or has_stopped else [f"exit {row['exit']}"]
     if row["exit"] == 0:
-        goal = case.deck["path"]["stop"]["gauges"]
-        out += [f"{name} stands at {row['goal'][name]:.6g}, not {value:g}" for name, value in goal.items()
+        out += [f"{name} stands at {row['goal'][name]:.6g}, not {value:g}" for name, value in goals(case.deck).items()
                 if not abs(row["goal"][name] - value) <= 1e-6 * abs(value) and not is_passed_by_jump(row, name, value)]
     for quantity, (value, tolerance) in case.expected.items():
         if has_stopped and quantity == "end":
@@ -88,7 +92,7 @@ def run_case(case, folder, arguments):
            "rejected": rejected, "end": factors[-1] if factors else None,
            "peak": max(map(abs, factors)) if factors else None,
            "expected": " ".join(f"{name} {value:.10g}" for name, (value, _) in case.expected.items()),
-           "goal": {name: curve[-1][name] for name in case.deck["path"]["stop"]["gauges"]} if curve else {},
+           "goal": {name: curve[-1][name] for name in goals(case.deck)} if curve else {},
            "seconds": round(seconds, 2), "reason": summary.get("reason", said)}
     wrong = faults(case, row) + (refusals(run) if row["exit"] in (0, 3) else [])
     row["verdict"] = "; ".join(wrong) or "good"

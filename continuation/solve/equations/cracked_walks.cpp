@@ -32,13 +32,15 @@ std::vector<double> CrackedEquations::walk_from(const Iterate& at) {
   evaluate(at);
   linearise();
   constexpr double smaller = 0.03;
-  ResidualStiffness residual;
-  residual.share *= std::pow(smaller, rises_);
+  WalkRule rule{.patience = Patience::little};
+  rule.share *= std::pow(smaller, rises_);
   Vector start(length() + 1);
   start << q_, load_factor_;
-  auto found = dda::walk_from(problem_, start, matrix_, residual);
-  if (!found) found = walk_proximally(problem_, start, matrix_, residual);
-  if (!found) found = walk_covered(problem_, matrix_, residual);
+  auto found = dda::walk_from(problem_, start, matrix_, rule);
+  if (!found) found = walk_proximally(problem_, start, matrix_, rule);
+  rule.patience = Patience::much;
+  if (!found) found = dda::walk_from(problem_, start, matrix_, rule);
+  if (!found) found = walk_covered(problem_, matrix_, rule);
   if (!found || !found->allFinite()) return {};
   return {found->begin(), found->end()};
 }

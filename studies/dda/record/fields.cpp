@@ -5,7 +5,6 @@
 #include <map>
 
 #include "models/body/motion.hpp"
-#include "models/kinematics/second_order.hpp"
 #include "models/loading.hpp"
 #include "studies/dda/case/model_tables.hpp"
 
@@ -101,14 +100,12 @@ std::vector<Vec2> Fields::drawn(BlockId block, const Polygon& outline) const {
 }
 
 Vec2 Fields::displacement(BlockId block, const Vec2& x, std::span<const double> d) const {
-  const Vec2 offset = x - body_.block(block).moments.centroid;
   const auto of = [&](BlockId node) {
     return Eigen::Map<const Vec6>(d.data() + block_unknowns * node.value());
   };
-  const Vec2 out = displacement_rows(offset) * of(block);
+  const Vec2 out = displacement_rows(x - body_.block(block).moments.centroid) * of(block);
   const auto gradient = body_.gradient_of(block);
-  if (!gradient) return out;
-  return out + gradient_displacement_rows(offset, body_.size(block)) * of(*gradient);
+  return gradient ? Vec2(out + gradient_motion(body_, block, x) * of(*gradient)) : out;
 }
 
 Vec2 Fields::displacement_by(std::span<const JumpId> jumps, const Vec2& x, std::span<const double> d) const {
@@ -227,10 +224,9 @@ StoredField Fields::stress_at_vertices(const StoredField& means, const State& st
     const Vec3 mean = Eigen::Map<const Vec3>(means.values.data() + 3 * b);
     const auto node = body_.gradient_of(block);
     for (const Vec2& x : outline(block)) {
-      const Vec2 offset = x - body_.block(block).moments.centroid;
       Vec3 strain = Vec3::Zero();
       if (node)
-        strain = gradient_strain_rows(offset, body_.size(block)) *
+        strain = gradient_strain(body_, block, x) *
                  Eigen::Map<const Vec6>(state.d.data() + block_unknowns * node->value());
       append(Vec3(mean + body_.material(block).stiffness() * strain), out.values);
     }
