@@ -64,10 +64,12 @@ std::vector<Vec3> block_stress(PathState& path) {
 }
 
 CrackFront::Surroundings around(PathState& path) {
-  const auto stress_at = [&path, stress = block_stress(path)](const Vec2& x) -> std::optional<Vec3> {
-    const auto blocks = path.cracks->structure.front().geometry().blocks_near(x);
+  const auto stress_at = [&structure = path.cracks->structure, means = block_stress(path),
+                          d = path.walker.state().d.all()](const Vec2& x) -> std::optional<Vec3> {
+    const auto blocks = structure.front().geometry().blocks_near(x);
     if (blocks.empty()) return {};
-    return stress[blocks.front().value()];
+    const BlockId block = blocks.front();
+    return Vec3(means[block.value()] + structure.stress_beside_mean(block, x, d));
   };
   const std::vector<Cut> cuts = path.cracks->structure.front().geometry().cuts();
   return {stress_at, [&path, cuts](std::span<const Cut> free) { return released_energy(path, cuts, free); }};

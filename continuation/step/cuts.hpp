@@ -8,7 +8,7 @@ namespace dda {
 
 // What steps that change cuts through blocks share.
 
-/// σ of each block where the walker stands: (σx, σy, τxy) [F/L²].
+/// Mean σ of each block where the walker stands: (σx, σy, τxy) [F/L²].
 std::vector<Vec3> block_stress(PathState& path);
 
 /// What directions of cracks may ask of the structure where the walker stands: stress is that of the first block at

@@ -7,6 +7,7 @@
 
 #include "models/body/mass.hpp"
 #include "models/body/motion.hpp"
+#include "models/crack/growth.hpp"
 #include "models/kinematics/second_order.hpp"
 #include "models/stiffness_parts.hpp"
 #include "support/cut_structure.hpp"
@@ -342,6 +343,36 @@ TEST(CutBlocks, PointsOfMoreCutsComeAtTheEndOfTheirGroup) {
     EXPECT_EQ(after.point(p).x, before.point(p).x);
     EXPECT_EQ(after.point(p).stiffness, before.point(p).stiffness);
     EXPECT_EQ(after.point(p).cut, before.point(p).cut);
+  }
+}
+
+/// What a crack sees of a block of second order: σ at a point beside the mean is that of the displacements there.
+TEST(CutBlocks, StressVariesInBlocksOfSecondOrder) {
+  for (const bool second_order : {true, false}) {
+    CutStructure structure({.subdivision = "{type: grid, columns: 12, rows: 4}",
+                            .more = second_order ? "kinematics: second_order\n" : ""});
+    const Body& body = structure.body();
+    ModelDeck deck = structure.deck();
+    deck.cracks.front().direction = crack_directions().choose("nonlocal_stress");
+    Equilibrium equilibrium = structure.equilibrium();
+    CrackFront front(structure.cracks(), body, deck);
+    const CrackedStructure cracked(front, body, deck, equilibrium);
+    const BlockId block(7);
+    const auto node = body.gradient_of(block);
+    ASSERT_EQ(node.has_value(), second_order);
+    const Vec2 x = body.block(block).moments.centroid + Vec2(0.7, -0.4);
+    std::vector<double> d(equilibrium.num_unknowns(), 0.0);
+    Vec3 expected = Vec3::Zero();
+    if (node) {
+      const Vec6 g = Vec6::Random();
+      Eigen::Map<Vec6>(d.data() + block_unknowns * node->value()) = g;
+      const auto u = [&](double along, double up) {
+        return Vec2(gradient_motion(body, block, x + Vec2(along, up)) * g);
+      };
+      const Vec2 by_x = (u(0.5, 0) - u(-0.5, 0)), by_y = (u(0, 0.5) - u(0, -0.5));
+      expected = body.material(block).stiffness() * Vec3(by_x.x(), by_y.y(), by_x.y() + by_y.x());
+    }
+    EXPECT_LE((cracked.stress_beside_mean(block, x, d) - expected).norm(), 1e-12 * expected.norm());
   }
 }
 
