@@ -44,22 +44,22 @@ Kind<InterfaceParameters> interface_kind() {
 }
 
 void check_support(const SupportParameters& p, const Position& where, Findings& findings) {
-  if (p.at.has_value() + p.over.has_value() + p.on.has_value() != 1)
-    findings.add(where, "a support needs one of `at`, `over` and `on`");
+  if (p.at.has_value() + p.over.has_value() + p.boundary.has_value() != 1)
+    findings.add(where, "a support needs one of `at`, `over` and `boundary`");
   if (p.over && p.over->size() != 2)
     findings.add(where, "`over` takes the two ends of the patch: [from, to]");
   if (p.fix.has_value() == p.direction.has_value())
     findings.add(where, "a support needs either `fix` or `direction`");
   if (p.direction && p.direction->norm() == 0) findings.add(where, "`direction` must not be zero");
   if (p.at && p.fix == Fix::normal)
-    findings.add(where, "`fix: normal` needs a boundary (`on`) or a patch (`over`)");
+    findings.add(where, "`fix: normal` needs a `boundary` or a patch (`over`)");
 }
 
 Kind<SupportParameters> support_kind() {
   using P = SupportParameters;
   return Schema<P>("Stiff springs at a point, at the mean of a patch, or along a boundary.")
       .spot("at", &P::at,
-            {.text = "The point, or the name of one in `scene.points`; or give `over` or `on`."})
+            {.text = "The point, or the name of one in `scene.points`; or give `over` or `boundary`."})
       .spot(
           "inside", &P::inside,
           {.text = "A point inside the block that is meant where several blocks meet; with `over` a point on "
@@ -69,7 +69,8 @@ Kind<SupportParameters> support_kind() {
           {.text = "[from, to], two points of a straight boundary: the mean displacement between them is "
                    "held, so that the reaction is an even traction over the sides of the blocks there, and "
                    "the patch may turn (`fix: rotation` holds that)."})
-      .text("on", &P::on, {.text = "Name of a boundary, held in every point: two springs per side."})
+      .text("boundary", &P::boundary,
+            {.text = "Name of a boundary, held in every point: two springs per side."})
       .one_of("fix", &P::fix,
               {{"x", Fix::x},
                {"y", Fix::y},

@@ -39,7 +39,7 @@ enum class Fix { x, y, xy, normal, rotation };
 
 /// An entry of `supports`: stiff springs at a point, at the mean of a patch, or along a named boundary.
 struct SupportParameters : Place {
-  std::optional<std::string> on;
+  std::optional<std::string> boundary;
   std::optional<Fix> fix;
   std::optional<Vec2> direction;
   std::optional<double> stiffness;

@@ -72,7 +72,7 @@ class SupportMaker {
   /// Springs along a boundary are as stiff as the length they stand for, so that a uniform traction moves it
   /// evenly.
   void add_along(const std::string& name, const SupportParameters& p, double stiffness) {
-    const auto points = held_points(body_, *p.on, p.where);
+    const auto points = held_points(body_, *p.boundary, p.where);
     double length = 0;
     for (const BoundaryPoint& point : points) length += point.length;
     const double per_length = stiffness * static_cast<double>(points.size()) / length;

@@ -9,7 +9,7 @@ namespace dda {
 namespace {
 
 struct EdgeTractionParameters {
-  std::string on;
+  std::string boundary;
   VectorFormula traction;
   Formula pressure;
   Position where;
@@ -23,7 +23,7 @@ class EdgeTraction final : public Load {
  public:
   explicit EdgeTraction(EdgeTractionParameters p) : p_(std::move(p)) {}
   void add_to(StageLoads& stage, const Body& body) const override {
-    const std::vector<BoundaryPoint> points = boundary_points(body, p_.on, p_.where);
+    const std::vector<BoundaryPoint> points = boundary_points(body, p_.boundary, p_.where);
     Vec2 total = Vec2::Zero();
     for (std::size_t i = 0; i + 1 < points.size(); i += 2) {
       const Pair forces = forces_at(points[i], points[i + 1], body.thickness);
@@ -63,7 +63,7 @@ class EdgeTraction final : public Load {
 Schema<EdgeTractionParameters> schema() {
   using P = EdgeTractionParameters;
   return Schema<P>("A traction or pressure on a named boundary, even or a function of x and y.")
-      .text("on", &P::on, {.text = "Name of the boundary."})
+      .text("boundary", &P::boundary, {.text = "Name of the boundary."})
       .value("traction", &P::traction, vector_formula_kind(dimension::stress),
              {.fallback = VectorFormula(),
               .text = "Traction (tx, ty), each a number or an expression of x and y."})

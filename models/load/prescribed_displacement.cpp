@@ -6,7 +6,7 @@ namespace dda {
 namespace {
 
 struct PrescribedDisplacementParameters : Place {
-  std::optional<std::string> on;
+  std::optional<std::string> boundary;
   std::string name = "driven";
   Vec2 direction = Vec2::Zero();
   double displacement = 1;
@@ -25,20 +25,20 @@ class PrescribedDisplacement final : public Load {
   explicit PrescribedDisplacement(PrescribedDisplacementParameters p) : p_(std::move(p)) {}
   void add_to(StageLoads& stage, const Body& body) const override {
     if (p_.direction.norm() == 0) throw InputError(p_.where, "`direction` must not be zero");
-    if (p_.on)
+    if (p_.boundary)
       add_platen(stage, body);
     else
       stage.driven.push_back(
           {p_.name, displacement_at(body, p_, p_.direction.normalized(), p_.where), p_.displacement});
   }
   std::optional<Action> action() const override {
-    if (p_.on) return {};
+    if (p_.boundary) return {};
     return Action{p_, p_.displacement * p_.direction};
   }
 
  private:
   void add_platen(StageLoads& stage, const Body& body) const {
-    const auto points = held_points(body, *p_.on, p_.where);
+    const auto points = held_points(body, *p_.boundary, p_.where);
     double length = 0;
     for (const BoundaryPoint& point : points) length += point.length;
     for (const BoundaryPoint& point : points) {
@@ -62,7 +62,7 @@ Schema<PrescribedDisplacementParameters> schema() {
   declare_place(s);
   return s
       .text(
-          "on", &P::on,
+          "boundary", &P::boundary,
           {.text =
                "Name of a boundary, every point of which is driven alike, as by a rigid platen that does not "
                "turn; instead of `at` or `over`. Its reaction is the sum."})
@@ -72,10 +72,11 @@ Schema<PrescribedDisplacementParameters> schema() {
       .number("displacement", &P::displacement,
               {.fallback = 1.0, .dimension = dimension::length, .text = "Displacement δ at load factor 1."})
       .check([](const P& p, const Position& where, Findings& findings) {
-        if (!p.on)
+        if (!p.boundary)
           check_place(p, where, findings);
         else if (p.at || p.over || p.inside)
-          findings.add(where, "`on` names the whole of a boundary: leave out `at`, `over` and `inside`");
+          findings.add(where,
+                       "`boundary` names the whole of a boundary: leave out `at`, `over` and `inside`");
       });
 }
 

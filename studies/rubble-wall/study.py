@@ -47,7 +47,7 @@ def deck_of(scene):
     loads = [[{"type": "body_force", "materials": ["stone"], "force": force}] for force in ([0, -weight], [weight, 0])]
     return {"title": "A wall of rubble, pushed sideways", "units": {"length": "m", "force": "N"}, "variables": {"mu": SHOWN},
             "scene": scene, "thickness": 1, "plane": "stress", "materials": {"stone": STONE, "ground": STONE}, "interfaces": joints,
-            "supports": {"ground": {"on": "ground", "fix": "xy"}},
+            "supports": {"ground": {"boundary": "ground", "fix": "xy"}},
             "stages": [{"name": "weight", "loads": loads[0]}, {"name": "push", "loads": loads[1]}],
             "gauges": {"top": {"type": "displacement", "at": top, "direction": [1, 0]}},
             "path": {"stop": {"gauges": {"top": 0.01}}, "then": "motion"},

@@ -59,7 +59,7 @@ def deck(scene, treatment):
         "interfaces": {"ligament": {"law": law, "treatment": treatment},
                        "bulk": {"between": ["concrete", "concrete"], "treatment": treatment}},
         "supports": {"pin": {"at": [LENGTH, -ARM], "fix": "xy"}, "roller": {"at": [LENGTH, ARM], "fix": "x"}},
-        "stages": [{"loads": [{"type": "edge_traction", "on": name, "traction": [sign, 0]}
+        "stages": [{"loads": [{"type": "edge_traction", "boundary": name, "traction": [sign, 0]}
                               for name, sign in signs.items()]}],
         "path": {"stop": {"load_below": 0.3}},
     }

@@ -31,7 +31,7 @@ def bar(ratio):
                   "boundaries": {"foot": [[0, 0], [1, 0]]}},
         "thickness": 1, "plane": "stress", "materials": {"unit": decks.elastic(1, 0)},
         "interfaces": {"joint": {"law": law, "treatment": {"type": KIND, "factor": ratio / 2}}},
-        "supports": {"foot": {"on": "foot", "fix": "normal"}, "below": {"at": [0, 0], "fix": "x"},
+        "supports": {"foot": {"boundary": "foot", "fix": "normal"}, "below": {"at": [0, 0], "fix": "x"},
                      "above": {"at": [0, 2], "fix": "x"}},
         "stages": [{"name": "pull", "loads": pulled}],
         "gauges": {"top": {"type": "displacement", "at": [0.5, 2], "direction": [0, 1]}},

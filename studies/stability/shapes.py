@@ -73,7 +73,7 @@ def given(xs, ys, cut, treatment):
                                 for i, polygon in enumerate(polygons)]
     deck["scene"]["boundaries"] = {"pad": [[-PAD, decks.BEAM.depth], [PAD, decks.BEAM.depth]]}
     pressure = 1 / (2 * PAD * decks.BEAM.thickness)
-    deck["stages"][0]["loads"] = [{"type": "edge_traction", "on": "pad", "pressure": pressure}]
+    deck["stages"][0]["loads"] = [{"type": "edge_traction", "boundary": "pad", "pressure": pressure}]
     aside, above = float(xs[xs > 0][0]) / 3, float(ys[1]) / 10
     deck["gauges"]["cmod"] |= {"from_inside": [-aside, above], "to_inside": [aside, above]}
     return deck

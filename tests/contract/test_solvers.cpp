@@ -173,8 +173,8 @@ interfaces:
   any:
     between: [stone, stone]
     law: {type: mohr_coulomb, tensile_strength: 0.01, cohesion: 0.02, friction_angle: 30}
-supports: {wall: {on: left, fix: xy}}
-stages: [{loads: [{type: edge_traction, on: right, traction: [1, 0]}]}]
+supports: {wall: {boundary: left, fix: xy}}
+stages: [{loads: [{type: edge_traction, boundary: right, traction: [1, 0]}]}]
 )";
 
 TEST_P(SolverContract, ATangentThatMostlySlidesIsTheBase) {

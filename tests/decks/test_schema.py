@@ -20,6 +20,19 @@ from ddapath import deck as decks  # noqa: E402
 PROGRAM = sys.argv.pop(1)
 
 
+BOOLEANS = {"y", "n", "yes", "no", "on", "off", "true", "false"}  # of YAML 1.1, in any case
+
+
+def keys_of(schema):
+    """Names of all keys that a schema knows."""
+    if isinstance(schema, list):
+        return {key for part in schema for key in keys_of(part)}
+    if not isinstance(schema, dict):
+        return set()
+    own = set(schema.get("properties", {})) if isinstance(schema.get("properties", {}), dict) else set()
+    return own.union(*(keys_of(part) for part in schema.values()))
+
+
 def is_deck(tree):
     return isinstance(tree, dict) and ("scene" in tree or "extends" in tree)
 
@@ -39,6 +52,11 @@ class Schema(unittest.TestCase):
 
     def test_is_a_schema(self):
         jsonschema.Draft7Validator.check_schema(self.schema)
+
+    def test_no_key_is_a_boolean_to_readers_of_yaml_1_1(self):
+        keys = keys_of(self.schema)
+        self.assertIn("boundary", keys)
+        self.assertEqual({key for key in keys if key.lower() in BOOLEANS}, set())
 
     def test_decks_of_the_studies_obey_it(self):
         count = 0

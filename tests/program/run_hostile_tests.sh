@@ -33,8 +33,8 @@ GEO
 scene: {type: ${3:-geo}, file: ${4:-$1.geo}, subdivision: ${5:-triangles}}
 thickness: 100
 materials: {concrete: {type: linear_elastic, young_modulus: 30000, poisson_ratio: 0.2}}
-supports: {wall: {on: left, fix: xy}}
-stages: [{loads: [{type: edge_traction, on: right, traction: [1, 0]}]}]
+supports: {wall: {boundary: left, fix: xy}}
+stages: [{loads: [{type: edge_traction, boundary: right, traction: [1, 0]}]}]
 path: {control: load, stop: {steps: 1}}
 YAML
 }

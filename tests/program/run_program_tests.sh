@@ -45,7 +45,7 @@ pictures_of_models() {
 
 goals_far_before_anything_cracks() {
   expect 0 "a goal far before anything cracks" "$program" run "$bar" --folder far --quiet --overwrite \
-    --set 'stages=[{loads: [{type: edge_traction, on: right, traction: [1e-9, 0]}]}]' --set path.stop.load_factor_above=1
+    --set 'stages=[{loads: [{type: edge_traction, boundary: right, traction: [1e-9, 0]}]}]' --set path.stop.load_factor_above=1
   grep -q '"reason": "load_factor reached 1"' far/summary.json || complain "the goal was passed: $(grep reason far/summary.json)"
 }
 

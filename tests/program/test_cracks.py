@@ -37,7 +37,7 @@ LEGS = [{**BEAM["stages"][0], "until": {"cmod": 0.04}}, {"name": "unloading", "u
 UPWARD = {"supports": {"top": {"at": [117, 100], "fix": "xy"}, "beside": {"at": [129, 100], "fix": "y"}},
           "stages": [{"loads": [{"type": "point_load", "at": [x, 0], "force": [0, 1]} for x in (0, 300)]}],
           "gauges": {"lift": {"type": "displacement", "at": [0, 0], "direction": [0, 1]}}}
-CLAMPED = UPWARD | {"scene.boundaries": {"top": [[90, 100], [150, 100]]}, "supports": {"top": {"on": "top", "fix": "xy"}},
+CLAMPED = UPWARD | {"scene.boundaries": {"top": [[90, 100], [150, 100]]}, "supports": {"top": {"boundary": "top", "fix": "xy"}},
                     "path.stop": {"gauges": {"lift": 0.5}}}
 VARIANTS = {
     "as it is": {},

@@ -15,8 +15,8 @@ scene: {type: geo, file: bar.geo, subdivision: triangles}
 thickness: L
 materials: {concrete: {type: linear_elastic, young_modulus: 3e4, poisson_ratio: 0}}
 interfaces: {crack: {law: {type: linear_softening, tensile_strength: ft, fracture_energy: 0.1}}}
-supports: {wall: {on: left, fix: xy}}
-stages: [{loads: [{type: edge_traction, on: right, traction: [1, 0]}]}]
+supports: {wall: {boundary: left, fix: xy}}
+stages: [{loads: [{type: edge_traction, boundary: right, traction: [1, 0]}]}]
 gauges: {elongation: {type: relative_displacement, from: [0, L/2], to: [L, L/2]}}
 path: {stop: {load_below: 0.1}}
 """

@@ -24,8 +24,8 @@ thickness: 100
 materials: {concrete: {type: linear_elastic, young_modulus: E, poisson_ratio: 0}}
 interfaces: {joint: {law: {type: linear_softening, tensile_strength: 3, fracture_energy: 0.06}}}
 supports:
-  west: {on: west, fix: x}
-  east: {on: east, fix: x}
+  west: {boundary: west, fix: x}
+  east: {boundary: east, fix: x}
   corner: {at: [0, 0], fix: y}
 stages: [{name: cooling, loads: [{type: initial_strain, expansion: alpha, temperature: cooling}]}]
 gauges:
@@ -49,8 +49,8 @@ thickness: 2
 materials:
   soft: {type: linear_elastic, young_modulus: 100, poisson_ratio: 0}
   stiff: {type: linear_elastic, young_modulus: 400, poisson_ratio: 0}
-supports: {foot: {on: foot, fix: xy}}
-stages: [{loads: [{type: prescribed_displacement, name: platen, on: head, direction: [0, -1], displacement: 0.1}]}]
+supports: {foot: {boundary: foot, fix: xy}}
+stages: [{loads: [{type: prescribed_displacement, name: platen, boundary: head, direction: [0, -1], displacement: 0.1}]}]
 gauges:
   left: {type: displacement, at: [0, 40], direction: [0, -1]}
   right: {type: displacement, at: [30, 40], direction: [0, -1]}
@@ -91,8 +91,8 @@ class InitialStrain(Computed):
         self.assertEqual(self.refusals(), [])
 
     def test_of_a_free_body_leaves_no_stress(self):
-        free = COOLED.replace("west: {on: west, fix: x}", "west: {at: [0, 0], fix: x}") \
-                     .replace("east: {on: east, fix: x}", "east: {at: [200, 0], fix: y}")
+        free = COOLED.replace("west: {boundary: west, fix: x}", "west: {at: [0, 0], fix: x}") \
+                     .replace("east: {boundary: east, fix: x}", "east: {at: [200, 0], fix: y}")
         for plane in ("stress", "strain"):
             run = self.run_deck(free + f"plane: {plane}\n", "--set", "materials.concrete.poisson_ratio=0.2",
                                 "--set", "path.control=load")
@@ -124,7 +124,7 @@ class Platen(Computed):
         self.assertEqual(self.refusals(), [])
 
     def test_a_boundary_that_there_is_not(self):
-        (self.folder / "deck.yaml").write_text(PRESSED.replace("on: head", "on: hed"), encoding="utf-8")
+        (self.folder / "deck.yaml").write_text(PRESSED.replace("boundary: head", "boundary: hed"), encoding="utf-8")
         said = self.dda("check", "deck.yaml", code=2)
         self.assertIn("'hed'", said)
         self.assertIn("head", said)

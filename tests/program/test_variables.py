@@ -21,8 +21,8 @@ scene:
 thickness: 2*b
 materials: {concrete: {type: linear_elastic, young_modulus: 3e4, poisson_ratio: 0}}
 interfaces: {crack: {law: {type: linear_softening, tensile_strength: f, fracture_energy: "max(0.1, ft/100)"}}}
-supports: {wall: {on: left, fix: xy}}
-stages: [{loads: [{type: edge_traction, on: right, traction: [1, 0]}]}]
+supports: {wall: {boundary: left, fix: xy}}
+stages: [{loads: [{type: edge_traction, boundary: right, traction: [1, 0]}]}]
 gauges: {elongation: {type: relative_displacement, from: [0, L/2], to: [L, L/2]}}
 path: {stop: {load_below: 1/10}}
 record: {fields_every: 2*5}

@@ -22,7 +22,7 @@ materials: {concrete: {type: linear_elastic, young_modulus: 3e7, poisson_ratio: 
 supports:
   heel: {at: [0, 0], fix: xy}
   toe: {at: [B, 0], fix: y}
-stages: [{name: water, loads: [{type: edge_traction, on: upstream, pressure: "rho_g*max(0, level - y)"}]}]
+stages: [{name: water, loads: [{type: edge_traction, boundary: upstream, pressure: "rho_g*max(0, level - y)"}]}]
 gauges: {crest: {type: displacement, at: [0, H], direction: [1, 0]}}
 path: {control: load, stop: {load_factor_above: 1}, step: {first: 1}}
 """
@@ -36,7 +36,7 @@ scene:
   subdivision: {type: grid, columns: 80, rows: 8}
 thickness: b
 materials: {steel: {type: linear_elastic, young_modulus: E, poisson_ratio: 0}}
-supports: {wall: {on: wall, fix: xy}}
+supports: {wall: {boundary: wall, fix: xy}}
 stages: [{loads: [{type: moment, over: [[L, 0], [L, h]], moment: M}]}]
 gauges:
   turn: {type: rotation, over: [[L, 0], [L, h]]}

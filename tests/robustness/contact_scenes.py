@@ -55,10 +55,10 @@ def pushed(angle, treatment, scene, unit):
     return deck(f"Block pushed over a block, tan phi of {angle} degrees", scene, {
         "materials": {"below": CONCRETE, "above": CONCRETE},
         "interfaces": {"contact": {"between": ["below", "above"], **contact(treatment, angle)}},
-        "supports": {"foot": {"on": "foot", "fix": "xy"}},
+        "supports": {"foot": {"boundary": "foot", "fix": "xy"}},
         "stages": [
-            {"name": "pressed", "loads": [{"type": "edge_traction", "on": "head", "traction": [0, -1]}]},
-            {"name": "pushed", "loads": [{"type": "edge_traction", "on": "flank", "traction": [unit / 200, 0]}]}],
+            {"name": "pressed", "loads": [{"type": "edge_traction", "boundary": "head", "traction": [0, -1]}]},
+            {"name": "pushed", "loads": [{"type": "edge_traction", "boundary": "flank", "traction": [unit / 200, 0]}]}],
         "gauges": {"slip": {"type": "displacement", "at": [80, 70], "direction": [1, 0]}},
         "path": {"stop": {"gauges": {"slip": 0.1}}}})
 
@@ -80,8 +80,8 @@ def pressed(title, scene, law, force):
     return deck(title, scene, {
         "materials": {"concrete": CONCRETE, "steel": STEEL},
         "interfaces": {"contact": {"between": ["concrete", "steel"], **law}},
-        "supports": {"foot": {"on": "foot", "fix": "xy"}},
-        "stages": [{"name": "pressed", "loads": [{"type": "edge_traction", "on": "head", "traction": force}]}],
+        "supports": {"foot": {"boundary": "foot", "fix": "xy"}},
+        "stages": [{"name": "pressed", "loads": [{"type": "edge_traction", "boundary": "head", "traction": force}]}],
         "gauges": {"settlement": {"type": "displacement", "at": [50, scene["boundaries"]["head"][0][1]], "direction": [0, -1]}},
         "path": {"stop": {"gauges": {"settlement": 0.02}}}})
 

@@ -96,8 +96,8 @@ def dry_wall(mesh, treatment, angle, name=None):
     brick = {"type": "linear_elastic", "young_modulus": 10, "poisson_ratio": 0.2}
     built = deck(f"Dry wall of 44 bricks, {angle:.6g} degrees", scene, {
         "materials": {kind: brick for kind in ("floor", "a", "b", "c", "d", "top")},
-        "interfaces": wall_joints(contact(treatment, angle)), "supports": {"foot": {"on": "foot", "fix": "xy"}},
-        "stages": [{"name": "pressed", "loads": [{"type": "edge_traction", "on": "head", "traction": [0, -30 / (1000 * 100)]}]},
+        "interfaces": wall_joints(contact(treatment, angle)), "supports": {"foot": {"boundary": "foot", "fix": "xy"}},
+        "stages": [{"name": "pressed", "loads": [{"type": "edge_traction", "boundary": "head", "traction": [0, -30 / (1000 * 100)]}]},
                    {"name": "pushed", "loads": [{"type": "point_load", **corner, "force": [1, 0]}]}],
         "gauges": {"drift": {"type": "displacement", **corner, "direction": [1, 0]}},
         "path": {"stop": {"gauges": {"drift": 4}}}})
@@ -139,8 +139,8 @@ def wall_of_mortar(rows, treatment, pressure, friction, mortar=None, name="morta
     built = deck(f"Wall of mortar joints, {rows} rows", scene, {
         "materials": {kind: CONCRETE if kind in ("floor", "top") else brick for kind in ("floor", "a", "b", "c", "d", "top")},
         "interfaces": wall_joints({"treatment": treatment, "law": law}, ("c", "d") if rows % 2 == 0 else ("a", "b")),
-        "supports": {"foot": {"on": "foot", "fix": "xy"}},
-        "stages": [{"name": "pressed", "loads": [{"type": "edge_traction", "on": "head", "traction": [0, -pressure]}]},
+        "supports": {"foot": {"boundary": "foot", "fix": "xy"}},
+        "stages": [{"name": "pressed", "loads": [{"type": "edge_traction", "boundary": "head", "traction": [0, -pressure]}]},
                    {"name": "pushed", "loads": [{"type": "point_load", **corner, "force": [1000, 0]}]}],
         "gauges": {"drift": {"type": "displacement", **corner, "direction": [1, 0]}},
         "path": {"stop": {"load_below": 0, "gauges": {"drift": 10}}}, "record": {"fields_every": 0}})

@@ -73,14 +73,14 @@ class CrackedMaker(Maker):
         scene = {"regions": [region("body", "body", rectangle(0, 0, span, d))],
                  "boundaries": {"head": [[round3(0.35 * span), d], [round3(0.65 * span), d]]},
                  "slits": {"notch": [[span / 2, 0], [span / 2, notch]]}}
-        self.traction = {"type": "edge_traction", "on": "head", "traction": [0, -1]}
+        self.traction = {"type": "edge_traction", "boundary": "head", "traction": [0, -1]}
         return scene, self.one_joint(), self.held(span), ([span / 2, d], [0, -1]), ([span / 2, notch], [0, 1])
 
     def l_panel(self):
         d = self.depth
         corners = [[0, 0], [d, 0], [d, d], [2 * d, d], [2 * d, 2 * d], [0, 2 * d]]
         scene = {"regions": [region("body", "body", corners)], "boundaries": {"foot": [[0, 0], [d, 0]]}}
-        return scene, self.one_joint(), {"foot": {"on": "foot", "fix": "xy"}}, ([2 * d, round3(1.1 * d)], [0, 1]), ([d, d], [-1, 0.5])
+        return scene, self.one_joint(), {"foot": {"boundary": "foot", "fix": "xy"}}, ([2 * d, round3(1.1 * d)], [0, 1]), ([d, d], [-1, 0.5])
 
     def holed(self):
         """A plate with a square hole, drawn; the crack leaves the hole."""
@@ -89,10 +89,10 @@ class CrackedMaker(Maker):
         parts = {"lower": rectangle(0, 0, d, a), "upper": rectangle(0, b, d, d), "left": rectangle(0, a, a, b), "right": rectangle(b, a, d, b)}
         scene = {"regions": [region(name, "body", corners) for name, corners in parts.items()],
                  "boundaries": {"foot": [[0, 0], [d, 0]], "head": [[0, d], [d, d]]}}
-        self.traction = {"type": "edge_traction", "on": "head", "traction": [0, 1]}
+        self.traction = {"type": "edge_traction", "boundary": "head", "traction": [0, 1]}
         self.through = list(parts)
         self.mesh = self.of("triangles", "quads", "voronoi")
-        return scene, self.one_joint(), {"foot": {"on": "foot", "fix": "xy"}}, ([d / 2, d], [0, 1]), ([b, d / 2], [1, 0])
+        return scene, self.one_joint(), {"foot": {"boundary": "foot", "fix": "xy"}}, ([d / 2, d], [0, 1]), ([b, d / 2], [1, 0])
 
     def two_halves(self):
         """A beam of two materials side by side, the notch in the weaker one."""

@@ -36,7 +36,7 @@ def masonry(name, title, treatment, parts):
     built = deck(title, scene, {
         "materials": {kind: CONCRETE for kind in kinds},
         "interfaces": {"_".join(pair): {"between": list(pair), "law": law, "treatment": treatment} for pair in pairs},
-        "supports": {foot: {"on": foot, "fix": "xy"} for foot in feet},
+        "supports": {foot: {"boundary": foot, "fix": "xy"} for foot in feet},
         "stages": [{"name": "weight", "loads": [own]}, {"name": "collapse", "loads": [live]}],
         "gauges": {"drift": gauge}, "path": {"stop": {"gauges": {"drift": 1}}}})
     factor = limit(blocks, live, treatment)
@@ -151,10 +151,10 @@ def wall_with_door():
         "materials": {"brick": {"type": "linear_elastic", "young_modulus": 4e9, "poisson_ratio": 0.15},
                       "concrete": {"type": "linear_elastic", "young_modulus": 3e10, "poisson_ratio": 0.2}},
         "interfaces": {"joints": {"between": ["brick", "brick"], **joint}, "beds": {"between": ["brick", "concrete"], **joint}},
-        "supports": {"ground": {"on": "ground", "fix": "xy"}},
+        "supports": {"ground": {"boundary": "ground", "fix": "xy"}},
         "stages": [{"name": "weight", "loads": [
             {"type": "body_force", "regions": ["left", "right"], "force": [0, -weight_of_bricks]},
-            {"type": "edge_traction", "on": "top", "traction": [0, -pressure]}]},
+            {"type": "edge_traction", "boundary": "top", "traction": [0, -pressure]}]},
             {"name": "forth", "loads": [{"type": "point_load", "over": head, "force": [1, 0]}], "until": {"drift": 0.01}},
             {"name": "back", "until": {"drift": -0.01}, "unload": True}],
         "gauges": {"drift": {"type": "displacement", "over": head, "direction": [1, 0]}}, "path": {}})

@@ -65,7 +65,7 @@ class Maker:
     def cantilever(self):
         d, span = self.depth, round3(self.depth * self.random.uniform(1.5, 3))
         scene = {"regions": [region("arm", "body", rectangle(0, 0, span, d))], "boundaries": {"wall": [[0, 0], [0, d]]}}
-        return scene, self.cracks_everywhere(), {"wall": {"on": "wall", "fix": "xy"}}, ([span, d], [0, -1])
+        return scene, self.cracks_everywhere(), {"wall": {"boundary": "wall", "fix": "xy"}}, ([span, d], [0, -1])
 
     def corbel(self):
         """A bracket on a column; a weak joint between them."""
@@ -74,7 +74,7 @@ class Maker:
         scene = {"regions": [region("column", "body", rectangle(-d, -d, 0, 2 * d)), region("bracket", "other", rectangle(0, 0, out, d))],
                  "boundaries": {"foot": [[-d, -d], [0, -d]], "top": [[-d, 2 * d], [0, 2 * d]]}}
         interfaces = {"joint": {"between": ["body", "other"], **joint(self, self.treatment)}}
-        return scene, interfaces, {"foot": {"on": "foot", "fix": "xy"}, "top": {"on": "top", "fix": "x"}}, ([out, d], [0, -1])
+        return scene, interfaces, {"foot": {"boundary": "foot", "fix": "xy"}, "top": {"boundary": "top", "fix": "x"}}, ([out, d], [0, -1])
 
     def panel(self):
         """A block sheared along a joint that is pressed first."""
@@ -82,8 +82,8 @@ class Maker:
         scene = {"regions": [region("lower", "body", rectangle(0, 0, 2 * d, d / 2)), region("upper", "other", rectangle(0, d / 2, 2 * d, d))],
                  "boundaries": {"foot": [[0, 0], [2 * d, 0]], "head": [[0, d], [2 * d, d]]}}
         interfaces = {"joint": {"between": ["body", "other"], **joint(self, self.treatment)}}
-        self.dead = [{"type": "edge_traction", "on": "head", "traction": [0, -self.between(0.1, 2)]}]
-        return scene, interfaces, {"foot": {"on": "foot", "fix": "xy"}}, ([0, d / 2 + d / 4], [1, 0])
+        self.dead = [{"type": "edge_traction", "boundary": "head", "traction": [0, -self.between(0.1, 2)]}]
+        return scene, interfaces, {"foot": {"boundary": "foot", "fix": "xy"}}, ([0, d / 2 + d / 4], [1, 0])
 
     def wall(self):
         """Courses of mortar or dry joints under a top load, pushed at the top."""
@@ -93,15 +93,15 @@ class Maker:
                              for i in range(courses)],
                  "boundaries": {"foot": [[0, 0], [width, 0]], "head": [[0, courses * height], [width, courses * height]]}}
         interfaces = {"bed": {"between": ["body", "other"], **joint(self, self.treatment, dry=self.of(True, False))}}
-        self.dead = [{"type": "edge_traction", "on": "head", "traction": [0, -self.between(0.2, 2)]}]
-        return scene, interfaces, {"foot": {"on": "foot", "fix": "xy"}}, ([0, courses * height], [1, 0])
+        self.dead = [{"type": "edge_traction", "boundary": "head", "traction": [0, -self.between(0.2, 2)]}]
+        return scene, interfaces, {"foot": {"boundary": "foot", "fix": "xy"}}, ([0, courses * height], [1, 0])
 
     def l_shape(self):
         d = self.depth
         scene = {"regions": [region("leg", "body", rectangle(0, 0, d, d)), region("corner", "body", rectangle(0, d, d, 2 * d)),
                              region("arm", "body", rectangle(d, d, 2 * d, 2 * d))],
                  "boundaries": {"foot": [[0, 0], [d, 0]]}}
-        return scene, self.cracks_everywhere(), {"foot": {"on": "foot", "fix": "xy"}}, ([2 * d, 2 * d], [0, 1])
+        return scene, self.cracks_everywhere(), {"foot": {"boundary": "foot", "fix": "xy"}}, ([2 * d, 2 * d], [0, 1])
 
     def plated(self):
         """A beam of concrete with a steel plate that only rests on it, the load on the plate."""

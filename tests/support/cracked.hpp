@@ -90,7 +90,7 @@ inline std::string all_loads() {
       - {type: prescribed_displacement, name: pusher, at: [1, 0.2], direction: [0, 1], displacement: 0.001}
   - name: live
     loads:
-      - {type: edge_traction, on: right, traction: [0.01, 0.002], pressure: 0.001}
+      - {type: edge_traction, boundary: right, traction: [0.01, 0.002], pressure: 0.001}
       - {type: point_load, at: [0.7, 1], force: [0.001, -0.002]}
       - {type: initial_stress, xx: 0.001, yy: 0.002, xy: -0.001}
       - {type: prescribed_displacement, at: [1, 0.9], direction: [1, 1], displacement: 0.002}

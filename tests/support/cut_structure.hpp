@@ -88,7 +88,7 @@ class CutStructure {
            "weak_springs: 0\nsupport_stiffness: " +
            fmt::format("{}", wish.support_stiffness) + "\nsupports: " + wish.supports + "\n" + wish.more +
            (wish.more.find("stages:") == std::string::npos
-                ? "stages: [{loads: [{type: edge_traction, on: right, traction: [1, 0]}]}]\n"
+                ? "stages: [{loads: [{type: edge_traction, boundary: right, traction: [1, 0]}]}]\n"
                 : "");
   }
 

@@ -74,7 +74,7 @@ inline Node sample(const SchemaBase& schema, Random& random, const NameHints& na
     const Form form = parameter.kind.form;
     const bool vary = (form == Form::number || form == Form::point) && !parameter.may_be_absent;
     const bool is_place = form == Form::spot && parameter.name == "at";
-    const bool is_other_place = parameter.name == "on" && parameter.may_be_absent && out.find("at");
+    const bool is_other_place = parameter.name == "boundary" && parameter.may_be_absent && out.find("at");
     if (parameter.is_required() || vary || is_place || (names.contains(parameter.name) && !is_other_place))
       out.set(parameter.name, sample_value(parameter, random, names));
   }

@@ -93,13 +93,14 @@ materials:
   stone: {type: linear_elastic, young_modulus: 3, poisson_ratio: 0.3}
 interfaces:
 )" + (interfaces.empty() ? softening : interfaces) +
-         "supports:\n  wall: {on: left, fix: xy}\n" + more +
-         (has_stages ? "" : "stages:\n  - loads: [{type: edge_traction, on: right, traction: [1, 0]}]\n");
+         "supports:\n  wall: {boundary: left, fix: xy}\n" + more +
+         (has_stages ? ""
+                     : "stages:\n  - loads: [{type: edge_traction, boundary: right, traction: [1, 0]}]\n");
 }
 
 /// What parameters of loads, gauges and subdivisions need on the unit square.
 inline NameHints square_names() {
-  return {{"on", "right"}, {"of", "wall.x"}, {"size", "0.2"}, {"columns", "4"}, {"rows", "3"}};
+  return {{"boundary", "right"}, {"of", "wall.x"}, {"size", "0.2"}, {"columns", "4"}, {"rows", "3"}};
 }
 
 }  // namespace dda

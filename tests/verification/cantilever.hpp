@@ -25,6 +25,9 @@ struct Cantilever {
   /// Deck of the cantilever cut into blocks; treatment, points and subdivision in YAML.
   std::string deck(const std::string& subdivision, const std::string& joint) const;
   bool is_plane_strain = false;  ///< then by the moduli E/(1 − ν²) and ν/(1 − ν)
+  /// By springs at the Gauss points of its end, pulled to the exact displacements; else its end has exact tractions, and
+  /// two points take off its rigid motions.
+  bool is_clamped = true;
   std::string kinematics = "first_order";
 };
 

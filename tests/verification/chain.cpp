@@ -28,7 +28,7 @@ double centroid(std::size_t block) { return (static_cast<double>(block) + 0.5) *
 }  // namespace
 
 std::string Chain::pull() {
-  return "  - {name: pull, loads: [{type: edge_traction, on: right, traction: [1, 0]}]}\n";
+  return "  - {name: pull, loads: [{type: edge_traction, boundary: right, traction: [1, 0]}]}\n";
 }
 
 std::string Chain::deck() const {
@@ -41,7 +41,7 @@ std::string Chain::deck() const {
   for (std::size_t i = 0; i < laws.size(); ++i)
     out += fmt::format("  joint{}: {{points: midpoint, treatment: {}, law: {}}}\n", i, treatment, laws[i]);
   out += "supports:\n";
-  if (held_left) out += "  wall: {on: left, fix: x}\n";
+  if (held_left) out += "  wall: {boundary: left, fix: x}\n";
   for (const auto& [block, stiffness] : springs)
     out += fmt::format("  spring{0}: {{at: [{1}, {2}], fix: x, stiffness: {3:.17g}}}\n", block,
                        centroid(static_cast<std::size_t>(block)), side / 2, stiffness);

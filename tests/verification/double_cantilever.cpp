@@ -32,10 +32,10 @@ supports:
   roller: {{at: [{0}, {1}], fix: x}}
 stages:
   - loads:
-      - {{type: edge_traction, on: upper_outer, traction: [1, 0]}}
-      - {{type: edge_traction, on: upper_inner, traction: [-1, 0]}}
-      - {{type: edge_traction, on: lower_inner, traction: [-1, 0]}}
-      - {{type: edge_traction, on: lower_outer, traction: [1, 0]}}
+      - {{type: edge_traction, boundary: upper_outer, traction: [1, 0]}}
+      - {{type: edge_traction, boundary: upper_inner, traction: [-1, 0]}}
+      - {{type: edge_traction, boundary: lower_inner, traction: [-1, 0]}}
+      - {{type: edge_traction, boundary: lower_outer, traction: [1, 0]}}
 path: {{step: {{accuracy: 0.002}}, stop: {{load_below: 0.8, after_steps: 300}}}}
 )",
                      length, arm_height, crack, arm_height / 2, std::lround(rows * length / arm_height), rows,

@@ -111,10 +111,10 @@ materials: {{stone: {{type: linear_elastic, young_modulus: 1000, poisson_ratio: 
 interfaces:
   joint: {{points: midpoint, treatment: {}, law: {}}}
 supports:
-  foot: {{on: foot, fix: xy}}
+  foot: {{boundary: foot, fix: xy}}
   guide: {{at: [20, 15], fix: rotation}}
 stages:
-  - {{loads: [{{type: edge_traction, on: head, traction: [0, -3]}}]}}
+  - {{loads: [{{type: edge_traction, boundary: head, traction: [0, -3]}}]}}
 {}gauges:
   slip: {{type: relative_displacement, from: [20, 10], from_inside: [20, 9], to: [20, 10], to_inside: [20, 11], direction: [1, 0]}}
   pushed: {{type: displacement, at: [20, 15], direction: [1, 0]}}

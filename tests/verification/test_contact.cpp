@@ -28,7 +28,7 @@ materials:
 interfaces:
   contact: {{between: [below, above], points: midpoint, treatment: {6}, law: {7}}}
 supports:
-  foot: {{on: foot, fix: xy}}
+  foot: {{boundary: foot, fix: xy}}
   guide: {{at: [{8}, {9}], fix: rotation}}
 {10})",
                      width, height, 2 * height, thickness, lower_modulus, young, treatment, law, width / 2,
@@ -83,7 +83,7 @@ stages:
 TEST_P(Contact, SlidesAtTheFrictionAngle) {
   constexpr double pressure = 3, angle = 30;
   Stepped pair(two_blocks(GetParam(), "{type: friction, friction_angle: 30}", R"(stages:
-  - loads: [{type: edge_traction, on: head, traction: [0, -3]}]
+  - loads: [{type: edge_traction, boundary: head, traction: [0, -3]}]
   - loads: [{type: prescribed_displacement, name: push, at: [20, 15], direction: [1, 0], displacement: 0.1}]
 )"));
   const Attempt pressed = pair.to(1);
@@ -143,7 +143,7 @@ TEST_P(ElasticJoint, AddsItsComplianceInSeries) {
                             fmt::format("{{type: elastic, normal_stiffness: {}, shear_stiffness: {}}}",
                                         stiffness, 0.5 * stiffness),
                             R"(stages:
-  - loads: [{type: edge_traction, on: head, traction: [0.3, 1]}]
+  - loads: [{type: edge_traction, boundary: head, traction: [0.3, 1]}]
 gauges:
   lift: {type: relative_displacement, from: [20, 0], to: [20, 20], direction: [0, 1]}
 )"));
@@ -167,7 +167,7 @@ class AugmentedContact : public testing::TestWithParam<std::pair<double, int>> {
   static std::string deck(double ratio) {
     return two_blocks(
         fmt::format("{{type: augmented_lagrangian, factor: {:.17g}, contact_factor: 1e12}}", 0.5 * ratio),
-        "{type: friction}", R"(  head: {on: head, fix: y}
+        "{type: friction}", R"(  head: {boundary: head, fix: y}
   side: {at: [20, 15], fix: x}
 stages:
   - loads: [{type: point_load, at: [20, 10], inside: [20, 10.1], force: [0, -80]}]

@@ -185,7 +185,7 @@ scene:
 thickness: {3}
 materials: {{concrete: {{type: linear_elastic, young_modulus: {4}, poisson_ratio: {5}}}}}
 interfaces: {{low: {{law: {6}}}, high: {{law: {6}}}, hinge: {{{7}}}}}
-supports: {{clamp: {{on: wall, fix: xy}}}}
+supports: {{clamp: {{boundary: wall, fix: xy}}}}
 stages: [{{loads: [{{type: point_load, at: [{1}, 0], force: [0, -1]}}]}}]
 )",
                                         length / 2, length, height, thickness, young, poisson, rest, hinge)),
@@ -205,7 +205,7 @@ scene:
   subdivision: {{type: grid, columns: {2}, rows: {3}}}
 thickness: {4}
 materials: {{concrete: {{type: linear_elastic, young_modulus: {5}, poisson_ratio: 0}}}}
-supports: {{clamp: {{on: wall, fix: xy}}}}
+supports: {{clamp: {{boundary: wall, fix: xy}}}}
 stages: [{{loads: [{{type: point_load, at: [{0}, 0], force: [0, -1]}}]}}]
 )",
                                           length, height, 80 * refinement, 2 * refinement, thickness, young));

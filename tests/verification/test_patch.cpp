@@ -40,7 +40,7 @@ std::string tractions(const Drawing& drawing, const Vec3& stress) {
   for (std::size_t i = 0; i < drawing.outline.size(); ++i) {
     const Vec2 edge = (drawing.outline.at(i + 1) - drawing.outline.at(i)).normalized();
     const Vec2 n(edge.y(), -edge.x());
-    out += fmt::format("      - {{type: edge_traction, on: side{}, traction: [{:.17g}, {:.17g}]}}\n", i,
+    out += fmt::format("      - {{type: edge_traction, boundary: side{}, traction: [{:.17g}, {:.17g}]}}\n", i,
                        stress[0] * n.x() + stress[2] * n.y(), stress[2] * n.x() + stress[1] * n.y());
   }
   return out;
@@ -257,9 +257,9 @@ scene:
   subdivision: {type: voronoi, blocks: 50}
 thickness: 10
 materials: {steel: {type: linear_elastic, young_modulus: 1000, poisson_ratio: 0.3}}
-supports: {left: {on: left, fix: x}, bottom: {on: bottom, fix: y}}
+supports: {left: {boundary: left, fix: x}, bottom: {boundary: bottom, fix: y}}
 stages:
-  - loads: [{type: edge_traction, on: right, traction: [1, 0]}]
+  - loads: [{type: edge_traction, boundary: right, traction: [1, 0]}]
 )");
   const std::vector<double>& d = trace.last().state.d;
   for (std::size_t block = 0; block < d.size() / 6; ++block)

@@ -48,10 +48,10 @@ interfaces:
     law: {{type: linear_softening, tensile_strength: {4}, fracture_energy: {5}}}
 {6}
 supports:
-  wall: {{on: left, fix: x}}
+  wall: {{boundary: left, fix: x}}
 {7}
 stages:
-  - {{name: pull, loads: [{{type: edge_traction, on: right, traction: [1, 0]}}]}}
+  - {{name: pull, loads: [{{type: edge_traction, boundary: right, traction: [1, 0]}}]}}
 gauges:
   elongation: {{type: relative_displacement, from: [0, {8}], to: [{1}, {8}]}}
   top: {{type: relative_displacement, from: [{0}, {2}], from_inside: [1, {8}], to: [{0}, {2}], to_inside: [{9}, {8}], direction: [1, 0]}}

@@ -37,7 +37,7 @@ interfaces:
 supports:
   pin: {{at: {}, fix: xy}}
   roller: {{at: {}, fix: y}}
-stages: [{{loads: [{{type: edge_traction, on: side0, traction: [0, 1]}}]}}]
+stages: [{{loads: [{{type: edge_traction, boundary: side0, traction: [0, 1]}}]}}]
 )",
                                              plane_strain ? "strain" : "stress", poisson, ratio, poisson,
                                              treatment, treatment, treatment, at(0), at(1));
@@ -151,8 +151,8 @@ thickness: 1
 materials:
   soft: {{type: linear_elastic, young_modulus: 1, poisson_ratio: 0.2}}
   stiff: {{type: linear_elastic, young_modulus: {}, poisson_ratio: 0.2}}
-supports: {{ground: {{on: bottom, fix: xy}}}}
-stages: [{{loads: [{{type: edge_traction, on: top, traction: [{}, {}]}}]}}]
+supports: {{ground: {{boundary: bottom, fix: xy}}}}
+stages: [{{loads: [{{type: edge_traction, boundary: top, traction: [{}, {}]}}]}}]
 )",
                        regions, columns, ratio, traction.x(), traction.y());
   }

@@ -42,7 +42,7 @@ class UnloadedBar : public testing::TestWithParam<Joint> {
                              strength, energy)},
         .treatment = GetParam().treatment,
         .stages = fmt::format(
-            "  - {{name: pull, loads: [{{type: edge_traction, on: right, traction: [1, 0]}}], until: "
+            "  - {{name: pull, loads: [{{type: edge_traction, boundary: right, traction: [1, 0]}}], until: "
             "{{elongation: {}}}}}\n"
             "  - {{name: back, unload: true, until: {{load: {}}}}}\n"
             "  - {{name: again}}\n",

@@ -29,14 +29,14 @@ inline std::string bar_deck(double length) {
          "0}}\n"
          "interfaces: {crack: {points: midpoint, law: {type: linear_softening, tensile_strength: 3, "
          "fracture_energy: 0.1}}}\n"
-         "supports:\n  wall: {on: left, fix: x}\n"
+         "supports:\n  wall: {boundary: left, fix: x}\n"
          "  guide_a: {at: [" +
          x(0.25) + ", 50], fix: y}\n  guide_b: {at: [" + x(0.75) +
          ", 50], fix: y}\n"
          "  turn_a: {at: [" +
          x(0.25) + ", 50], fix: rotation}\n  turn_b: {at: [" + x(0.75) +
          ", 50], fix: rotation}\n"
-         "stages: [{loads: [{type: edge_traction, on: right, traction: [1, 0]}]}]\n"
+         "stages: [{loads: [{type: edge_traction, boundary: right, traction: [1, 0]}]}]\n"
          "gauges: {u: {type: relative_displacement, from: [0, 50], to: [" +
          x(1) + ", 50]}}\n";
 }

@@ -18,7 +18,7 @@ double norm(const std::vector<double>& v) {
   return Eigen::Map<const Eigen::VectorXd>(v.data(), static_cast<Eigen::Index>(v.size())).norm();
 }
 
-const std::string held = "stages:\n  - loads: [{type: edge_traction, on: right, traction: [1, 0]}]\n";
+const std::string held = "stages:\n  - loads: [{type: edge_traction, boundary: right, traction: [1, 0]}]\n";
 
 /// The square with supports so soft that only the joints and blocks resist.
 Structure nearly_free() { return Structure(square_deck(held + "support_stiffness: 1e-13\n")); }

@@ -85,7 +85,7 @@ TEST_F(OnSquare, PointLoad) {
 }
 
 TEST_F(OnSquare, EdgeTractionIsExactForLinearDisplacements) {
-  const StageLoads found = load("{type: edge_traction, on: right, traction: [2, -3], pressure: 0.5}");
+  const StageLoads found = load("{type: edge_traction, boundary: right, traction: [2, -3], pressure: 0.5}");
   // ∫ τ · u dA over x = 1 with thickness 0.7; the pressure acts against n = (1, 0).
   const Vec2 u = Vec2(1, 2) + gradient() * Vec2(1, 0.5);
   EXPECT_NEAR(power(found, {1, 2}, gradient()), 0.7 * Vec2(1.5, -3).dot(u), 1e-14);
@@ -137,7 +137,7 @@ TEST_F(OnSquare, LoadOverAPatchHasTheResultantAndMomentOfItsMiddle) {
 
 TEST_F(OnSquare, LoadOverAPatchIsAnEvenTraction) {
   const StageLoads patch = load("{type: point_load, over: [[1, 0], [1, 1]], force: [1.4, -2.1]}");
-  const StageLoads traction = load("{type: edge_traction, on: right, traction: [2, -3]}");
+  const StageLoads traction = load("{type: edge_traction, boundary: right, traction: [2, -3]}");
   for (std::size_t i = 0; i < patch.force.size(); ++i) EXPECT_NEAR(patch.force[i], traction.force[i], 1e-14);
 }
 
@@ -178,7 +178,8 @@ TEST_F(OnSquare, AMomentWorksOnTheRotationAlone) {
 TEST_F(OnSquare, AMomentOverAPatchIsATractionThatGrowsFromItsMiddle) {
   // t = 12 M s/(L³ thickness) along the normal, M = 5, over the whole right side; counter-clockwise is outward below.
   const StageLoads moment = load("{type: moment, over: [[1, 0], [1, 1]], moment: 5}");
-  const StageLoads traction = load("{type: edge_traction, on: right, traction: [12*5/0.7*(0.5 - y), 0]}");
+  const StageLoads traction =
+      load("{type: edge_traction, boundary: right, traction: [12*5/0.7*(0.5 - y), 0]}");
   for (std::size_t i = 0; i < moment.force.size(); ++i) EXPECT_NEAR(moment.force[i], traction.force[i], 1e-9);
 }
 

@@ -18,8 +18,8 @@ std::string beam(int columns, const std::string& law, const std::string& field) 
          "thickness: 100\n"
          "interfaces:\n  joints:\n    between: [stone, stone]\n    law: " +
          law + "\n" + (field.empty() ? "" : "    field: " + field + "\n") +
-         "supports: {wall: {on: left, fix: xy}}\n"
-         "stages: [{loads: [{type: edge_traction, on: right, traction: [1, 0]}]}]\n";
+         "supports: {wall: {boundary: left, fix: xy}}\n"
+         "stages: [{loads: [{type: edge_traction, boundary: right, traction: [1, 0]}]}]\n";
 }
 
 const std::string linear = "{type: linear_softening, tensile_strength: 3, cohesion: 5, fracture_energy: 0.1}";

@@ -31,7 +31,7 @@ interfaces:
          head + R"(}, treatment: )" + (head == "bonded" ? "consistent" : "lagrange") + R"(}
   foot: {between: [stone, stone], law: {type: bonded}, treatment: consistent}
 supports:
-  foot: {on: foot, fix: xy}
+  foot: {boundary: foot, fix: xy}
 stages:
   - {name: load, loads: [{type: point_load, at: [0, 2], force: [0, -1]}]}
 )";

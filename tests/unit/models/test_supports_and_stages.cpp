@@ -20,12 +20,12 @@ std::string refusal(const std::string& yaml) {
 
 std::string held_by(const std::string& support) {
   std::string deck = square_deck();
-  const std::string wall = "wall: {on: left, fix: xy}";
+  const std::string wall = "wall: {boundary: left, fix: xy}";
   return deck.replace(deck.find(wall), wall.size(), support);
 }
 
 TEST(Support, FreeRigidMotionsAreNamed) {
-  EXPECT_THAT(refusal(held_by("wall: {on: left, fix: x}")), HasSubstr("against: translation in y"));
+  EXPECT_THAT(refusal(held_by("wall: {boundary: left, fix: x}")), HasSubstr("against: translation in y"));
   EXPECT_THAT(refusal(held_by("pin: {at: [0, 0], fix: xy}")), HasSubstr("against: rotation about ("));
   EXPECT_THAT(refusal(held_by("turn: {at: [0.2, 0.2], fix: rotation}")),
               testing::AllOf(HasSubstr("translation in x"), HasSubstr("translation in y"),
@@ -35,7 +35,7 @@ TEST(Support, FreeRigidMotionsAreNamed) {
 
 TEST(Support, PlacesOffTheStructureAreRefused) {
   EXPECT_THAT(refusal(held_by("pin: {at: [2, 0], fix: xy}")), HasSubstr("lies outside every block"));
-  EXPECT_THAT(refusal(held_by("wall: {on: lft, fix: xy}")), HasSubstr("unknown boundary 'lft'"));
+  EXPECT_THAT(refusal(held_by("wall: {boundary: lft, fix: xy}")), HasSubstr("unknown boundary 'lft'"));
 }
 
 TEST(Support, OverAPatchHoldsItsMeanAndReportsOneReaction) {
@@ -59,7 +59,7 @@ TEST(Support, OverAPatchAloneMayTurn) {
   EXPECT_THAT(refusal(held_by("wall: {over: [[0, 0.2], [0, 0.8]], fix: xy}")),
               HasSubstr("against: rotation about (0, 0.5)"));
   EXPECT_THAT(refusal(held_by("wall: {over: [[0, 0.2], [0, 0.8]], at: [0, 0], fix: xy}")),
-              HasSubstr("a support needs one of `at`, `over` and `on`"));
+              HasSubstr("a support needs one of `at`, `over` and `boundary`"));
 }
 
 TEST(Place, BlocksThatMeetShareOrOneIsMeant) {

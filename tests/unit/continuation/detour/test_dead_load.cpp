@@ -26,13 +26,13 @@ interfaces:
   weak: {law: {type: mohr_coulomb, tensile_strength: 1, cohesion: 5, friction_angle: 30}}
   strong: {law: {type: mohr_coulomb, tensile_strength: 10, cohesion: 50, friction_angle: 30}}
 supports:
-  wall: {on: left, fix: xy}
+  wall: {boundary: left, fix: xy}
   guide_b: {at: [75, 25], fix: rotation}
   guide_d: {at: [75, 75], fix: rotation}
 stages:
-  - {name: dead, loads: [{type: edge_traction, on: right, traction: [)" +
+  - {name: dead, loads: [{type: edge_traction, boundary: right, traction: [)" +
          std::to_string(dead) + R"(, 0]}]}
-  - {name: live, loads: [{type: edge_traction, on: right, traction: [1, 0]}]}
+  - {name: live, loads: [{type: edge_traction, boundary: right, traction: [1, 0]}]}
 )";
 }
 

@@ -274,7 +274,7 @@ interfaces:
     law: {type: linear_softening, tensile_strength: 1.5, fracture_energy: 0.028}
 )" + joint +
          R"(
-supports: {clamp: {on: wall, fix: xy}}
+supports: {clamp: {boundary: wall, fix: xy}}
 stages: [{loads: [{type: prescribed_displacement, at: [200, 50], direction: [0, -1], displacement: 1}]}]
 gauges: {tip: {type: displacement, at: [200, 50], direction: [0, -1]}}
 )";

@@ -19,8 +19,8 @@ scene:
 thickness: 100
 materials: {m: {type: linear_elastic, young_modulus: 30000, poisson_ratio: 0}}
 interfaces: {crack: {treatment: {type: penalty, stiffness: 1000}, law: {type: mohr_coulomb, tensile_strength: 3, cohesion: 3}}}
-supports: {wall: {on: left, fix: xy}}
-stages: [{loads: [{type: edge_traction, on: right, traction: [1, 0]}]}]
+supports: {wall: {boundary: left, fix: xy}}
+stages: [{loads: [{type: edge_traction, boundary: right, traction: [1, 0]}]}]
 )";
 
 class Acceptance : public testing::Test {

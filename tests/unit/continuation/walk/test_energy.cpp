@@ -40,7 +40,7 @@ class ExternalWork : public testing::Test {
   - name: dead
     loads: [{type: body_force, force: [0.1, -0.3]}]
   - name: live
-    loads: [{type: edge_traction, on: right, traction: [1, 0.2]}]
+    loads: [{type: edge_traction, boundary: right, traction: [1, 0.2]}]
 )")};
   const std::vector<double> start_ = cracked_.direction(), along_ = cracked_.direction();
   const Cubic load_{0.3, -1, 2, 0.7}, motion_{0, 0.5, -0.3, 1.1};

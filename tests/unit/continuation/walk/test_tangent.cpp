@@ -24,14 +24,14 @@ materials: {concrete: {type: linear_elastic, young_modulus: 30000, poisson_ratio
 interfaces:
   crack: {points: midpoint, law: {type: linear_softening, tensile_strength: 3, fracture_energy: 0.1}}
 supports:
-  wall: {on: left, fix: x}
+  wall: {boundary: left, fix: x}
   guide_a: {at: [25, 50], fix: y}
   guide_b: {at: [75, 50], fix: y}
   turn_a: {at: [25, 50], fix: rotation}
   turn_b: {at: [75, 50], fix: rotation}
 stages:
   - {name: dead, loads: [{type: prescribed_displacement, at: [100, 50], direction: [1, 0], displacement: 0.03833333}]}
-  - {name: live, loads: [{type: edge_traction, on: right, traction: [)" +
+  - {name: live, loads: [{type: edge_traction, boundary: right, traction: [)" +
          std::to_string(live) + R"(, 0]}]}
 )";
 }

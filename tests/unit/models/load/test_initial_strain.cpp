@@ -26,7 +26,7 @@ materials:
   soft: {{type: linear_elastic, young_modulus: 2, poisson_ratio: {0}}}
   hard: {{type: linear_elastic, young_modulus: 6, poisson_ratio: {0}}}
 interfaces: {{gap: {{law: {{type: elastic, normal_stiffness: 1e-9, shear_stiffness: 1e-9}}, treatment: penalty}}}}
-supports: {{foot: {{on: foot, fix: xy}}}}
+supports: {{foot: {{boundary: foot, fix: xy}}}}
 stages:
 {1}{2})",
                      nu, stages, more);
@@ -127,7 +127,7 @@ TEST(InitialStrain, RefusesWhatMeansNothing) {
 /// A rigid platen shortens both columns alike: F = δ (E₁ + E₂) A/h, with the springs of foot and platen in series.
 TEST(Platen, ShortensColumnsAlike) {
   const Structure made(
-      columns("  - {loads: [{type: prescribed_displacement, name: press, on: head, direction: [0, -1], "
+      columns("  - {loads: [{type: prescribed_displacement, name: press, boundary: head, direction: [0, -1], "
               "displacement: 0.1}]}\n",
               stress_gauges));
   const Equilibrium equilibrium = made.equilibrium();
@@ -147,7 +147,7 @@ TEST(Platen, ShortensColumnsAlike) {
 TEST(Platen, HasOnePlace) {
   try {
     Structure(columns(
-        "  - {loads: [{type: prescribed_displacement, on: head, at: [1, 2], direction: [0, -1]}]}\n"));
+        "  - {loads: [{type: prescribed_displacement, boundary: head, at: [1, 2], direction: [0, -1]}]}\n"));
     FAIL() << "a platen at a point is none";
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("leave out `at`"));

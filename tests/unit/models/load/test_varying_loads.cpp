@@ -57,32 +57,34 @@ class VaryingLoad : public testing::TestWithParam<std::string> {
 TEST_P(VaryingLoad, WaterOnAnUprightFace) {
   // ½ ρ g H² per thickness, H/3 above the ground.
   const double f = 2 * 10 * 4 * 4 / 2.0;
-  expect(of("{type: edge_traction, on: upright, pressure: 10*(4 - y)}"), {f, 0}, -f * 4 / 3);
-  expect(of("{type: edge_traction, on: upright, traction: [10*(4 - y), 0]}"), {f, 0}, -f * 4 / 3);
+  expect(of("{type: edge_traction, boundary: upright, pressure: 10*(4 - y)}"), {f, 0}, -f * 4 / 3);
+  expect(of("{type: edge_traction, boundary: upright, traction: [10*(4 - y), 0]}"), {f, 0}, -f * 4 / 3);
 }
 
 TEST_P(VaryingLoad, WaterUpToALevelWithinASide) {
   const double h = 2.7183, f = 2 * 10 * h * h / 2;
-  expect(of("{type: edge_traction, on: upright, pressure: \"10*max(0, 2.7183 - y)\"}"), {f, 0}, -f * h / 3);
-  expect(of("{type: edge_traction, on: upright, pressure: \"y < 2.7183 ? 10*(2.7183 - y) : 0\"}"), {f, 0},
+  expect(of("{type: edge_traction, boundary: upright, pressure: \"10*max(0, 2.7183 - y)\"}"), {f, 0},
          -f * h / 3);
+  expect(of("{type: edge_traction, boundary: upright, pressure: \"y < 2.7183 ? 10*(2.7183 - y) : 0\"}"),
+         {f, 0}, -f * h / 3);
 }
 
 TEST_P(VaryingLoad, WaterOnAnInclinedFace) {
   // By components: sideways as on an upright face, downwards the weight of the water above, a triangle of area 4.
   const double sideways = 2 * 10 * 8, weight = 2 * 10 * 4;
-  expect(of("{type: edge_traction, on: inclined, pressure: 10*(4 - y)}"), {-sideways, -weight},
+  expect(of("{type: edge_traction, boundary: inclined, pressure: 10*(4 - y)}"), {-sideways, -weight},
          sideways * 4 / 3 - weight * (3 - 2 / 3.0));
 }
 
 TEST_P(VaryingLoad, AJumpOfTractionAlongAFace) {
-  expect(of("{type: edge_traction, on: upright, traction: [\"y > 1.3 ? 5 : 0\", 0]}"), {2 * 5 * 2.7, 0},
+  expect(of("{type: edge_traction, boundary: upright, traction: [\"y > 1.3 ? 5 : 0\", 0]}"), {2 * 5 * 2.7, 0},
          -2 * 5 * 2.7 * 2.65);
 }
 
 TEST_P(VaryingLoad, SmoothTractionsOfAnyShape) {
   // ∫ sin(πy/4) dy = 8/π over the face, by symmetry about its middle.
-  expect(of("{type: edge_traction, on: upright, traction: [0, sin(pi*y/4)]}"), {0, 16 / std::numbers::pi}, 0);
+  expect(of("{type: edge_traction, boundary: upright, traction: [0, sin(pi*y/4)]}"),
+         {0, 16 / std::numbers::pi}, 0);
 }
 
 TEST_P(VaryingLoad, BodyForces) {
@@ -119,8 +121,8 @@ TEST(VaryingLoads, ConstantExpressionsAreTheSameLoad) {
     loads().choose(parse_yaml(load, "deck.yaml")).make()->add_to(stage, on.body());
     return stage.force;
   };
-  EXPECT_EQ(force("{type: edge_traction, on: upright, traction: [3, -2]}"),
-            force("{type: edge_traction, on: upright, traction: [2 + 1, \"-4/2\"]}"));
+  EXPECT_EQ(force("{type: edge_traction, boundary: upright, traction: [3, -2]}"),
+            force("{type: edge_traction, boundary: upright, traction: [2 + 1, \"-4/2\"]}"));
   const std::vector<double> even = force("{type: body_force, force: [3, -2]}"),
                             varying = force("{type: body_force, force: [3 + 0*x, -2]}");
   for (std::size_t i = 0; i < even.size(); ++i) EXPECT_NEAR(varying[i], even[i], 1e-10 * 48) << i;
@@ -134,13 +136,13 @@ TEST(VaryingLoads, WhatIsWrongIsTold) {
       loads().choose(parse_yaml(load, "deck.yaml")).make()->add_to(stage, on.body());
     });
   };
-  EXPECT_THAT(said("{type: edge_traction, on: upright, pressure: 1/x}"),
+  EXPECT_THAT(said("{type: edge_traction, boundary: upright, pressure: 1/x}"),
               testing::HasSubstr("deck.yaml:1:46: '1/x' is no finite number at (0, "));
   EXPECT_THAT(
-      said("{type: edge_traction, on: upright, pressure: g*(4 - y)}"),
+      said("{type: edge_traction, boundary: upright, pressure: g*(4 - y)}"),
       testing::HasSubstr("deck.yaml:1:46: pressure: expected a number or an expression of x and y, found "
                          "'g*(4 - y)': 'g' is no variable"));
-  EXPECT_THAT(said("{type: edge_traction, on: upright, traction: 3*y}"),
+  EXPECT_THAT(said("{type: edge_traction, boundary: upright, traction: 3*y}"),
               testing::HasSubstr("expected two components [fx, fy]"));
 }
 
