@@ -96,7 +96,7 @@ class Water(Computed):
     def test_misspelt_is_told(self):
         (self.folder / "deck.yaml").write_text(DAM.replace("rho_g*max", "rho_q*max"), encoding="utf-8")
         said = self.dda("check", "deck.yaml", code=2)
-        self.assertIn("deck.yaml:13:79: pressure: expected a number or an expression of x and y, found the text 'rho_q*max(0, "
+        self.assertIn("deck.yaml:13:85: pressure: expected a number or an expression of x and y, found the text 'rho_q*max(0, "
                       "level - y)': 'rho_q' is no variable; did you mean 'rho_g'?", said)
 
 

@@ -137,10 +137,10 @@ TEST(VaryingLoads, WhatIsWrongIsTold) {
     });
   };
   EXPECT_THAT(said("{type: edge_traction, boundary: upright, pressure: 1/x}"),
-              testing::HasSubstr("deck.yaml:1:46: '1/x' is no finite number at (0, "));
+              testing::HasSubstr("deck.yaml:1:52: '1/x' is no finite number at (0, "));
   EXPECT_THAT(
       said("{type: edge_traction, boundary: upright, pressure: g*(4 - y)}"),
-      testing::HasSubstr("deck.yaml:1:46: pressure: expected a number or an expression of x and y, found "
+      testing::HasSubstr("deck.yaml:1:52: pressure: expected a number or an expression of x and y, found "
                          "'g*(4 - y)': 'g' is no variable"));
   EXPECT_THAT(said("{type: edge_traction, boundary: upright, traction: 3*y}"),
               testing::HasSubstr("expected two components [fx, fy]"));
