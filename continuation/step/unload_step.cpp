@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "continuation/follow/pace.hpp"
 #include "continuation/follow/trial.hpp"
 #include "continuation/step/rungs.hpp"
 #include "continuation/step/steps.hpp"
@@ -24,17 +25,20 @@ std::optional<Point> unload_step(PathState& path) {
     return path.stop_early(Stop::unloading,
                            fmt::format("unloading does not lead to {} = {:g}", goal.name, goal.value));
   const Move move{.kind = StepKind::unloading, .equation = make_gauge_equation(goal.gauge), .rate = rate};
-  constexpr double part = 0.1, longer = 2;
-  const double longest = part * std::abs(goal.value - path.memory.travels.at(goal.name).from);
+  constexpr double part = 0.1;
   const bool is_known = path.memory.step > 0 && path.memory.step_kind == StepKind::unloading;
-  const double first = is_known ? std::min(path.memory.step, longest) : longest;
-  path.memory.step_kind = StepKind::unloading;
+  const double first = is_known ? path.memory.step : part * std::abs(rest);
   for (double length = first; length > smallest_share * first; length *= cut) {
     const bool arrives = length > (1 - 1e-9) * std::abs(rest);
     const double amount = arrives ? rest / rate : length / std::abs(rate);
     const auto candidate = try_step(path, move, amount);
     if (!candidate || refuse_jump(path, *candidate, to_string(move.kind))) continue;
-    path.memory.step = length < first ? length : std::min(longer * length, longest);
+    path.memory.step = first;
+    path.memory.step_kind = StepKind::unloading;
+    if (path.walker.system().joins_by_contact()) {  // whose tries are dear
+      resize(path, *candidate, amount, move);
+      path.memory.step = std::clamp(path.memory.step, length, std::max(length, part * std::abs(rest)));
+    }
     Point point = keep(path, *candidate, move.kind);
     if (arrives) point.landed.push_back(fmt::format("{}={:g}", goal.name, goal.value));
     return point;
