@@ -33,17 +33,10 @@ struct Limits {
   std::size_t all, after_turn;
 };
 
-Limits limits_of(Patience patience, std::size_t points) {
-  constexpr std::size_t per_point = 2, few = 200;
+Limits limits_of(Patience patience, std::size_t per_point, std::size_t points) {
+  constexpr std::size_t few = 200;
   const std::size_t all = per_point * points + few;
   return {all, patience == Patience::little ? few : all};
-}
-
-/// A covered walk ends by itself, but where strong friction wedges bricks many joints are let go and held again on the
-/// way.
-Limits limits_of_covered(std::size_t points) {
-  constexpr std::size_t per_point = 20, few = 200;
-  return {per_point * points + few, per_point * points + few};
 }
 
 class Walk {
@@ -61,7 +54,7 @@ class Walk {
     disturb(residual(x_, rule_.share).lpNorm<Eigen::Infinity>());
     read_pieces();
     tau_ = 1;
-    return follow(residual(x_, rule_.share), limits_of(rule_.patience, size()));
+    return follow(residual(x_, rule_.share), limits_of(rule_.patience, 2, size()));
   }
 
   std::optional<Vector> covered() {
@@ -76,7 +69,8 @@ class Walk {
       if (problem_.points[i].contact) overlap[place(i)] = -tie_breaker(i);
     tau_ = covering(overlap);
     x_ += tau_ * overlap;
-    return follow(times(overlap), limits_of_covered(size()));
+    // Ends by itself, but where strong friction wedges bricks many joints are let go and held again on the way.
+    return follow(times(overlap), limits_of(Patience::much, 20, size()));
   }
 
  private:

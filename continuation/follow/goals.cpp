@@ -58,8 +58,9 @@ void begin_next_leg(PathState& path) {
   path.memory.leg_start = path.walker.effort().accepted;
   path.memory.step = 0;
   path.memory.before.reset();
-  path.walker.unload();
   set_out(path);
+  set_heading(path);
+  path.walker.unload();
   path.report("leg", path.leg().name);
 }
 
@@ -72,6 +73,12 @@ void set_out(PathState& path) {
     path.memory.travels[gauge.name] = {now, now};
   }
   path.memory.leg_peak = path.load_of(path.walker.state());
+}
+
+void set_heading(PathState& path) {
+  if (!path.leg().unloads) return path.walker.head_for({});
+  const Landing& goal = path.leg().until.front();
+  path.walker.head_for(Heading{goal.gauge, goal.value < path.memory.travels.at(goal.name).from ? -1.0 : 1.0});
 }
 
 void note_travel(PathState& path) {

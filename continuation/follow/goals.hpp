@@ -10,6 +10,9 @@ namespace dda {
 /// A leg begins: gauges travel from here.
 void set_out(PathState& path);
 
+/// The walker heads for the goal of a leg that unloads, whatever the live forces push; it does not remember.
+void set_heading(PathState& path);
+
 void note_travel(PathState& path);
 
 double share_of_goals(const PathState& path);

@@ -24,6 +24,7 @@ void Path::restore(const PathMemory& memory) {
   state_.memory = memory;
   state_.memory.travels.merge(here);  // gauges that the deck did not have before
   state_.control->restore(memory.control);
+  set_heading(state_);
 }
 
 void Path::switch_control(const Aims& aims) {

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "continuation/solve/held_equilibrium.hpp"
+#include "models/body/motion.hpp"
 
 namespace dda {
 namespace {
@@ -65,11 +66,11 @@ std::vector<Vec3> block_stress(PathState& path) {
 
 CrackFront::Surroundings around(PathState& path) {
   const auto stress_at = [&structure = path.cracks->structure, means = block_stress(path),
-                          d = path.walker.state().d.all()](const Vec2& x) -> std::optional<Vec3> {
+                          &d = path.walker.state().d](const Vec2& x) -> std::optional<Vec3> {
     const auto blocks = structure.front().geometry().blocks_near(x);
     if (blocks.empty()) return {};
     const BlockId block = blocks.front();
-    return Vec3(means[block.value()] + structure.stress_beside_mean(block, x, d));
+    return Vec3(means[block.value()] + stress_beside_mean(structure.body(), block, x, d.all()));
   };
   const std::vector<Cut> cuts = path.cracks->structure.front().geometry().cuts();
   return {stress_at, [&path, cuts](std::span<const Cut> free) { return released_energy(path, cuts, free); }};

@@ -31,7 +31,7 @@ std::optional<Point> sliding_step(PathState& path);
 /// slides back dissipates.
 std::optional<Point> rupture(PathState& path);
 
-/// A tenth of the way to the leg's goal, off the damage surfaces.
+/// At most a tenth of the leg's way towards its goal, off the damage surfaces.
 std::optional<Point> unload_step(PathState& path);
 
 /// Next vertex of an instantaneous release; where no continuous path leads on, what a test would find after a

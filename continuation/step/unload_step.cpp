@@ -15,8 +15,6 @@ std::optional<Point> unload_step(PathState& path) {
   const double rest = goal.value - path.walker.value(goal.gauge);
   if (path.walker.leaving().d.empty())
     return path.stop_early(Stop::singular, "the tangent stiffness is singular here");
-  if (path.walker.leaving().rate(goal.gauge) * rest < 0 && !path.walker.leaving().dissipates)
-    path.walker.turn_back();
   const double rate = path.walker.leaving().rate(goal.gauge);
   const bool has_turned = !(rate * rest > 0);
   if (has_turned && path.walker.leaving().dissipates)
@@ -25,20 +23,18 @@ std::optional<Point> unload_step(PathState& path) {
     return path.stop_early(Stop::unloading,
                            fmt::format("unloading does not lead to {} = {:g}", goal.name, goal.value));
   const Move move{.kind = StepKind::unloading, .equation = make_gauge_equation(goal.gauge), .rate = rate};
-  constexpr double part = 0.1;
   const bool is_known = path.memory.step > 0 && path.memory.step_kind == StepKind::unloading;
-  const double first = is_known ? path.memory.step : part * std::abs(rest);
-  for (double length = first; length > smallest_share * first; length *= cut) {
-    const bool arrives = length > (1 - 1e-9) * std::abs(rest);
-    const double amount = arrives ? rest / rate : length / std::abs(rate);
+  constexpr double part = 0.1;
+  const double to_goal = rest / rate;
+  const double longest = part * std::abs((goal.value - path.memory.travels.at(goal.name).from) / rate);
+  const double first =
+      std::min(longest, bounded(path, move, is_known ? path.memory.step / unit_of(path, move) : longest));
+  for (double amount = first; amount > smallest_share * first; amount *= cut) {
+    const bool arrives = amount > (1 - 1e-9) * to_goal;
+    if (arrives) amount = to_goal;
     const auto candidate = try_step(path, move, amount);
     if (!candidate || refuse_jump(path, *candidate, to_string(move.kind))) continue;
-    path.memory.step = first;
-    path.memory.step_kind = StepKind::unloading;
-    if (path.walker.system().joins_by_contact()) {  // whose tries are dear
-      resize(path, *candidate, amount, move);
-      path.memory.step = std::clamp(path.memory.step, length, std::max(length, part * std::abs(rest)));
-    }
+    resize(path, *candidate, amount, move);
     Point point = keep(path, *candidate, move.kind);
     if (arrives) point.landed.push_back(fmt::format("{}={:g}", goal.name, goal.value));
     return point;

@@ -67,8 +67,8 @@ void reverse(Tangent& along) {
   scale(-1, along.multipliers);
 }
 
-/// Towards more energy spent; where none is, as the forces of the live loads push.
-Tangent oriented(System& system, const State& state) {
+/// Towards more energy spent; where none is by the heading, or as the forces of the live loads push.
+Tangent oriented(System& system, const State& state, const std::optional<Heading>& heading) {
   const auto scope = system.timings().measure("tangents");
   Tangent out = direction(system, state);
   if (out.d.empty()) return out;
@@ -77,7 +77,8 @@ Tangent oriented(System& system, const State& state) {
   constexpr double rounding = 1e-10;  // left of cracks that stand still while a mechanism turns
   out.dissipates = std::abs(rate) > rounding * power.size;
   if (!out.dissipates) {
-    if (power.of_forces < 0) reverse(out);
+    const double forward = heading ? heading->sign * out.rate(heading->gauge) : power.of_forces;
+    if (forward < 0) reverse(out);
     return out;
   }
   out.d = out.d.scaled(1 / rate);
@@ -106,8 +107,8 @@ class RateProblem {
  public:
   using Set = std::vector<bool>;
   enum class Sense { dissipates, loads };  ///< what orients the direction: energy spent, or the load factor
-  RateProblem(System& system, const State& state, Sense sense)
-      : system_(system), state_(state), sense_(sense) {
+  RateProblem(System& system, const State& state, Sense sense, const std::optional<Heading>& heading = {})
+      : system_(system), state_(state), sense_(sense), heading_(heading) {
     const auto laws = system.laws_at(state);
     for (std::size_t p = 0; p < system.history().size(); ++p) {
       const History& h = system.history()[p];
@@ -135,7 +136,7 @@ class RateProblem {
     return found;
   }
   Tangent tangent() const {
-    Tangent out = oriented(system_, state_);
+    Tangent out = oriented(system_, state_, heading_);
     if (sense_ == Sense::loads && out.load_factor < 0) reverse(out);
     return out;
   }
@@ -286,6 +287,7 @@ class RateProblem {
   System& system_;
   const State& state_;
   Sense sense_;
+  std::optional<Heading> heading_;
   std::vector<Flag> flags_;
   std::vector<Vec2> gradients_;
 };
@@ -299,10 +301,13 @@ NegativeEigenvalues negative_eigenvalues(System& system) {
   return out;
 }
 
-Tangent arriving_tangent(System& system, const State& state) { return oriented(system, state); }
+Tangent arriving_tangent(System& system, const State& state, const std::optional<Heading>& heading) {
+  return oriented(system, state, heading);
+}
 
-Tangent leaving_tangent(System& system, const State& state, Tangent arriving) {
-  return RateProblem(system, state, RateProblem::Sense::dissipates).solve(std::move(arriving));
+Tangent leaving_tangent(System& system, const State& state, Tangent arriving,
+                        const std::optional<Heading>& heading) {
+  return RateProblem(system, state, RateProblem::Sense::dissipates, heading).solve(std::move(arriving));
 }
 
 Tangent starting_tangent(System& system, const State& state) {

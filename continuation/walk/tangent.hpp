@@ -1,17 +1,25 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "continuation/state/system.hpp"
 
 namespace dda {
 
+/// What a way along which no crack grows is to bring forward.
+struct Heading {
+  Functional gauge;
+  double sign = 1;
+};
+
 /// Direction in which a path leaves (or reached) an equilibrium.
 ///
 ///     K ḋ = λ̇ ∂f/∂λ,  with the tangent of the points that load
 ///
 /// Per unit of dissipated energy, that of friction included, when points load, so that its orientation is the
-/// one that dissipates; per unit of load factor when nothing does, in the direction of the live forces.
+/// one that dissipates; per unit of load factor when nothing does, by its heading, or without one in the direction of
+/// the live forces.
 struct Tangent {
   Displacements d;
   double load_factor = 0;
@@ -40,13 +48,14 @@ NegativeEigenvalues negative_eigenvalues(System& system);
 
 /// The direction with the points flagged in the system's history as loading: that of the step that led here.
 /// An empty direction when the tangent is singular.
-Tangent arriving_tangent(System& system, const State& state);
+Tangent arriving_tangent(System& system, const State& state, const std::optional<Heading>& heading = {});
 
 /// The direction in which the path goes on: points that would unload or stick are taken off the set, and
 /// unflagged in the history, until all that are left load and slide; what was taken off and would go on after
 /// all is put back. One along which the load falls off a structure that is stable under it is taken only
 /// where there is no other. Starts from the arriving tangent of the same state.
-Tangent leaving_tangent(System& system, const State& state, Tangent arriving);
+Tangent leaving_tangent(System& system, const State& state, Tangent arriving,
+                        const std::optional<Heading>& heading = {});
 
 /// The direction in which a stage begins, its load growing: what the stages before have cracked goes on only
 /// where that load drives it, and nothing is followed backwards because it spends energy.

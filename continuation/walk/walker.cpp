@@ -59,7 +59,7 @@ void Walker::fill_energies(Candidate& candidate) {
 }
 
 void Walker::fill_arriving(Candidate& candidate) {
-  candidate.arriving = arriving_tangent(system_, candidate.state);
+  candidate.arriving = arriving_tangent(system_, candidate.state, heading_);
   if (!parameters().stability || candidate.arriving.d.empty()) return;
   const auto scope = system_.timings().measure("stability");
   const NegativeEigenvalues found = negative_eigenvalues(system_);
@@ -95,7 +95,7 @@ void Walker::accept(Candidate candidate) {
   assert(here_.solution);
   take(*std::exchange(here_.solution, {}));
   if (here_.arriving.d.empty()) fill_arriving(here_);
-  leaving_ = leaving_tangent(system_, here_.state, here_.arriving);
+  leaving_ = leaving_tangent(system_, here_.state, here_.arriving, heading_);
   ++effort_.accepted;
 }
 
@@ -145,14 +145,7 @@ double Walker::jump(Candidate next) {
 void Walker::unload() {
   for (History& h : here_.history) h.loading = h.sliding = false;
   system_.set_history(here_.history);
-  leaving_ = arriving_tangent(system_, here_.state);
-}
-
-void Walker::turn_back() {
-  leaving_.load_factor *= -1;
-  leaving_.d = leaving_.d.scaled(-1);
-  for (auto* rates : {&leaving_.opening, &leaving_.multipliers})
-    for (Vec2& rate : *rates) rate *= -1;
+  leaving_ = arriving_tangent(system_, here_.state, heading_);
 }
 
 void Walker::turn_to(Tangent leaving, std::vector<History> flags) {

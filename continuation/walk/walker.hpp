@@ -119,10 +119,10 @@ class Walker {
   /// The point that lies `amount` further along the leaving tangent, in its own unit.
   State ahead(double amount) const;
 
+  /// From here on ways along which no crack grows are taken by this heading.
+  void head_for(std::optional<Heading> heading) { heading_ = std::move(heading); }
   /// Leaves the damage surfaces: from here on nothing loads or slides until it is reached again.
   void unload();
-  /// Goes on in the opposite direction.
-  void turn_back();
   /// Goes on by another tangent, with the history's flags that belong to it.
   void turn_to(Tangent leaving, std::vector<History> flags);
 
@@ -147,6 +147,7 @@ class Walker {
   System& system_;
   Candidate here_;
   Tangent leaving_;
+  std::optional<Heading> heading_;
   Effort effort_;
 };
 

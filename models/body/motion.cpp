@@ -28,6 +28,13 @@ Mat36 gradient_strain(const Body& body, BlockId block, const Vec2& x) {
   return gradient_strain_rows(x - body.block(block).moments.centroid, body.size(block));
 }
 
+Vec3 stress_beside_mean(const Body& body, BlockId block, const Vec2& x, std::span<const double> d) {
+  const auto node = body.gradient_of(block);
+  if (!node) return Vec3::Zero();
+  const Eigen::Map<const Vec6> gradient(d.data() + block_unknowns * node->value());
+  return body.material(block).stiffness() * gradient_strain(body, block, x) * gradient;
+}
+
 std::vector<NodeMotion> motions_at(const Body& body, BlockId block, const Vec2& x) {
   std::vector<NodeMotion> out{{block, displacement_rows(x - body.block(block).moments.centroid)}};
   if (const auto node = body.gradient_of(block)) out.push_back({*node, gradient_motion(body, block, x)});

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "models/body/body.hpp"
@@ -24,6 +25,10 @@ NodeMotion motion_of(const Body& body, JumpId jump, const Vec2& x);
 /// (second_order.hpp), 2 × 6 and 3 × 6.
 Mat26 gradient_motion(const Body& body, BlockId block, const Vec2& x);
 Mat36 gradient_strain(const Body& body, BlockId block, const Vec2& x);
+
+/// What the gradient of its strain adds at a point of a block to its mean stress, C F(x) g [F/L²], by the unknowns of
+/// all nodes; zero in one of first order.
+Vec3 stress_beside_mean(const Body& body, BlockId block, const Vec2& x, std::span<const double> d);
 
 /// Of a point of a block: the block's own, T, that of its strain gradient if it is of second order, and those of the jumps
 /// by which its part there moves beside it.

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "models/body/motion.hpp"
-
 namespace dda {
 namespace {
 
@@ -110,13 +108,6 @@ std::vector<Vec3> CrackedStructure::stress(const Loading& loading, std::span<con
                      loading.initial_stress(b, load_factor));
   }
   return out;
-}
-
-Vec3 CrackedStructure::stress_beside_mean(BlockId block, const Vec2& x, std::span<const double> d) const {
-  const auto node = body_.gradient_of(block);
-  if (!node) return Vec3::Zero();
-  const Eigen::Map<const Vec6> gradient(d.data() + block_unknowns * node->value());
-  return body_.material(block).stiffness() * gradient_strain(body_, block, x) * gradient;
 }
 
 }  // namespace dda

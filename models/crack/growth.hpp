@@ -48,14 +48,13 @@ class CrackedStructure {
 
   CrackFront& front() { return front_; }
   const CrackFront& front() const { return front_; }
+  const Body& body() const { return body_; }
   /// Makes the equilibrium anew for the cuts that there are now; `before` are those that it was made for.
   Growth remake(const std::vector<Cut>& before);
   /// Another equilibrium for the cuts that there are now, and how its unknowns follow from those of this one.
   std::pair<Equilibrium, Growth> tried(const std::vector<Cut>& before) const;
   /// Mean σ of each block: (σx, σy, τxy) [F/L²].
   std::vector<Vec3> stress(const Loading& loading, std::span<const double> d, double load_factor) const;
-  /// What the gradient of its strain adds at a point of a block; zero in one of first order.
-  Vec3 stress_beside_mean(BlockId block, const Vec2& x, std::span<const double> d) const;
 
  private:
   CrackFront& front_;

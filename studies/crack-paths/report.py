@@ -120,26 +120,40 @@ def spread(rows, paths, structure):
         yield ""
 
 
-def second_order_tables(rows, paths):
-    """Blocks of second order: bias of the beams, and how much curved cracks differ between the patterns."""
+def second_order_tables(rows, paths, first):
+    """Blocks of second order beside as many of first order: bias of the beams, and how much curved cracks differ between
+    the patterns."""
     yield "### Blocks of second order, about 1300"
-    yield "| beam | " + " | ".join(patterns.PATTERNS) + " | seconds |"
-    yield "|---|" + "---|" * (len(patterns.PATTERNS) + 1)
+    yield "| beam | " + " | ".join(patterns.PATTERNS) + " | mean (first order) | seconds (first order) |"
+    yield "|---|" + "---|" * (len(patterns.PATTERNS) + 2)
     for structure in patterns.BEAMS:
         found = {row["pattern"]: row for row in chosen(rows, structure=structure.name)}
+        of_first = chosen(first["beams"], structure=structure.name, size="middle")
         cells = [percent(found[name]["peak"] / structure.reference - 1) if name in found else "–" for name in patterns.PATTERNS]
-        yield f"| {structure.title} | " + " | ".join(cells) + f" | {middle_seconds(found.values())} |"
+        yield (f"| {structure.title} | " + " | ".join(cells)
+               + f" | {mean_bias(found.values(), structure)} ({mean_bias(of_first, structure)})"
+               + f" | {middle_seconds(found.values())} ({middle_seconds(of_first)}) |")
     yield ""
-    yield "| curved crack | peak [N] | peaks differ by | paths by ± | seconds |"
+    yield "| curved crack | peak [N] | peaks differ by (first order) | paths by ± | seconds (first order) |"
     yield "|---|---|---|---|---|"
     for structure in patterns.CURVED:
         found = chosen(rows, structure=structure.name)
+        of_first = chosen(first["curved"], structure=structure.name, direction="nonlocal_stress")
         if len(found) > 1:
             peaks, places = differences(found, paths, structure)
             shown = ", ".join(f"{100 * value:.1f} %" for value in places)
-            yield (f"| {structure.title} | {min(peaks):.0f} to {max(peaks):.0f} | {100 * (max(peaks) / min(peaks) - 1):.2f} % | "
-                   f"{shown} of the depth | {middle_seconds(found)} |")
+            yield (f"| {structure.title} | {min(peaks):.0f} to {max(peaks):.0f} | {range_of(found)} ({range_of(of_first)}) | "
+                   f"{shown} of the depth | {middle_seconds(found)} ({middle_seconds(of_first)}) |")
     yield ""
+
+
+def mean_bias(rows, structure):
+    return percent(statistics.mean(abs(row["peak"] / structure.reference - 1) for row in rows))[1:] if rows else "–"
+
+
+def range_of(rows):
+    peaks = [row["peak"] for row in rows]
+    return f"{100 * (max(peaks) / min(peaks) - 1):.2f} %" if peaks else "–"
 
 
 def middle_seconds(rows):
@@ -165,7 +179,7 @@ def write(folder):
     for structure in patterns.CURVED:
         if chosen(data["curved"], structure=structure.name):
             lines += curved_table(data["curved"], data["curved-paths"], structure)
-    lines += second_order_tables(data["second-order"], data["second-order-paths"])
+    lines += second_order_tables(data["second-order"], data["second-order-paths"], data)
     lines += paper_table(data["paper"])
     study.write_region(folder / "README.md", "\n".join(lines).strip())
     figures.draw_paths(data["beams-paths"], data["curved-paths"], folder / "results" / "paths.svg")

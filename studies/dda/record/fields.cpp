@@ -216,20 +216,13 @@ void Fields::add_gradients(const State& state, Snapshot& out) const {
   out.fields.push_back(std::move(gradient));
 }
 
-/// From the means of the blocks, σ + C F g.
 StoredField Fields::stress_at_vertices(const StoredField& means, const State& state) const {
   StoredField out{"stress_at_vertices", means.unit, FieldPlace::block_vertex, 3, {}, means.labels};
   for (std::size_t b = 0; b < body_.assembly.num_blocks(); ++b) {
     const BlockId block(b);
     const Vec3 mean = Eigen::Map<const Vec3>(means.values.data() + 3 * b);
-    const auto node = body_.gradient_of(block);
-    for (const Vec2& x : outline(block)) {
-      Vec3 strain = Vec3::Zero();
-      if (node)
-        strain = gradient_strain(body_, block, x) *
-                 Eigen::Map<const Vec6>(state.d.data() + block_unknowns * node->value());
-      append(Vec3(mean + body_.material(block).stiffness() * strain), out.values);
-    }
+    for (const Vec2& x : outline(block))
+      append(Vec3(mean + stress_beside_mean(body_, block, x, state.d.all())), out.values);
   }
   return out;
 }
