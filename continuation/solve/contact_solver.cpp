@@ -79,13 +79,19 @@ std::optional<Reduced> ContactSolver::solve_sum(const ControlSum& sum, const Ste
 }
 
 /// By Newton's method where something cracks, that is wanted and does it, else by walking: where only
-/// contacts change one walk is all, and Newton's method steps round between their pieces.
+/// contacts change one walk is all, and Newton's method steps round between their pieces, or ends far away.
 std::optional<Reduced> ContactSolver::iterate(const State& start, const State& guess, double step) {
   const int most = stepper_.parameters().newton.max_iterations;
-  if (tries_newton_ && !points_->only_touch())
-    if (auto found = solve_from(points_->begin(guess, {.max_iterations = most}), step, Method::newton))
-      return found;
-  return solve_from(points_->begin_walks(start, {.max_iterations = most}), step, Method::walk);
+  std::optional<Reduced> far_away;
+  if (tries_newton_ && !points_->only_touch()) {
+    auto found = solve_from(points_->begin(guess, {.max_iterations = most}), step, Method::newton);
+    if (found && !strays(system_, found->state, start, guess)) return found;
+    far_away = std::move(found);
+  }
+  const State& linear_at = points_->only_touch() ? start : guess;
+  auto found =
+      solve_from(points_->begin_walks(start, linear_at, {.max_iterations = most}), step, Method::walk);
+  return found ? std::move(found) : std::move(far_away);
 }
 
 std::optional<Reduced> ContactSolver::solve_from(const Iterate& at, double step, Method method) {

@@ -1,5 +1,6 @@
 #include "continuation/solve/reduced.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "continuation/solve/equations/cracked_equations.hpp"
@@ -107,6 +108,17 @@ std::optional<Reduced> solve_reduced(Stepper& stepper, const StepGoal& goal, int
   return solve_tangents(system, goal, [&](const ControlSum& sum, const State& guess) {
     return solve_sum(stepper, sum, {goal.start, goal.control, goal.step, guess}, max_iterations);
   });
+}
+
+bool strays(const System& system, const State& found, const State& start, const State& guess) {
+  constexpr double far = 10;
+  double expected = 0, missed = 0;
+  for (std::size_t p = 0; p < system.history().size(); ++p) {
+    const Vec2 q = system.jump(p, guess.d);
+    expected = std::max(expected, (q - system.jump(p, start.d)).norm());
+    missed = std::max(missed, (q - system.jump(p, found.d)).norm());
+  }
+  return expected > 0 && missed > far * expected;
 }
 
 std::size_t num_changed(System& system, const State& at) {

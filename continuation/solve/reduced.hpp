@@ -29,6 +29,9 @@ std::optional<Reduced> solve_tangents(
     System& system, const StepGoal& goal,
     const std::function<std::optional<Reduced>(const ControlSum& sum, const State& guess)>& solve);
 
+/// Whether joints have come to lie much farther from the guess than this is from the start of the step: beside contact
+/// Newton's method may end on another path.
+bool strays(const System& system, const State& found, const State& start, const State& guess);
 /// Whether loads leave openings of their own, which the equations of some points leave out.
 bool has_offsets(const System& system);
 /// Points without columns that are not as in the base at a state.

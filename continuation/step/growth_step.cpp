@@ -114,7 +114,7 @@ std::optional<int> crack_to_grow(PathState& path) {
 
 namespace {
 
-constexpr double near = 0.2, anywhere = 1;  // of the largest load
+constexpr double near = 0.02, anywhere = 1;  // of the largest load
 
 /// A point of the path where the structure, having been made anew, is in equilibrium; nothing where there is none near.
 std::optional<Point> settle_down(PathState& path, double bearable, double far = near) {

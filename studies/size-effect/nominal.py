@@ -56,9 +56,31 @@ def strengths(beam, deck, table):
         moment = beam.lever * case["peak.load"] * span
         rows.append({"beam": beam.name, "length": float(f"{depth * strength**2 / (modulus * energy):.6g}"),
                      "block_size": case.get(size_key), "seed": case.get("seed"), "blocks": case["blocks"],
-                     "steps": case["steps"],
+                     "steps": case["steps"], "seconds": case.get("timings.total"),
                      "strength": 6 * moment / (deck["thickness"] * depth**2) / strength})
     return rows
+
+
+@dataclass(frozen=True)
+class SecondOrder:
+    """One beam of one size by blocks of second order, beside the finest of first order."""
+
+    beam: str
+    length: float
+    block_size: float
+    blocks: int
+    difference: float  # of σ_N, relative to the finest blocks of first order
+    time: float  # of the run, relative to theirs
+
+
+def second_orders(beam, rows, straight):
+    """One SecondOrder per size and block size; `straight` are the rows of first order."""
+    out = []
+    for row in sorted(rows, key=lambda row: (row["length"], -row["block_size"])):
+        finest = min((other for other in straight if other["length"] == row["length"]), key=lambda other: other["block_size"])
+        out.append(SecondOrder(beam.name, row["length"], row["block_size"], row["blocks"], row["strength"] / finest["strength"] - 1,
+                          row["seconds"] / finest["seconds"]))
+    return out
 
 
 def richardson(coarse, fine, ratio=2.0, order=ORDER):

@@ -1,6 +1,7 @@
 """Tables and sentences of README.md from results/*.csv; nothing in the marked region is typed."""
 
 import math
+import statistics
 
 import figures
 import nominal
@@ -77,12 +78,26 @@ def bias_table(biases):
     yield ""
 
 
-def text(peaks, biases):
+def second_order_table(orders):
+    yield "### Blocks of second order against the finest of first order"
+    yield "| beam | blocks along the ligament [mm] | blocks | σ_N differs by at most | at D/l_ch | of the time |"
+    yield "|---|---|---|---|---|---|"
+    for beam in nominal.BEAMS:
+        for size in sorted({found.block_size for found in orders[beam.name]}, reverse=True):
+            chosen = [found for found in orders[beam.name] if found.block_size == size]
+            worst = max(chosen, key=lambda found: abs(found.difference))
+            yield (f"| {beam.title} | {size:g} | {worst.blocks:.0f} | {percent(worst.difference, 3)} | {worst.length:g} | "
+                   f"{statistics.median(found.time for found in chosen):.2f} |")
+    yield ""
+
+
+def text(peaks, biases, orders):
     out = ["### Against the independent solver"]
     for beam in nominal.BEAMS:
         out += verdict(beam, peaks[beam.name])
     out.append("")
     out += law_table(peaks["notched"])
+    out += second_order_table(orders)
     out += bias_table(biases)
     for beam in nominal.BEAMS:
         out += peak_table(beam, peaks[beam.name])
@@ -90,10 +105,12 @@ def text(peaks, biases):
 
 
 def write(output):
-    """Figure and README region from the two tables of results."""
-    straight, voronoi = (study.read_rows(output / "results" / f"{name}.csv") for name in ("straight", "voronoi"))
+    """Figure and README region from the tables of results."""
+    straight, second, voronoi = (study.read_rows(output / "results" / f"{name}.csv")
+                                 for name in ("straight", "second-order", "voronoi"))
     peaks = {beam.name: nominal.peaks(beam, of_beam(straight, beam)) for beam in nominal.BEAMS}
     biases = {beam.name: nominal.biases(beam, of_beam(voronoi, beam), peaks[beam.name]) for beam in nominal.BEAMS}
+    orders = {beam.name: nominal.second_orders(beam, of_beam(second, beam), of_beam(straight, beam)) for beam in nominal.BEAMS}
     fitted = fit(peaks["notched"]) if len(peaks["notched"]) > 2 else None
     figures.draw(peaks, biases, fitted, output / "results" / "size-effect.svg")
-    study.write_region(output / "README.md", text(peaks, biases).rstrip())
+    study.write_region(output / "README.md", text(peaks, biases, orders).rstrip())

@@ -2,9 +2,9 @@
 
     study.py --program DDA [--quick] [--jobs N] [--keep] [--report] [--output FOLDER]
 
-Six sweeps, NAME.yaml and NAME-voronoi.yaml beside this file, into runs/size-effect (--quick: runs/size-effect-quick);
-results/straight.csv, results/voronoi.csv, results/size-effect.svg and the marked region of README.md into FOLDER: this
-folder, or with --quick runs/size-effect.
+Nine sweeps, NAME.yaml, the same with blocks of second order, and NAME-voronoi.yaml beside this file, into
+runs/size-effect (--quick: runs/size-effect-quick); results/straight.csv, results/second-order.csv, results/voronoi.csv,
+results/size-effect.svg and the marked region of README.md into FOLDER: this folder, or with --quick runs/size-effect.
 """
 
 import sys
@@ -20,18 +20,18 @@ import report  # noqa: E402
 from ddapath import study  # noqa: E402
 
 STRAIGHT_ENERGY, VORONOI_ENERGY = (f"interfaces.{name}.law.fracture_energy" for name in ("ligament", "joints"))
+SECOND_ORDER = {"scene.parameters.ligament_size": [4, 2], "scene.parameters.far_size": [64, 64]}
 # A few sizes [N/mm], coarse blocks [mm] and two seeds.
 QUICK = {"straight": {STRAIGHT_ENERGY: [0.3, 0.03, 0.003],
                       "zip": {"scene.parameters.ligament_size": [4, 2], "scene.parameters.far_size": [32, 16]}},
          "voronoi": {VORONOI_ENERGY: [0.03], "seed": "1..2"}}
 
 
-def sweep(name, axes, asked):
+def sweep(name, file, changes, asked):
     """(the base deck, the table of the sweep); a case that fails ends the study with its reason."""
-    file = HERE / f"{name}.yaml"
-    deck = ddapath.read_deck(file)
+    deck = ddapath.read_deck(HERE / f"{file}.yaml")
     started = time.perf_counter()
-    table = ddapath.sweep(deck | {"sweep": axes} if axes else file, folder=asked.runs / name, jobs=asked.jobs,
+    table = ddapath.sweep(deck | changes if changes else HERE / f"{file}.yaml", folder=asked.runs / name, jobs=asked.jobs,
                           overwrite=not asked.keep, check=False)
     print(f"{name}: {len(table)} runs, {time.perf_counter() - started:.0f} s", file=sys.stderr)
     failed = table[table["status"] != "goal_reached"]
@@ -40,13 +40,25 @@ def sweep(name, axes, asked):
     return deck, table
 
 
+def changes_to(kind, beam, is_quick):
+    """What becomes of a deck for a sweep; nothing where it is taken as it stands."""
+    quick = QUICK["voronoi" if kind == "voronoi" else "straight"]
+    if kind != "second-order":
+        return {"sweep": quick} if is_quick else {}
+    energies = quick if is_quick else ddapath.read_deck(HERE / f"{beam.name}.yaml")["sweep"]
+    return {"kinematics": "second_order",
+            "sweep": {STRAIGHT_ENERGY: energies[STRAIGHT_ENERGY], "zip": SECOND_ORDER}}
+
+
 def run_all(asked):
-    """The rows of results/straight.csv and results/voronoi.csv."""
-    rows = {"straight": [], "voronoi": []}
-    for kind, suffix in (("straight", ""), ("voronoi", "-voronoi")):
+    """The rows of results/straight.csv, results/second-order.csv and results/voronoi.csv."""
+    rows = {kind: [] for kind in ("straight", "second-order", "voronoi")}
+    for kind, found in rows.items():
         for beam in nominal.BEAMS:
-            deck, table = sweep(beam.name + suffix, QUICK[kind] if asked.quick else None, asked)
-            rows[kind] += nominal.strengths(beam, deck, table)
+            file = beam.name + "-voronoi" * (kind == "voronoi")
+            name = beam.name + f"-{kind}" * (kind != "straight")
+            deck, table = sweep(name, file, changes_to(kind, beam, asked.quick), asked)
+            found += nominal.strengths(beam, deck, table)
     return rows
 
 

@@ -100,6 +100,15 @@ class Bias(unittest.TestCase):
         self.assertAlmostEqual(found.scatter, 0.2 / math.sqrt(2))
 
 
+class SecondOrder(unittest.TestCase):
+    def test_is_held_against_the_finest_of_first_order(self):
+        straight = [row | {"seconds": 8 / row["block_size"]} for row in straight_rows(0.3, order=0)]
+        row = {"length": 1.0, "block_size": 4.0, "blocks": 5, "strength": straight[0]["strength"] * 1.002, "seconds": 2.0}
+        found, = nominal.second_orders(NOTCHED, [row], straight)
+        self.assertAlmostEqual(found.difference, 0.002)
+        self.assertAlmostEqual(found.time, 0.25)
+
+
 class Quick(unittest.TestCase):
     @unittest.skipUnless(PROGRAM, "needs the program")
     def test_quick_is_right_and_written(self):
@@ -110,9 +119,14 @@ class Quick(unittest.TestCase):
             done = subprocess.run(command, capture_output=True, text=True, check=False)
             self.assertEqual(done.returncode, 0, done.stderr[-3000:])
             rows = study.read_rows(output / "results" / "straight.csv")
+            second = study.read_rows(output / "results" / "second-order.csv")
             for beam in nominal.BEAMS:
                 for peak in nominal.peaks(beam, report.of_beam(rows, beam)):
                     self.assertLess(abs(peak.error), 0.005, peak)
+                orders = nominal.second_orders(beam, report.of_beam(second, beam), report.of_beam(rows, beam))
+                self.assertEqual(len(orders), 6)
+                for order in orders:
+                    self.assertLess(abs(order.difference), 0.01, order)
             self.assertEqual(len(study.read_rows(output / "results" / "voronoi.csv")), 6)
             self.assertIn("| mesh bias |", (output / "README.md").read_text(encoding="utf-8"))
             self.assertTrue((output / "results" / "size-effect.svg").exists())

@@ -41,8 +41,19 @@ Vec2 CrackedEquations::multiplier(std::size_t i) const {
 
 Iterate CrackedEquations::begin(const State& guess, const Rule& rule) { return start_at(guess, rule, false); }
 
-Iterate CrackedEquations::begin_walks(const State& guess, const Rule& rule) {
-  return start_at(guess, rule, true);
+Iterate CrackedEquations::begin_walks(const State& start, const State& guess, const Rule& rule) {
+  const Iterate out = start_at(guess, rule, true);
+  walk_start_ = openings(start);
+  return out;
+}
+
+/// q of a state and its λ.
+Eigen::VectorXd CrackedEquations::openings(const State& at) const {
+  Vector out(length() + 1);
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    pair(out, i) = system_.jump(points_[i], at.d) + multiplier(i);
+  out[length()] = at.load_factor;
+  return out;
 }
 
 Iterate CrackedEquations::start_at(const State& guess, const Rule& rule, bool walks) {
@@ -50,11 +61,9 @@ Iterate CrackedEquations::start_at(const State& guess, const Rule& rule, bool wa
   origin_.reset();
   const std::vector<double>& dead = linear_.dead_solution();
   z_origin_ = Vector::Zero(length());
-  q_.resize(length());
-  for (std::size_t i = 0; i < points_.size(); ++i) {
+  for (std::size_t i = 0; i < points_.size(); ++i)
     pair(dead_, i) = system_.equilibrium().opening(points_[i], dead) + multiplier(i);
-    pair(q_, i) = system_.jump(points_[i], guess.d) + multiplier(i);
-  }
+  q_ = openings(guess).head(length());
   if (control_.gauge) gauge_dead_ = control_.gauge->value(dead, 0);
   load_factor_ = guess.load_factor;
   scale_ = std::max({dead_.lpNorm<Eigen::Infinity>(), q_.lpNorm<Eigen::Infinity>(),
@@ -69,6 +78,8 @@ Iterate CrackedEquations::start_at(const State& guess, const Rule& rule, bool wa
 }
 
 Iterate CrackedEquations::go_on_walking(const Rule& rule) {
+  walk_start_.resize(length() + 1);
+  walk_start_ << q_, load_factor_;
   rule_ = rule;
   walks_ = true;
   rises_ = 0;

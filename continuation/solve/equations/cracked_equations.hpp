@@ -34,10 +34,10 @@ class CrackedEquations final : public WalkedEquations {
 
   CrackedEquations(const System& system, LinearSystem& linear, const ControlSum& control);
 
-  /// The openings of a state, from which an iteration by Newton's method, or by walks, begins with the
-  /// multipliers of now.
+  /// The openings of a state, from which an iteration by Newton's method begins with the multipliers of now.
   Iterate begin(const State& guess, const Rule& rule);
-  Iterate begin_walks(const State& guess, const Rule& rule);
+  /// The first walk begins at the start of the step, with what cracks made linear at the guess.
+  Iterate begin_walks(const State& start, const State& guess, const Rule& rule);
   /// Walks go on from where the last iterate was, which has been made the origin (`refine`).
   Iterate go_on_walking(const Rule& rule);
   std::size_t num_points() const { return points_.size(); }
@@ -76,6 +76,7 @@ class CrackedEquations final : public WalkedEquations {
 
   Eigen::Index length() const { return 2 * static_cast<Eigen::Index>(points_.size()); }
   Iterate start_at(const State& guess, const Rule& rule, bool walks);
+  Vector openings(const State& at) const;
   Vec2 multiplier(std::size_t i) const;
   double opening_scale() const;
   double largest_miss(Accuracy accuracy) const;
@@ -94,6 +95,7 @@ class CrackedEquations final : public WalkedEquations {
   double rounding_of_value() const;
   Verdict judge_newton(int iterations);
   Verdict judge_walks(int iterations);
+  double error_of_walks() const;
   void linearise();
   void set_coefficients(double unit);
   ContactProblem::Point point_of(std::size_t i) const;
@@ -126,6 +128,7 @@ class CrackedEquations final : public WalkedEquations {
   bool walks_ = false;
   PiecesWatch pieces_;
   std::vector<double> start_;  ///< x where it begins
+  Vector walk_start_;          ///< q and λ where the next walk begins
   Vector before_;              ///< q of the iterate judged last
   double error_before_ = 0;
   int rises_ = 0;           ///< walks that have hardly brought the error down

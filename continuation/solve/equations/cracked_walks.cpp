@@ -14,7 +14,7 @@ auto pair(const Eigen::VectorXd& v, std::size_t i) { return v.segment<2>(2 * sta
 Verdict CrackedEquations::judge_walks(int iterations) {
   using enum Verdict::Kind;
   if (iterations >= rule_.at_least && is_solved(rule_.accuracy)) return {converged};
-  const double error = gap().lpNorm<Eigen::Infinity>();
+  const double error = error_of_walks();
   constexpr int most_rises = 5;
   constexpr double hardly = 1e-8;  // what rounding leaves the full equations judge
   if (iterations > 1 && error > 0.5 * error_before_ && ++rises_ > most_rises) {
@@ -27,6 +27,12 @@ Verdict CrackedEquations::judge_walks(int iterations) {
   return {goes_on, "contact and friction allow no equilibrium here"};
 }
 
+/// Of the openings, that of the control among them.
+double CrackedEquations::error_of_walks() const {
+  const double missed = control_.scale > 0 ? std::abs(value() - control_.target) / control_.scale : 0;
+  return std::max(gap().lpNorm<Eigen::Infinity>(), missed * opening_scale());
+}
+
 std::vector<double> CrackedEquations::walk_from(const Iterate& at) {
   const auto scope = system_.timings().measure("contact");
   evaluate(at);
@@ -34,14 +40,13 @@ std::vector<double> CrackedEquations::walk_from(const Iterate& at) {
   constexpr double smaller = 0.03;
   WalkRule rule{.patience = Patience::little};
   rule.share *= std::pow(smaller, rises_);
-  Vector start(length() + 1);
-  start << q_, load_factor_;
-  auto found = dda::walk_from(problem_, start, matrix_, rule);
-  if (!found) found = walk_proximally(problem_, start, matrix_, rule);
+  auto found = dda::walk_from(problem_, walk_start_, matrix_, rule);
+  if (!found) found = walk_proximally(problem_, walk_start_, matrix_, rule);
   rule.patience = Patience::much;
-  if (!found) found = dda::walk_from(problem_, start, matrix_, rule);
+  if (!found) found = dda::walk_from(problem_, walk_start_, matrix_, rule);
   if (!found) found = walk_covered(problem_, matrix_, rule);
   if (!found || !found->allFinite()) return {};
+  walk_start_ = *found;
   return {found->begin(), found->end()};
 }
 

@@ -1,8 +1,10 @@
-"""`python -m ddapath scene FILE`: the scene of a picture (.png, .jpg, .tif) or drawing (.svg, .dxf), in a deck to begin with.
+"""`python -m ddapath scene FILE`: the scene of a picture (.png, .jpg, .tif), a drawing (.svg, .dxf) or a finite-element mesh
+(.inp, .med, .vtk, ...), in a deck to begin with.
 
     python -m ddapath scene wall.jpg --width 2000 --material mortar=#d8d0c0 --material stone=#806040 --joint mortar --out wall.yaml
     python -m ddapath scene concrete.png --width 100 --material aggregate --material matrix --scene-only --out scene.yaml
     python -m ddapath scene vault.dxf --scale 1000 --out vault.yaml
+    python -m ddapath scene wall.inp --out wall.yaml     # and wall.msh
 
 Lengths are in the units of the deck. Exit code 2 where no scene can be made of the file, 4 where a Python module is missing.
 """
@@ -14,7 +16,8 @@ from pathlib import Path
 
 from .. import deck as decks
 from ..commands import exit_code
-from . import deck_to_begin_with, scene_of_dxf, scene_of_image, scene_of_svg
+from . import deck_of_elements, deck_to_begin_with, scene_of_dxf, scene_of_elements, scene_of_image, scene_of_svg
+from .elements import ENDINGS
 from .faults import SceneError
 from .image import Wishes
 from .scaled import Units
@@ -29,7 +32,7 @@ ALL = 60  # decimals: densities are small numbers in mm and MN
 def parser():
     out = argparse.ArgumentParser(prog="python -m ddapath scene", description=__doc__,
                                   formatter_class=argparse.RawDescriptionHelpFormatter)
-    out.add_argument("file", metavar="FILE", help="the picture or drawing")
+    out.add_argument("file", metavar="FILE", help="the picture, drawing or mesh")
     out.add_argument("--out", "--output", metavar="FILE", help="the deck; by default FILE with the ending .yaml")
     out.add_argument("--scene-only", action="store_true", help="the section `scene` alone, for a deck that `extends` it")
     out.add_argument("--length", choices=LENGTHS, default="mm", help="unit of the deck, by default mm")
@@ -40,8 +43,8 @@ def parser():
                                                      "drawing: a corner so near to a side is on it, by default a thousandth of the extent")
     out.add_argument("--without", action="append", metavar="NAME", help="material, or layer, that becomes nothing")
     out.add_argument("--overwrite", action="store_true", help="replace the deck where there is one")
-    drawing = out.add_argument_group("drawings")
-    drawing.add_argument("--scale", type=float, help="of a unit of the drawing; by default 1")
+    drawing = out.add_argument_group("drawings and meshes")
+    drawing.add_argument("--scale", type=float, help="of a unit of the file; by default 1")
     picture = out.add_argument_group("pictures")
     picture.add_argument("--material", action="append", metavar="NAME[=COLOUR]",
                          help="colour: #rrggbb, a name, or a brightness from 0 to 1; without colours: the darkest first")
@@ -97,7 +100,7 @@ def scene_of(asked):
         return DRAWINGS[ending](asked.file, units=Units(asked.scale, asked.width, asked.height), tolerance=asked.tolerance,
                                 without=tuple(asked.without or ()))
     if ending not in PICTURES:
-        raise SceneError(f"{asked.file}: its ending is none of {', '.join([*PICTURES, *DRAWINGS])}: save it as one of these")
+        raise SceneError(f"{asked.file}: its ending is none of {', '.join([*PICTURES, *DRAWINGS, *ENDINGS])}: save it as one of these")
     if asked.scale is not None:
         raise SceneError(f"--scale belongs to drawings: give the width or the height of {asked.file}")
     wishes = Wishes(asked.tolerance, asked.least_area, depths_of(asked), asked.smooth or 0.0, tuple(asked.without or ()))
@@ -118,17 +121,38 @@ def rounded(scene):
     return {**scene, **lines, "regions": [{**region, "vertices": points(region["vertices"])} for region in scene["regions"]]}
 
 
-def written(asked):
-    """The file, and how many blocks are in it."""
-    file = Path(asked.out or Path(asked.file).with_suffix(".yaml"))
+def free(file, asked):
+    """The file, that nothing is overwritten in unasked."""
     if file.exists() and not asked.overwrite:
         raise SceneError(f"{file}: is there already: give another name with --out, or --overwrite")
-    scene = rounded(scene_of(asked))
-    units = {"length": asked.length, "force": asked.force}
-    tree = {"scene": scene} if asked.scene_only else deck_to_begin_with(scene, units, f"Blocks from {Path(asked.file).name}")
     file.parent.mkdir(parents=True, exist_ok=True)
+    return file
+
+
+def of_elements(asked, file):
+    """(scene, deck, number of blocks) of a finite-element mesh, which is written beside the deck."""
+    given = next((name for name in (*OF_PICTURES, "width", "height", "tolerance", "without") if getattr(asked, name) is not None), None)
+    if given:
+        raise SceneError(f"--{given.replace('_', '-')} belongs to pictures and drawings: leave it out for {asked.file}")
+    found = scene_of_elements(asked.file, free(file.with_suffix(".msh"), asked), 1.0 if asked.scale is None else asked.scale)
+    return found.scene, lambda units, title: deck_of_elements(found, units, title), found.blocks
+
+
+def of_polygons(asked):
+    """The same of a picture or drawing."""
+    scene = rounded(scene_of(asked))
+    return scene, lambda units, title: deck_to_begin_with(scene, units, title), len(scene["regions"])
+
+
+def written(asked):
+    """The file, and how many blocks are in it."""
+    file = free(Path(asked.out or Path(asked.file).with_suffix(".yaml")), asked)
+    is_mesh = Path(asked.file).suffix.lower() in ENDINGS
+    scene, deck, count = of_elements(asked, file) if is_mesh else of_polygons(asked)
+    units = {"length": asked.length, "force": asked.force}
+    tree = {"scene": scene} if asked.scene_only else deck(units, f"Blocks from {Path(asked.file).name}")
     file.write_text(decks.lines(tree, ALL), encoding="utf-8")
-    return file, len(scene["regions"])
+    return file, count
 
 
 def main(arguments):

@@ -49,11 +49,7 @@ def deck_to_begin_with(scene, units, title="Blocks from a picture or drawing"):
     Pieces of one part that has been cut, since blocks have no holes, stay bonded where no two parts of their material touch.
     Throws ValueError for other units.
     """
-    if units["length"] not in LENGTHS or units["force"] not in FORCES:
-        raise ValueError(f"units are {', '.join(LENGTHS)} and {', '.join(FORCES)}, not {units['length']} and {units['force']}")
-    length, force = LENGTHS[units["length"]], FORCES[units["force"]]
-    material = {"type": "linear_elastic", "young_modulus": significant(STONE["young_modulus"] * length**2 / force),
-                "poisson_ratio": 0.2, "density": significant(STONE["density"] * length**4 / force)}
+    material, gravity = stone(units)
     names = materials_of(scene)
     law = {"type": "friction", "friction_angle": FRICTION_ANGLE}
     joints = {f"{one} on {other}": {"between": [one, other], "law": dict(law)} for one, other in touching(scene)}
@@ -61,7 +57,32 @@ def deck_to_begin_with(scene, units, title="Blocks from a picture or drawing"):
     return {"title": title, "units": dict(units), "scene": scene, "thickness": 1,
             "materials": {name: dict(material) for name in names},
             "interfaces": joints,
-            "motion": {"gravity": [0, -significant(GRAVITY / length)], "held": at_the_bottom(scene), "contact": {"friction": 0.6}}}
+            "motion": {"gravity": [0, -gravity], "held": at_the_bottom(scene), "contact": {"friction": 0.6}}}
+
+
+def deck_of_elements(elements, units, title="Blocks from finite elements"):
+    """The deck of bonded blocks that bear their weight, held along the lowest boundary, interfaces with dry friction; all materials
+    and joints as above.
+
+    elements: of `scenes.elements`. Throws ValueError for other units.
+    """
+    material, gravity = stone(units)
+    weight = {"type": "body_force", "force": [0, -significant(material["density"] * gravity)]}
+    law = {"type": "friction", "friction_angle": FRICTION_ANGLE}
+    interfaces = {"interfaces": {name: {"law": dict(law)} for name in elements.interfaces}} if elements.interfaces else {}
+    return {"title": title, "units": dict(units), "scene": elements.scene, "thickness": 1,
+            "materials": {name: dict(material) for name in elements.materials}, **interfaces,
+            "supports": {"foot": {"boundary": elements.boundaries[0], "fix": "xy"}},
+            "stages": [{"name": "weight", "loads": [weight]}]}
+
+
+def stone(units):
+    """A material, and gravity, in these units."""
+    if units["length"] not in LENGTHS or units["force"] not in FORCES:
+        raise ValueError(f"units are {', '.join(LENGTHS)} and {', '.join(FORCES)}, not {units['length']} and {units['force']}")
+    length, force = LENGTHS[units["length"]], FORCES[units["force"]]
+    return ({"type": "linear_elastic", "young_modulus": significant(STONE["young_modulus"] * length**2 / force),
+             "poisson_ratio": 0.2, "density": significant(STONE["density"] * length**4 / force)}, significant(GRAVITY / length))
 
 
 def significant(value):
