@@ -27,14 +27,14 @@ TESTS = Path(__file__).resolve().parents[1]
 class Copies(unittest.TestCase):
     """A run, and for each test a copy of it that may be changed."""
     deck = "beam.yaml"
+    settings = {"path.stop.load_below": 0.3, "record.fields_every": 4}
 
     @classmethod
     def setUpClass(cls):
         cls.scratch = tempfile.TemporaryDirectory()
         cls.addClassCleanup(cls.scratch.cleanup)
         cls.original = Path(cls.scratch.name) / "run"
-        settings = {"path.stop.load_below": 0.3, "record.fields_every": 4}
-        ddapath.run(TESTS / "program" / cls.deck, settings, folder=cls.original)
+        ddapath.run(TESTS / "program" / cls.deck, cls.settings, folder=cls.original)
 
     def setUp(self):
         self.folder = Path(self.scratch.name) / "copy"
@@ -202,6 +202,19 @@ class DoctoredCracks(Copies):
             values[0] = values[1]
         self.change_dataset("parts/moves", shift)
         self.assertIn("block equilibrium", self.refused())
+
+
+class Couples(Copies):
+    """Loads whose reactions are but rounding."""
+    deck = TESTS.parent / "studies" / "double-cantilever" / "deck.yaml"
+    settings = {"variables.L": 100, "scene.subdivision": {"type": "grid", "columns": 50, "rows": 2}, "path.stop.gauges": {"crack": 0.05}}
+
+    def test_a_true_run_passes(self):
+        self.assertEqual(self.refused(), [])
+
+    def test_a_reaction_altered(self):
+        self.change_cell("foot", -1, lambda cell: repr(float(cell) + 1e-3))
+        self.assertIn("fields agree with curve.csv", self.refused())
 
 
 class Command(unittest.TestCase):
