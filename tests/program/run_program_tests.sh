@@ -247,11 +247,13 @@ command_line() {
 comparing() {
   expect 3 "compare" "$program" compare "$bar" --controls dissipation,opening --folder compared --quiet
   expect 0 "compare, one expected to stop" "$program" compare "$bar" --controls dissipation,arc_length,opening \
-    --folder expected --quiet --set 'path.expected_to_stop=[opening]'
+    --folder expected --quiet --set 'path.expected_to_stop=[opening]' --out compared.svg
+  exists compared.svg
   exists expected/compare.csv
   exists expected/compare.md
   exists expected/compare.svg
   status_is expected/arc_length goal_reached
+  expect 2 "a figure of no kind" "$program" compare "$bar" --controls dissipation --folder nothing --out compared.txt
   expect 2 "an unknown control" "$program" compare "$bar" --controls dissipation,arclength --folder nothing
   is_absent nothing
   expect 0 "plot" "$program" plot expected/dissipation expected/arc_length --out overlay.svg

@@ -232,6 +232,12 @@ class Command(unittest.TestCase):
             said = self.verify(run)
             self.assertEqual(said.returncode, 3)
             self.assertIn("REFUSED  last row is what the reason says", said.stdout)
+            kept = Path(scratch) / "verified.txt"
+            quiet = self.verify("--out", kept, run)
+            self.assertEqual((quiet.returncode, quiet.stdout, kept.read_text()), (3, "", said.stdout))
+            lost = self.verify("--out", Path(scratch) / "none" / "verified.txt", run)
+            self.assertEqual(lost.returncode, 4)
+            self.assertIn("No such file or directory", lost.stderr)
             said = self.verify(run, Path(scratch) / "none")
             self.assertEqual(said.returncode, 2)
             self.assertIn("there is no such folder", said.stderr)

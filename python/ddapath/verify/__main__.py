@@ -1,11 +1,12 @@
-"""`python -m ddapath.verify RUN [RUN...]`: a table per run; exit code 0 all checks hold, 3 some are refused, 2 no run."""
+"""`python -m ddapath.verify [--out=FILE] RUN [RUN...]`: a table per run, printed or in a file; exit code 0 all checks hold, 3 some are
+refused, 2 no run, 4 the file cannot be written."""
 import signal
 import sys
 
 from ..errors import DdapathError
 from . import verify
 
-HELD, WRONG_INPUT, REFUSED = 0, 2, 3
+HELD, WRONG_INPUT, REFUSED, NOT_WRITTEN = 0, 2, 3, 4
 
 
 def row(finding):
@@ -20,24 +21,35 @@ def table(rows):
                      for cells in rows)
 
 
-def report(folder):
-    """Prints the table of one run; its exit code."""
+def report(folder, file):
+    """Writes the table of one run; its exit code."""
     try:
         findings = verify(folder)
     except (DdapathError, OSError, KeyError, ValueError) as error:
         print(f"{folder}: cannot be verified: {error or type(error).__name__}", file=sys.stderr)
         return WRONG_INPUT
     refused = [finding.check for finding in findings if not finding.holds]
-    print(f"{folder}: {'refused: ' + ', '.join(refused) if refused else 'all checks hold'}")
-    print(table([["", "check", "worst", "bound", "where"], *map(row, findings)]))
+    print(f"{folder}: {'refused: ' + ', '.join(refused) if refused else 'all checks hold'}", file=file)
+    print(table([["", "check", "worst", "bound", "where"], *map(row, findings)]), file=file)
     return REFUSED if refused else HELD
 
 
-def main(folders):
-    if not folders or any(folder in ("-h", "--help") for folder in folders):
+def worst(folders, file):
+    return max((report(folder, file) for folder in folders), key=lambda code: (code == WRONG_INPUT, code))
+
+
+def main(arguments):
+    if not arguments or any(argument in ("-h", "--help") for argument in arguments):
         print(__doc__)
-        return WRONG_INPUT if not folders else HELD
-    return max(map(report, folders), key=lambda code: (code == WRONG_INPUT, code))
+        return WRONG_INPUT if not arguments else HELD
+    if not arguments[0].startswith("--out="):
+        return worst(arguments, sys.stdout)
+    try:
+        with open(arguments[0].removeprefix("--out="), "w", encoding="utf-8") as file:
+            return worst(arguments[1:], file)
+    except OSError as error:
+        print(f"verify: {error.filename}: {error.strerror}", file=sys.stderr)
+        return NOT_WRITTEN
 
 
 if __name__ == "__main__":

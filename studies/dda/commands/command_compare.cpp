@@ -9,6 +9,7 @@
 #include "framework/files/whole_file.hpp"
 #include "studies/dda/commands/commands.hpp"
 #include "studies/dda/commands/path_distance.hpp"
+#include "studies/dda/figures/figure_file.hpp"
 #include "studies/dda/run/recording/summary.hpp"
 
 namespace dda {
@@ -170,17 +171,25 @@ double at_landings(const Deck& deck, const RunResult& first, const RunResult& se
   return largest;
 }
 
-void write_comparison(const RunFolder& folder, const std::vector<Compared>& runs) {
+void write_comparison(const RunFolder& folder, const std::vector<Compared>& runs, const fs::path& figure) {
   CurveTable csv(folder.file("compare.csv"), columns(runs.front()));
   for (const Compared& run : runs) csv.append(row(run));
   write_whole(folder.file("compare.md"), table(runs), Flush::to_system);
-  if (!runs.front().result.measures.displacements().empty())
-    write_whole(folder.file("compare.svg"), svg::to_svg(overlay(runs)), Flush::to_system);
+  if (runs.front().result.measures.displacements().empty()) {
+    if (!figure.empty())
+      throw OutputError(
+          fmt::format("{}: nothing to draw: the deck has no gauge of a displacement", figure.string()));
+    return;
+  }
+  const std::string svg = svg::to_svg(overlay(runs));
+  write_whole(folder.file("compare.svg"), svg, Flush::to_system);
+  if (!figure.empty()) write_figure(figure, svg);
 }
 
 }  // namespace
 
 int command_compare(const CommandLine& line) {
+  if (!line.picture.empty()) require_figure_name(line.picture);
   const std::vector<DeckFile> decks = decks_of(line);
   check_controls(decks);
   const RunFolder folder = folder_of(line);
@@ -191,7 +200,7 @@ int command_compare(const CommandLine& line) {
     runs.back().distance = distance(runs.front().result.trace, runs.back().result.trace);
     runs.back().at_landings = at_landings(decks[i].deck, runs.front().result, runs.back().result);
   }
-  write_comparison(folder, runs);
+  write_comparison(folder, runs, line.picture);
   fmt::print("{}{}\n", table(runs), folder.path().string());
   return std::ranges::all_of(runs, &Compared::is_expected) ? 0 : 3;
 }

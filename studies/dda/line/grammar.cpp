@@ -231,6 +231,10 @@ void Grammar::add_compare() {
       ->delimiter(',')
       ->required()
       ->type_name("CONTROLS");
+  compare
+      ->add_option("--out", line_.picture,
+                   "The paths over one another (.svg, .png, .pdf), also as compare.svg in the folder")
+      ->type_name("FILE");
   add_output(compare);
   add_permissions(compare);
   add_threads(compare);
@@ -264,7 +268,7 @@ void Grammar::add_looking() {
                    "Tell the memory that each of so many ranks takes, as `mpirun -n N dda run` starts them")
       ->check(CLI::Range(1, 4096));
   check
-      ->add_option("--draw,--svg", line_.picture,
+      ->add_option("--out,--draw,--svg", line_.picture,
                    "Draw the model (.svg, .png, .pdf): materials, interfaces, supports, loads, gauges")
       ->type_name("FILE");
   add_permissions(check);
@@ -287,6 +291,8 @@ void Grammar::add_looking() {
                          "reactions, the reason; 0 all hold, 3 some are refused",
                          command_verify);
   add_runs(verify);
+  verify->add_option("--out", line_.page, "The tables as a file of text, instead of printing them")
+      ->type_name("FILE");
   add_animate();
 }
 
