@@ -90,6 +90,16 @@ two courses
         self.assertEqual((found.materials, found.boundaries[0]), (["body"], "bottom"))
         self.checked(found, (r"blocks +1 \(1 with 4 corners\)", r"area +2 mm²"))
 
+    def test_a_mesh_without_straight_ends(self):
+        angles = np.linspace(0, 2 * np.pi, 7)[:-1] + 0.1
+        points = [[0, 0], *np.column_stack([np.cos(angles), np.sin(angles)])]
+        meshio.write(self.folder / "disc.vtk", meshio.Mesh(points, [("triangle", [[0, 1 + i, 1 + (i + 1) % 6] for i in range(6)])]))
+        found = scenes.scene_of_elements(self.folder / "disc.vtk", self.folder / "disc.msh")
+        self.assertEqual(found.boundaries, ["outline"])
+        self.checked(found, (r"blocks +6 ",))
+        with self.assertRaisesRegex(scenes.SceneError, "above 0, not 0"):
+            scenes.scene_of_elements(self.folder / "disc.vtk", self.folder / "disc.msh", scale=0)
+
     def test_what_is_wrong_with_a_mesh(self):
         solid = self.folder / "solid.vtk"
         meshio.write(solid, meshio.Mesh(np.eye(4, 3), [("tetra", [[0, 1, 2, 3]])]))

@@ -105,6 +105,8 @@ Verdict WholeEquations::verdict(bool is_equilibrium, double control, int iterati
   control_before_ = is_equilibrium ? std::optional(control) : std::nullopt;
   if (meets && is_improved) return {converged};
   const int most = (aim_ == Aim::improved ? 2 : 1) * parameters_.max_iterations;
+  if (iterations >= most && is_equilibrium)
+    return {failed, fmt::format("the control was met to {:.1e} only, in {} iterations", control, most)};
   if (iterations >= most)
     return {failed,
             fmt::format("no convergence in {} iterations (relative residual {:.1e})", most, relative_)};

@@ -34,10 +34,13 @@ def scene_of_elements(file, mesh_file, scale=1.0):
     Triangles and quadrilaterals in the plane, of any order: blocks have their corners. Materials are the element sets, the
     smallest that has an element, or `body`; boundaries and interfaces the sets of line elements, or of nodes that have sides
     with both ends in them: a boundary where these are free, an interface where blocks lie on both sides. Free sides at the
-    ends of the whole that belong to no set are `left`, `right`, `bottom` and `top`. `scale` is the length of a unit of the file.
+    ends of the whole that belong to no set are `left`, `right`, `bottom` and `top`, all `outline` where there are none. `scale` is
+    the length of a unit of the file.
     Throws SceneError where there is no such mesh, ModuleMissing without meshio.
     """
     meshio = from_debian("meshio", "python3-meshio")
+    if not 0 < scale < float("inf"):
+        raise SceneError(f"{file}: the length of a unit is above 0, not {scale:g}")
     if not Path(file).is_file():
         raise SceneError(f"{file}: there is no such file")
     try:
@@ -173,6 +176,8 @@ def lines(mesh, blocks, points):
         chosen = sorted(side for side in free if all(abs(points[node, axis] - level) <= near for node in side))
         if chosen and name not in names:
             found.append(("boundary", name, chosen))
+    if all(kind != "boundary" for kind, _, _ in found):
+        found.append(("boundary", "outline", sorted(free)))
     return found
 
 
