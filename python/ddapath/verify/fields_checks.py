@@ -53,9 +53,9 @@ def over(error, scale):
     return np.where(error > 0, error / np.where(scale > 0, scale, 1e-300), error)
 
 
-def equilibrium(steps):
+def equilibrium(steps, forces):
+    """`forces` are the `residuals` of each step."""
     found, unknown = [], 0
-    forces = [residuals(step) for step in steps]
     largest = 0.01 * max(np.nanmax(scale, initial=0.0) for _, scale in forces)
     for step, (residual, scale) in zip(steps, forces):
         error = over(residual, scale + largest)
@@ -222,9 +222,9 @@ def stored_energies(steps, curve):
     return worst_of(name, found, ENERGY)
 
 
-def agrees_with_curve(steps, curve):
+def agrees_with_curve(steps, curve, forces):
     """Load factors and reactions of curve.csv are those of the fields; reactions to a couple are but rounding."""
-    found, forces = [], FORCE * max((np.nanmax(residuals(step)[1], initial=0.0) for step in steps), default=0.0)
+    found, least = [], FORCE * max((np.nanmax(scale, initial=0.0) for _, scale in forces), default=0.0)
     for step in steps:
         if step.number >= len(curve):
             found.append((np.inf, f"step {step.number} has no row"))
@@ -238,7 +238,7 @@ def agrees_with_curve(steps, curve):
             if column not in curve:
                 continue
             is_force = column != "load_factor"
-            scale = max(np.abs(curve[column]).max(), forces if is_force else 0.0, 1e-300)
+            scale = max(np.abs(curve[column]).max(), least if is_force else 0.0, 1e-300)
             error = abs(value - row[column]) - (step.spring_noise.sum() if is_force else 0)
             found.append((max(error, 0) / scale if error == error else error, f"step {step.number}, {column}"))
     return worst_of("fields agree with curve.csv", found, CURVE)
@@ -246,8 +246,9 @@ def agrees_with_curve(steps, curve):
 
 def all_checks(steps, curve, is_carried):
     """`is_carried` is false where the dead loads could not be brought to their full value."""
-    balanced = [equilibrium(steps), reactions_carry(steps)]
+    forces = [residuals(step) for step in steps]
+    balanced = [equilibrium(steps, forces), reactions_carry(steps)]
     if not is_carried:
         balanced = [not_made(found.check, "the dead loads were not carried in full") for found in balanced]
     return [*balanced, envelope(steps), normal_law(steps), multipliers_settled(steps), damage_grows(steps), displacements(steps),
-            stored_energies(steps, curve), agrees_with_curve(steps, curve)]
+            stored_energies(steps, curve), agrees_with_curve(steps, curve, forces)]
