@@ -35,7 +35,7 @@ struct Bond {
   }
   /// Whether it can tear, and whether nothing is left of it.
   bool can_tear() const { return !is_end && law->can_crack(); }
-  bool is_spent() const { return can_tear() && law->is_broken(history, stiffness); }
+  bool is_spent() const { return can_tear() && law->is_spent(history, stiffness); }
   bool holds() const { return !is_end && !is_spent(); }
 };
 

@@ -19,6 +19,7 @@ enum class Stop {
   dynamic,
   limit_of_steps,
   standstill,
+  mechanism,
   no_next_equilibrium,
   next_initiation,
   unloading,
@@ -35,7 +36,7 @@ enum class Stop {
   overlap
 };
 
-inline constexpr std::array<std::pair<Stop, const char*>, 24> names_of_stops = {{
+inline constexpr std::array<std::pair<Stop, const char*>, 25> names_of_stops = {{
     {Stop::limit_point, "limit-point"},
     {Stop::snap_back, "snap-back"},
     {Stop::gauge_stands, "gauge-stands"},
@@ -46,6 +47,7 @@ inline constexpr std::array<std::pair<Stop, const char*>, 24> names_of_stops = {
     {Stop::dynamic, "dynamic"},
     {Stop::limit_of_steps, "limit-of-steps"},
     {Stop::standstill, "standstill"},
+    {Stop::mechanism, "mechanism"},
     {Stop::no_next_equilibrium, "no-next-equilibrium"},
     {Stop::next_initiation, "next-initiation"},
     {Stop::unloading, "unloading"},

@@ -98,6 +98,9 @@ struct PathMemory {
   int idle_turn_looks = 0;                ///< and for hidden turns of gauges
   bool has_slid = false;                  ///< a contact has changed since the start
   bool is_mechanism = false;              ///< the load has stayed while the structure moved
+  double mechanism_way = 0;               ///< displacement of the load when it last brought a goal nearer
+  double mechanism_share = 0;             ///< and how near the goal was
+  bool releases = false;  ///< the last step was one of a release, at whose end more may be borne
   /// The point before the present one, for `Predictor::secant`; none after a jump and where a leg begins.
   std::optional<State> before = {};
   double dissipated_before = 0;  ///< there [FL]
@@ -122,6 +125,9 @@ struct PathMemory {
     visit("idle_turn_looks", self.idle_turn_looks);
     visit("has_slid", self.has_slid);
     visit("is_mechanism", self.is_mechanism);
+    visit("releases", self.releases);
+    visit("mechanism_way", self.mechanism_way);
+    visit("mechanism_share", self.mechanism_share);
     visit("dissipated_before", self.dissipated_before);
   }
 };

@@ -15,6 +15,10 @@ void judge_stability(const PathState& path, Point& point) {
   point.num_negative = here.num_negative;
   point.num_negative_work = here.num_negative_work;
   if (!here.num_negative) return;
+  if (point.kind == StepKind::release) {  // on the way of a release no dead load is borne
+    point.num_negative.reset();
+    return;
+  }
   const bool turned = path.control->prescribed_rate(here.arriving) * here.arriving.load_factor < 0;
   point.num_negative_under_control = std::abs(*here.num_negative - (turned ? 1 : 0));
 }
@@ -22,6 +26,8 @@ void judge_stability(const PathState& path, Point& point) {
 std::optional<Candidate> first_unstable(PathState& path, const Candidate& beyond, double amount,
                                         const Move& move) {
   if (path.memory.surplus > 0 || beyond.surplus().value_or(0) == 0) return {};
+  // Of bodies that only touch stability changes with every few joints: it is bracketed where it is to be acted on.
+  if (path.walker.system().joins_by_contact() && path.parameters.branch != Branching::to_lowest) return {};
   constexpr double resolved = 1e-6;
   const auto differ = [&](double a, double b, double unit) { return std::abs(a - b) > resolved * unit; };
   State stable = path.walker.state();

@@ -24,6 +24,7 @@ std::string reached(const PathState& path, const Landing& goal) {
   const double on_it = same_value * std::max(std::abs(goal.value), std::abs(way));
   double side = goal.value - travel.from;
   if (std::abs(side) <= on_it) side = -way;
+  if (goal.only_falling) side = std::max(travel.from, travel.farthest) > goal.value + on_it ? -1 : 0;
   if (side == 0 || (now - goal.value) * std::copysign(1, side) < -on_it) return {};
   if (std::abs(now - goal.value) <= on_it) return fmt::format("{} reached {}", goal.name, goal.value);
   return fmt::format("{} reached {} and stands at {}", goal.name, goal.value, now);
@@ -45,7 +46,7 @@ std::string goal_of_path(const PathState& path) {
       if (std::string text = reached(path, landing); !text.empty()) return text;
   const StopRules& stop = path.parameters.stop;
   if (const double target = stop.load_below * path.memory.peak_load * (1 + same_value);
-      target > 0 && path.is_last_leg() && !path.leg().unloads &&
+      target > 0 && path.is_last_leg() && !path.leg().unloads && !path.memory.releases &&
       path.memory.leg_peak > std::max(target, path.smallest_load()) &&
       path.load_of(path.walker.state()) <= target)
     return fallen_load(stop.load_below, path.load_of(path.walker.state()) / path.memory.peak_load);
@@ -57,6 +58,7 @@ void begin_next_leg(PathState& path) {
   ++path.memory.leg;
   path.memory.leg_start = path.walker.effort().accepted;
   path.memory.step = 0;
+  path.memory.mechanism_way = path.memory.mechanism_share = 0;
   path.memory.before.reset();
   set_out(path);
   set_heading(path);
@@ -90,13 +92,15 @@ void note_travel(PathState& path) {
   }
 }
 
+double share_of_way(const PathState& path, const Landing& landing) {
+  const double from = path.memory.travels.at(landing.name).from, way = landing.value - from;
+  return way == 0 ? 0 : (path.walker.value(landing.gauge) - from) / way;
+}
+
 double share_of_goals(const PathState& path) {
   double share = 0;
-  for (const Landing& landing : path.route.landings) {
-    const double from = path.memory.travels.at(landing.name).from, way = landing.value - from;
-    if (landing.ends_leg && way != 0)
-      share = std::max(share, (path.walker.value(landing.gauge) - from) / way);
-  }
+  for (const Landing& landing : path.route.landings)
+    if (landing.ends_leg) share = std::max(share, share_of_way(path, landing));
   return share;
 }
 

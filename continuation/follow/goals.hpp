@@ -15,6 +15,8 @@ void set_heading(PathState& path);
 
 void note_travel(PathState& path);
 
+/// How much of its way since the leg began a gauge has gone.
+double share_of_way(const PathState& path, const Landing& landing);
 double share_of_goals(const PathState& path);
 
 /// Ends the path where it has reached its goal, and begins the next leg where only the leg has; and where a crack through

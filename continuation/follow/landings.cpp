@@ -23,6 +23,12 @@ std::vector<Landing> present_landings(const PathState& path) {
   return out;
 }
 
+std::vector<Landing> present_goals(const PathState& path) {
+  std::vector<Landing> out = present_landings(path);
+  std::erase_if(out, [](const Landing& landing) { return !landing.ends_leg || landing.only_falling; });
+  return out;
+}
+
 namespace {
 
 /// Whether the path stands on a landing's value and sets out from it: by the measure of `reached`, or by rounding of the

@@ -16,6 +16,8 @@ struct Crossing {
 
 /// Those of the deck, of the leg, and the load below which the path ends.
 std::vector<Landing> present_landings(const PathState& path);
+/// Those of them at which the path or the leg ends, but for loads that are to fall.
+std::vector<Landing> present_goals(const PathState& path);
 
 /// The first that a step to the candidate passes.
 std::optional<Crossing> first_crossing(const PathState& path, const Candidate& candidate);

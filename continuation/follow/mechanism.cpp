@@ -1,10 +1,60 @@
 #include "continuation/follow/mechanism.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+
+#include "continuation/contact/contact_piece.hpp"
+#include "continuation/follow/goals.hpp"
+#include "continuation/follow/landings.hpp"
 
 namespace dda {
+namespace {
+
+/// How many joints slide and how many are apart.
+struct ContactCount {
+  int slide = 0, open = 0;
+};
+
+ContactCount count_contacts(const Walker& walker) {
+  const System& system = walker.system();
+  const LawValues laws = system.laws(walker.state());
+  ContactCount out;
+  for (std::size_t p = 0; p < laws.opening.size(); ++p) {
+    const InterfacePoint& point = system.equilibrium().point(p);
+    const History& h = system.history()[p];
+    const auto contact = point.law->contact(h, point.stiffness);
+    if (!contact) continue;
+    const ContactPiece piece = piece_at(*contact, laws.opening[p], h.sliding);
+    if (piece == ContactPiece::open)
+      ++out.open;
+    else if (piece != ContactPiece::stuck)
+      ++out.slide;
+  }
+  return out;
+}
+
+/// Whether a mechanism has moved three times as far as where it was first seen in this leg, or last brought one of the
+/// goals nearer.
+bool goes_on_beside(PathState& path, const std::vector<Landing>& goals) {
+  constexpr double far = 3, nearer = 0.01, nothing = 1e-9;
+  PathMemory& memory = path.memory;
+  double share = 0;
+  for (const Landing& goal : goals) share = std::max(share, share_of_way(path, goal));
+  const double way = std::abs(path.displacement_of(path.walker.state()));
+  if (memory.mechanism_way == 0 ||
+      share > memory.mechanism_share + nearer * std::max(memory.mechanism_share, nothing)) {
+    memory.mechanism_way = way;
+    memory.mechanism_share = share;
+  }
+  return way > far * memory.mechanism_way;
+}
+
+}  // namespace
+
 bool is_mechanism(const PathState& path, const State& state) {
   constexpr double far = 100;
   return path.memory.largest_displacement > 0 &&
@@ -33,6 +83,27 @@ bool moves_freely(const PathState& path) {
                along = mechanism_way * std::abs(path.displacement_of(path.walker.state()));
   return moved > 0 && std::abs(path.walker.leaving().rate(path.load)) * along / moved <=
                           standing_load(path, path.load_of(path.walker.state()));
+}
+
+void note_mechanism(PathState& path, Point& point, const State& before) {
+  const double load = path.load_of(path.walker.state()), change = std::abs(load - path.load_of(before));
+  const double along = std::abs(path.displacement_of(path.walker.state()) - path.displacement_of(before));
+  if (change > standing_load(path, load) || along < mechanism_way * std::abs(path.displacement_of(before)))
+    return;
+  const ContactCount count = count_contacts(path.walker);
+  const std::string text = fmt::format(
+      "{} as a mechanism at a load factor of {:.9g}: {} points slide, {} are open",
+      count.slide > 0 ? "slides" : "turns", path.walker.state().load_factor, count.slide, count.open);
+  if (!std::exchange(path.memory.is_mechanism, true)) {
+    path.report("mechanism", text);
+    point.landed.emplace_back("mechanism");
+  }
+  if (path.ending.kind != Ending::Kind::running || path.parameters.stop.after_steps > 0) return;
+  const std::vector<Landing> goals = present_goals(path);
+  if (goals.empty())
+    path.end(Ending::Kind::goal_reached, text);
+  else if (goes_on_beside(path, goals))
+    path.stop_early(Stop::mechanism, text + "; what is wanted of the gauges comes no nearer by it");
 }
 
 }  // namespace dda

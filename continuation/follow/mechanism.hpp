@@ -26,4 +26,8 @@ double standing_load(const PathState& path, double load);
 /// Whether the structure moves on by as much as makes a mechanism while its load stays.
 bool moves_freely(const PathState& path);
 
+/// Where the last step, from `before`, has moved the structure on by so much while its load stayed: it is a mechanism,
+/// at which the path ends unless a gauge value is wanted.
+void note_mechanism(PathState& path, Point& point, const State& before);
+
 }  // namespace dda

@@ -94,6 +94,7 @@ namespace {
 Point noted(PathState& path, const Candidate& candidate, StepKind kind) {
   Point out;
   out.kind = kind;
+  path.memory.releases = kind == StepKind::release;
   out.newton_iterations = candidate.newton_iterations;
   out.residual = candidate.residual;
   out.multiplier_iterations = candidate.multiplier_iterations;

@@ -210,7 +210,7 @@ class Maker {
     for (std::size_t p = 0; p < equilibrium.num_points(); ++p) {
       const InterfacePoint& point = equilibrium.point(p);
       const History history = p < equilibrium.num_active() ? end_.history[p] : History{};
-      if (point.is_separate() || (point.law->can_crack() && point.law->is_broken(history, point.stiffness)))
+      if (point.is_separate() || (point.law->can_crack() && point.law->is_spent(history, point.stiffness)))
         continue;
       const auto [first, second] = pieces_.beside(point);
       if (out_.scene.bodies[first].is_held && out_.scene.bodies[second].is_held) continue;

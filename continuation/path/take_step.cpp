@@ -7,11 +7,23 @@
 
 #include "continuation/detour/release.hpp"
 #include "continuation/follow/advice.hpp"
+#include "continuation/follow/mechanism.hpp"
 #include "continuation/step/steps.hpp"
 
 namespace dda {
 
 namespace {
+
+/// Under the control; where all that has cracked slides on under the load that friction bears, a mechanism.
+std::optional<Point> cracking_step(PathState& path, const Move& move) {
+  const State before = path.walker.state();
+  auto point = controlled_step(path, move);
+  constexpr double carried = 1e-3;
+  if (point && path.walker.system().has_contacts() &&
+      path.load_of(path.walker.state()) > carried * path.memory.peak_load)
+    note_mechanism(path, *point, before);
+  return point;
+}
 
 std::optional<Point> next_step(PathState& path) {
   if (path.leg().unloads) return unload_step(path);
@@ -30,7 +42,7 @@ std::optional<Point> next_step(PathState& path) {
   const Move move = path.control->next(path.walker);
   const bool between_releases =
       path.releases_at_once && !path.walker.leaving().dissipates && std::isfinite(next_event(path.walker));
-  if (!move.to_event && !between_releases) return controlled_step(path, move);
+  if (!move.to_event && !between_releases) return cracking_step(path, move);
   if (!path.walker.leaving().dissipates) return event_step(path);
   auto point = sequential_step(path, StepKind::event, std::numeric_limits<double>::min());
   return point ? point : path.stop_early(Stop::no_further_crack, "no interface limits the load any more");

@@ -358,6 +358,11 @@ double System::kappa(std::size_t p, const History& h) const {
   return point.law->kappa(h, point.stiffness);
 }
 
+bool System::is_spent(std::size_t p) const {
+  const InterfacePoint& point = equilibrium_.point(p);
+  return point.law->is_spent(history_[p], point.stiffness);
+}
+
 bool System::is_broken(std::size_t p) const {
   const InterfacePoint& point = equilibrium_.point(p);
   return point.law->is_broken(history_[p], point.stiffness);

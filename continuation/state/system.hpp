@@ -197,6 +197,8 @@ class System {
   double kappa(std::size_t p) const { return kappa(p, history_[p]); }
   double kappa(std::size_t p, const History& h) const;
   bool is_broken(std::size_t p) const;
+  /// Whether next to nothing is left of it.
+  bool is_spent(std::size_t p) const;
 
   /// A number that tells apart which points load, are closed or ruptured at these openings.
   std::size_t active_set(const LawValues& laws) const;

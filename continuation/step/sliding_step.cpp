@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "continuation/contact/contact_piece.hpp"
 #include "continuation/follow/landings.hpp"
 #include "continuation/follow/mechanism.hpp"
 #include "continuation/follow/pace.hpp"
@@ -13,29 +12,6 @@
 
 namespace dda {
 namespace {
-
-/// How many joints slide and how many are apart.
-struct ContactCount {
-  int slide = 0, open = 0;
-};
-
-ContactCount count_contacts(const Walker& walker) {
-  const System& system = walker.system();
-  const LawValues laws = system.laws(walker.state());
-  ContactCount out;
-  for (std::size_t p = 0; p < laws.opening.size(); ++p) {
-    const InterfacePoint& point = system.equilibrium().point(p);
-    const History& h = system.history()[p];
-    const auto contact = point.law->contact(h, point.stiffness);
-    if (!contact) continue;
-    const ContactPiece piece = piece_at(*contact, laws.opening[p], h.sliding);
-    if (piece == ContactPiece::open)
-      ++out.open;
-    else if (piece != ContactPiece::stuck)
-      ++out.slide;
-  }
-  return out;
-}
 
 /// The control of a structure that slides: the control's own where it prescribes a gauge, else the
 /// displacement on which the load works, which goes on where the load does not.
@@ -69,26 +45,6 @@ std::optional<Point> linear_for_good(PathState& path) {
         fmt::format("no joint cracks, slides, opens or closes any more beyond a load factor of {:g}",
                     path.walker.state().load_factor));
   return linear_step(path);
-}
-
-/// A mechanism moves on while the load stays.
-void note_mechanism(PathState& path, Point& point, const State& before) {
-  const double load = path.load_of(path.walker.state()), change = std::abs(load - path.load_of(before));
-  const double along = std::abs(path.displacement_of(path.walker.state()) - path.displacement_of(before));
-  if (change > standing_load(path, load) || along < mechanism_way * std::abs(path.displacement_of(before)))
-    return;
-  const ContactCount count = count_contacts(path.walker);
-  const std::string text = fmt::format(
-      "{} as a mechanism at a load factor of {:.9g}: {} points slide, {} are open",
-      count.slide > 0 ? "slides" : "turns", path.walker.state().load_factor, count.slide, count.open);
-  if (!path.memory.is_mechanism) {
-    path.report("mechanism", text);
-    point.landed.emplace_back("mechanism");
-  }
-  path.memory.is_mechanism = true;
-  const auto is_goal = [](const Landing& landing) { return landing.ends_leg && !landing.only_falling; };
-  if (path.ending.kind == Ending::Kind::running && !std::ranges::any_of(present_landings(path), is_goal))
-    path.end(Ending::Kind::goal_reached, text);
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/messages/tell.hpp"
+
 namespace dda {
 namespace {
 
@@ -86,11 +88,11 @@ void Progress::show(ProgressPoint point) {
   if (style_ == Style::quiet) return;
   point.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun_).count();
   if (style_ == Style::lines) {
-    fmt::print(stream_, "{}\n", progress_line(point, 160));
+    tell(stream_, "{}\n", progress_line(point, 160));
   } else {
     const std::string line = progress_line(point, line_width(stream_));
     const std::size_t now = length(line);
-    fmt::print(stream_, "\r{}{}", line, std::string(shown_ > now ? shown_ - now : 0, ' '));
+    tell(stream_, "\r{}{}", line, std::string(shown_ > now ? shown_ - now : 0, ' '));
     shown_ = now;
   }
   std::fflush(stream_);
@@ -98,9 +100,9 @@ void Progress::show(ProgressPoint point) {
 
 void Progress::note(std::string_view text) {
   if (style_ == Style::quiet) return;
-  if (shown_ > 0) fmt::print(stream_, "\r{}\r", std::string(shown_, ' '));
+  if (shown_ > 0) tell(stream_, "\r{}\r", std::string(shown_, ' '));
   shown_ = 0;
-  fmt::print(stream_, "{}\n", text);
+  tell(stream_, "{}\n", text);
   std::fflush(stream_);
 }
 

@@ -51,6 +51,10 @@ class DamageLaw final : public InterfaceLaw {
   }
   double kappa(const History& h, double k) const override;
   double rupture_kappa(double) const override { return scale_ * shape_->end(); }
+  bool is_spent(const History& h, double k) const override {
+    constexpr double next_to_nothing = 1e-6;
+    return is_broken(h, k) || shape_->value(kappa(h, k) / scale_) <= next_to_nothing;
+  }
   double next_corner(const History& h, double k) const override;
   double equivalent_opening(const Vec2& q, const History& h, double k) const override;
   Vec2 opening_gradient(const Vec2& q, const History& h, double k) const override;

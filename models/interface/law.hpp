@@ -97,6 +97,9 @@ class InterfaceLaw {
   virtual double kappa(const History&, double k) const { return initial_kappa(k); }
   /// Whether nothing is left that could crack.
   virtual bool is_broken(const History& h, double k) const { return kappa(h, k) >= rupture_kappa(k); }
+  /// Whether so little is left that the bodies it joins part freely: of a law whose traction never vanishes less than
+  /// a millionth of its strength.
+  virtual bool is_spent(const History& h, double k) const { return is_broken(h, k); }
   /// Equivalent trial opening [L], to be compared with κ.
   virtual double equivalent_opening(const Vec2& q, const History& h, double k) const = 0;
   /// Its derivative with respect to q, size 2.

@@ -37,6 +37,7 @@ class ScaledLaw final : public InterfaceLaw {
   double next_corner(const History& h, double k) const override { return b_ * law_->next_corner(h, own(k)); }
   double kappa(const History& h, double k) const override { return b_ * law_->kappa(h, own(k)); }
   bool is_broken(const History& h, double k) const override { return law_->is_broken(h, own(k)); }
+  bool is_spent(const History& h, double k) const override { return law_->is_spent(h, own(k)); }
   double equivalent_opening(const Vec2& q, const History& h, double k) const override {
     return b_ * law_->equivalent_opening(q / b_, h, own(k));
   }

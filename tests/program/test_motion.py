@@ -96,6 +96,20 @@ class Falling(unittest.TestCase):
         self.assertEqual(one.read_bytes(), two.read_bytes())
 
 
+class Exponential(unittest.TestCase):
+    """A law whose traction never vanishes: its faces part once next to nothing of it is left."""
+
+    def test_tears_and_comes_to_rest(self):
+        deck = deck_with()
+        deck["interfaces"]["ligament"]["law"]["type"] = "exponential_softening"
+        with tempfile.TemporaryDirectory() as scratch:
+            run = ddapath.run(deck, folder=Path(scratch) / "run")
+            summary = run.summary["motion"]
+            self.assertTrue(summary["is_at_rest"], summary["reason"])
+            spent = run.summary["dissipated_energy"] + summary["fracture"]
+            self.assertAlmostEqual(spent / (TOUGHNESS * LIGAMENT), 1, delta=1e-3)
+
+
 class ThroughBlocks(unittest.TestCase):
     """Parts of blocks that a crack has cut are bodies of their own."""
 

@@ -38,7 +38,8 @@ class CrackedEquations final : public WalkedEquations {
   Iterate begin(const State& guess, const Rule& rule);
   /// The first walk begins at the start of the step, with what cracks made linear at the guess.
   Iterate begin_walks(const State& start, const State& guess, const Rule& rule);
-  /// Walks go on from where the last iterate was, which has been made the origin (`refine`).
+  /// Walks go on from where the last iterate was, which has been made the origin (`refine`): what they correct is near,
+  /// and no other way to it is sought than the straight one.
   Iterate go_on_walking(const Rule& rule);
   std::size_t num_points() const { return points_.size(); }
   /// Whether all of them are contacts, without damage.
@@ -96,6 +97,7 @@ class CrackedEquations final : public WalkedEquations {
   Verdict judge_newton(int iterations);
   Verdict judge_walks(int iterations);
   double error_of_walks() const;
+  std::optional<Vector> search(WalkRule rule);
   void linearise();
   void set_coefficients(double unit);
   ContactProblem::Point point_of(std::size_t i) const;
@@ -125,7 +127,7 @@ class CrackedEquations final : public WalkedEquations {
 
   // of the iteration
   Rule rule_;
-  bool walks_ = false;
+  bool walks_ = false, corrects_ = false;
   PiecesWatch pieces_;
   std::vector<double> start_;  ///< x where it begins
   Vector walk_start_;          ///< q and λ where the next walk begins

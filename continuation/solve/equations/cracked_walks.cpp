@@ -41,13 +41,18 @@ std::vector<double> CrackedEquations::walk_from(const Iterate& at) {
   WalkRule rule{.patience = Patience::little};
   rule.share *= std::pow(smaller, rises_);
   auto found = dda::walk_from(problem_, walk_start_, matrix_, rule);
-  if (!found) found = walk_proximally(problem_, walk_start_, matrix_, rule);
-  rule.patience = Patience::much;
-  if (!found) found = dda::walk_from(problem_, walk_start_, matrix_, rule);
-  if (!found) found = walk_covered(problem_, matrix_, rule);
+  if (!found && !corrects_) found = search(rule);
   if (!found || !found->allFinite()) return {};
   walk_start_ = *found;
   return {found->begin(), found->end()};
+}
+
+/// The other ways to walk, the patient ones last.
+std::optional<CrackedEquations::Vector> CrackedEquations::search(WalkRule rule) {
+  if (auto found = walk_proximally(problem_, walk_start_, matrix_, rule)) return found;
+  rule.patience = Patience::much;
+  if (auto found = dda::walk_from(problem_, walk_start_, matrix_, rule)) return found;
+  return walk_covered(problem_, matrix_, rule);
 }
 
 /// All but contact and friction made linear where the iteration stands, the control in units of the openings:

@@ -42,13 +42,16 @@ def main(arguments):
     if not arguments or any(argument in ("-h", "--help") for argument in arguments):
         print(__doc__)
         return WRONG_INPUT if not arguments else HELD
-    if not arguments[0].startswith("--out="):
-        return worst(arguments, sys.stdout)
     try:
+        if not arguments[0].startswith("--out="):
+            code = worst(arguments, sys.stdout)
+            sys.stdout.flush()
+            return code
         with open(arguments[0].removeprefix("--out="), "w", encoding="utf-8") as file:
             return worst(arguments[1:], file)
     except OSError as error:
-        print(f"verify: {error.filename}: {error.strerror}", file=sys.stderr)
+        sys.stdout = None  # what it still holds cannot be written at the end, either
+        print(f"verify: {error.filename or 'standard output'}: {error.strerror}", file=sys.stderr)
         return NOT_WRITTEN
 
 

@@ -12,6 +12,7 @@
 #include "studies/dda/figures/model_picture.hpp"
 #include "studies/dda/record/warnings/bearings.hpp"
 #include "studies/dda/record/warnings/coarse_zones.hpp"
+#include "studies/dda/record/warnings/unlikely_numbers.hpp"
 #include "studies/dda/sweep/sweep.hpp"
 
 namespace dda {
@@ -167,6 +168,7 @@ void print_warnings(const Simulation& simulation) {
   for (std::size_t i = 0; i < std::min(most, tearing.size()); ++i) line("warning", tearing[i]);
   if (tearing.size() > most) line("warning", fmt::format("the same of {} more", tearing.size() - most));
   for (const CoarseZone& zone : coarse_zones(simulation)) line("warning", text(simulation, zone));
+  for (const std::string& unlikely : unlikely_numbers(simulation)) line("warning", unlikely);
 }
 
 /// The decks of a sweep are read, not meshed: there may be hundreds.

@@ -7,6 +7,7 @@
 
 #include "framework/figure/plot.hpp"
 #include "framework/files/whole_file.hpp"
+#include "framework/messages/tell.hpp"
 #include "studies/dda/commands/commands.hpp"
 #include "studies/dda/commands/path_distance.hpp"
 #include "studies/dda/figures/figure_file.hpp"
@@ -62,7 +63,7 @@ RunFolder folder_of(const CommandLine& line) {
 
 Compared run_control(const DeckFile& deck, const std::string& control, const fs::path& folder,
                      const CommandLine& line) {
-  if (!line.run.quiet) fmt::print(stderr, "{}\n", control);
+  if (!line.run.quiet) tell(stderr, "{}\n", control);
   const auto start = std::chrono::steady_clock::now();
   const RunOptions options{folder / control, line.run.overwrite, line.run.quiet};
   Compared out{control, run_deck(deck, options), 0, {}, 0, false};

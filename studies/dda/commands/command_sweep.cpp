@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "framework/files/whole_file.hpp"
+#include "framework/messages/tell.hpp"
 #include "studies/dda/commands/commands.hpp"
 #include "studies/dda/sweep/case_command.hpp"
 #include "studies/dda/sweep/sweep_cases.hpp"
@@ -50,14 +51,13 @@ std::vector<CaseState> states_of(const Earlier& earlier, bool overwrite) {
 
 void announce_change(const Sweep& sweep, const Earlier& earlier) {
   if (earlier.has_changed)
-    fmt::print(stderr, "{} has changed since: {} of its {} cases were there before\n", sweep.file.string(),
-               earlier.num_kept(), sweep.cases.size());
+    tell(stderr, "{} has changed since: {} of its {} cases were there before\n", sweep.file.string(),
+         earlier.num_kept(), sweep.cases.size());
 }
 
 void announce(const std::vector<CaseState>& states, const std::string& by_cases) {
   const auto done = std::ranges::count_if(states, &CaseState::has_result);
-  fmt::print(stderr, "{}{}\n{}\n", count_text(states), done > 0 ? "; those with a result stay" : "",
-             by_cases);
+  tell(stderr, "{}{}\n{}\n", count_text(states), done > 0 ? "; those with a result stay" : "", by_cases);
 }
 
 int dry_run(const Sweep& sweep, const std::string& by_cases, const std::vector<CaseState>& states) {
@@ -92,9 +92,9 @@ int run_case(const Sweep& sweep, const fs::path& folder, const CommandLine& line
   SweepRunner runner(sweep, folder, cases, {.quiet = line.run.quiet, .writes_files = false});
   runner.run();
   const CaseState& state = cases.states()[index];
-  fmt::print(state.status == CaseStatus::failed ? stderr : stdout, "{}: {}{}\n",
-             (folder / case_folder(sweep, index)).string(), name_of(state.status),
-             state.reason.empty() ? "" : ", " + state.reason);
+  tell(state.status == CaseStatus::failed ? stderr : stdout, "{}: {}{}\n",
+       (folder / case_folder(sweep, index)).string(), name_of(state.status),
+       state.reason.empty() ? "" : ", " + state.reason);
   return runner.was_interrupted() ? 130 : state.exit_code.value_or(4);
 }
 

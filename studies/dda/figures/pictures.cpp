@@ -12,6 +12,7 @@
 #include "framework/files/whole_file.hpp"
 #include "studies/dda/figures/material_colours.hpp"
 #include "studies/dda/figures/stability_pictures.hpp"
+#include "studies/dda/record/path/peak.hpp"
 
 namespace dda {
 namespace {
@@ -34,9 +35,12 @@ svg::Panel panel(const CsvTable& curve, const Measures& measures, const RunMemor
   svg::Panel out{
       .title = name, .x_label = with_unit(name, unit), .y_label = with_unit("load", measures.load_unit())};
   out.series = by_stability(curve, name, column::load);
-  if (memory.peak.step > 0)
-    out.markers.push_back({memory.peak.values[gauge], memory.peak.load,
-                           fmt::format("limit point, {:.4g} {}", memory.peak.load, measures.load_unit())});
+  if (const int step = memory.peak.step; step > 0)
+    out.markers.push_back(
+        {memory.peak.values[gauge], memory.peak.load,
+         fmt::format("{}, {:.4g} {}",
+                     is_passed(curve, static_cast<std::size_t>(step)) ? "limit point" : "largest load",
+                     memory.peak.load, measures.load_unit())});
   return out;
 }
 

@@ -7,6 +7,7 @@
 #include <new>
 
 #include "framework/messages/excerpt.hpp"
+#include "framework/messages/tell.hpp"
 #include "framework/plugin/plugin.hpp"
 #include "studies/dda/line/grammar.hpp"
 #include "studies/dda/line/ranks.hpp"
@@ -15,7 +16,7 @@ namespace dda {
 namespace {
 
 int complain(const std::string& text, int code) {
-  fmt::print(stderr, "{}\n", text);
+  tell(stderr, "{}\n", text);
   return code;
 }
 

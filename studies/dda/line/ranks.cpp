@@ -16,6 +16,7 @@
 #include "continuation/ranks/ranks.hpp"
 #include "framework/base/errors.hpp"
 #include "framework/base/launched.hpp"
+#include "framework/messages/tell.hpp"
 #include "studies/dda/line/grammar.hpp"
 
 namespace dda {
@@ -43,7 +44,7 @@ int serve() {
   } catch (const InputError&) {
     return 0;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "dda: rank {}: {}\n", launched().rank, error.what());
+    tell(stderr, "dda: rank {}: {}\n", launched().rank, error.what());
     return 4;
   }
 }
@@ -75,10 +76,10 @@ int on_all_ranks(int argc, char** argv, const std::function<int()>& command) {
                         "resume`, and the cases of `dda sweep`; `dda {}` is for one",
                         here.size, name));
   } catch (const InputError& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    tell(stderr, "{}\n", error.what());
     return 2;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "dda: {}\n", error.what());
+    tell(stderr, "dda: {}\n", error.what());
     return 4;
   }
 }

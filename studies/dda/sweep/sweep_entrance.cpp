@@ -8,6 +8,7 @@
 #include "framework/files/run/seal.hpp"
 #include "framework/files/whole_file.hpp"
 #include "framework/messages/provenance.hpp"
+#include "framework/messages/tell.hpp"
 #include "studies/dda/sweep/sweep_cases.hpp"
 
 namespace dda {
@@ -24,7 +25,7 @@ fs::path all_claims(const fs::path& folder) { return folder / "claims"; }
 class WaitingNote {
  public:
   void show(const Claim& claim) {
-    if (!is_shown_) fmt::print(stderr, "waiting for {}, or its next sign of life\n", owner_text(claim));
+    if (!is_shown_) tell(stderr, "waiting for {}, or its next sign of life\n", owner_text(claim));
     is_shown_ = true;
   }
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <fstream>
 
+#include "framework/messages/tell.hpp"
+
 namespace dda {
 namespace {
 
@@ -72,7 +74,7 @@ SweepProgress::SweepProgress(const Sweep& sweep, fs::path folder, bool quiet)
 SweepProgress::~SweepProgress() { clear(); }
 
 void SweepProgress::clear() {
-  if (lines_ > 0) fmt::print(stderr, "\033[{}A\r\033[J", lines_);  // up to its first line, erase downwards
+  if (lines_ > 0) tell(stderr, "\033[{}A\r\033[J", lines_);  // up to its first line, erase downwards
   lines_ = 0;
   std::fflush(stderr);
 }
@@ -80,7 +82,7 @@ void SweepProgress::clear() {
 void SweepProgress::note(const std::string& text) {
   if (style_ == Progress::Style::quiet) return;
   clear();
-  fmt::print(stderr, "{}\n", text);
+  tell(stderr, "{}\n", text);
 }
 
 void SweepProgress::ended(std::size_t index, const CaseState& state) {
@@ -101,7 +103,7 @@ void SweepProgress::show(const SweepCases& cases) {
   const std::vector<CaseState>& states = cases.states();
   const std::size_t width = line_width(stderr);
   const auto line = [&](const std::string& text) {
-    fmt::print(stderr, "{}\n", clipped(text, width));
+    tell(stderr, "{}\n", clipped(text, width));
     ++lines_;
   };
   line(fmt::format("{}  {}", count_text(states), duration_text(seconds_since(start_))));

@@ -94,7 +94,8 @@ ListedEvents listed_events(const Json& events, const Measurement& start, const M
   Json small = {{"depth", listed_depth}};
   for (auto& [quantity, course] : courses) {
     const std::size_t all = course.values.size();
-    flatten(course, listed_depth * (quantity == "load" ? largest_of(course.values) : displacement));
+    const std::vector<double> before_end(course.values.begin(), course.values.end() - 1);
+    flatten(course, listed_depth * (quantity == "load" ? largest_of(before_end) : displacement));
     if (course.values.size() < all) small[quantity] = all - course.values.size();
     for (std::size_t i = 1; i + 1 < course.numbers.size(); ++i) is_listed[course.numbers[i]] = true;
   }

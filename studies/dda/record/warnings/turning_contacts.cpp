@@ -14,10 +14,12 @@ std::string note_on_turning_contacts(const Simulation& simulation) {
   };
   const InterfaceSet& set = simulation.equilibrium().interfaces();
   const LawValues laws = simulation.system().laws(simulation.walker().state());
+  const bool moves_on = simulation.path().memory().is_mechanism;  // what has cracked turns as separate bodies do
   std::map<std::pair<int, std::size_t>, SideContact> sides;
   for (std::size_t p = 0; p < laws.opening.size(); ++p) {
     const InterfacePoint& point = set.points[p];
-    if (!point.is_separate() || point.interface < 0) continue;
+    const bool may_turn = point.is_separate() || (moves_on && simulation.system().is_spent(p));
+    if (!may_turn || point.interface < 0) continue;
     SideContact& side = sides[{point.interface, point.side}];
     (laws.opening[p].x() > 0 ? side.is_open : side.is_closed) = true;
   }

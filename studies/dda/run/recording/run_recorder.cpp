@@ -15,6 +15,7 @@
 #include "studies/dda/record/stability_record.hpp"
 #include "studies/dda/record/warnings/coarse_zones.hpp"
 #include "studies/dda/record/warnings/turning_contacts.hpp"
+#include "studies/dda/record/warnings/unlikely_numbers.hpp"
 #include "studies/dda/run/recording/profile.hpp"
 #include "studies/dda/run/recording/restart.hpp"
 #include "studies/dda/run/recording/summary.hpp"
@@ -301,6 +302,7 @@ void RunRecorder::look_back() {
   for (const TornPiece& piece : torn_) notices_.push_back(text(simulation_, piece));
   for (const CoarseZone& zone : cracked_coarse_zones(simulation_))
     notices_.push_back(text(simulation_, zone));
+  std::ranges::move(unlikely_numbers(simulation_), std::back_inserter(notices_));
   if (std::string note = note_on_turning_contacts(simulation_); !note.empty())
     notices_.push_back(std::move(note));
   notices_.insert(notices_.end(), offered_.begin(), offered_.end());

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/messages/tell.hpp"
 #include "studies/dda/case/predicted_memory.hpp"
 #include "studies/dda/sweep/sweep_progress.hpp"
 
@@ -38,7 +39,7 @@ double least_memory_of(const Sweep& sweep, std::size_t index) {
     Timings timings;
     return predicted_memory(Simulation(file.deck, timings)).total() / bytes_per_mib;
   } catch (const InputError& error) {
-    fmt::print(stderr, "case {} will fail: {}\n", name_of_case(sweep, index), error.what());
+    tell(stderr, "case {} will fail: {}\n", name_of_case(sweep, index), error.what());
     return 0;
   }
 }
