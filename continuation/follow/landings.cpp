@@ -95,6 +95,13 @@ double amount_to_landing(const PathState& path) {
   return nearest;
 }
 
+std::optional<Point> land_on_next(PathState& path) {
+  constexpr double beyond = 1.001;
+  const double amount = amount_to_landing(path);
+  if (!std::isfinite(amount)) return {};
+  return land_ahead(path, beyond * amount, std::numeric_limits<double>::infinity());
+}
+
 double share_to_strength(const PathState& path, const Candidate& candidate) {
   const System& system = path.walker.system();
   const State &from = path.walker.state(), &to = candidate.state;

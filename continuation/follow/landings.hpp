@@ -32,6 +32,9 @@ std::optional<Point> land_ahead(PathState& path, double amount, std::optional<do
 /// Along the leaving tangent to the first wanted value; infinite when none lies ahead.
 double amount_to_landing(const PathState& path);
 
+/// Lands there, however far it is; nothing when none lies ahead, or what is found is refused.
+std::optional<Point> land_on_next(PathState& path);
+
 /// Share of a step at which a point reaches its strength at which steps end; 1 when none does.
 double share_to_strength(const PathState& path, const Candidate& candidate);
 

@@ -1,5 +1,4 @@
 #include <cmath>
-#include <limits>
 
 #include "continuation/follow/judge.hpp"
 #include "continuation/follow/landings.hpp"
@@ -26,15 +25,6 @@ std::optional<Point> approach(PathState& path, double amount) {
     return keep(path, *candidate, move.kind);
   }
   return {};
-}
-
-/// To a gauge value that ends the path, however large a load that takes.
-std::optional<Point> linear_to_goal(PathState& path) {
-  if (present_goals(path).empty()) return {};
-  constexpr double beyond = 1.001;
-  const double goal = amount_to_landing(path);
-  if (!std::isfinite(goal)) return {};
-  return land_ahead(path, beyond * goal, std::numeric_limits<double>::infinity());
 }
 
 }  // namespace
@@ -76,7 +66,8 @@ std::optional<Point> event_step(PathState& path) {
 }
 
 std::optional<Point> linear_step(PathState& path) {
-  if (auto point = linear_to_goal(path)) return point;
+  if (!present_goals(path).empty())  // however large a load they take
+    if (auto point = land_on_next(path)) return point;
   const double rest = 1 - path.walker.state().load_factor;
   constexpr double round_off = 1e-12;
   if (rest <= round_off && path.walker.here().dissipated > 0)

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "continuation/follow/landings.hpp"
 #include "continuation/follow/mechanism.hpp"
@@ -57,9 +56,7 @@ std::optional<Point> sliding_step(PathState& path) {
   if (!std::isfinite(change) && is_loaded) {
     const bool may_release = path.releases_at_once && std::isfinite(next_event(path.walker));
     if (!std::isfinite(goal) && !may_release && !moves_freely(path)) return linear_for_good(path);
-    constexpr double beyond = 1.001;
-    if (std::isfinite(goal))
-      if (auto point = land_ahead(path, beyond * goal, std::numeric_limits<double>::infinity())) return point;
+    if (auto point = land_on_next(path)) return point;
   }
   const bool is_far = std::isfinite(change) &&
                       std::abs(path.walker.leaving().rate(path.load)) * change > path.smallest_load();

@@ -36,7 +36,8 @@ std::vector<std::string> unlikely_numbers(const Simulation& simulation) {
     const double slope = point.law->steepest_slope();
     if (point.interface < 0 || !(slope > 0) || !std::isfinite(slope)) continue;
     const Numbers now = numbers_of(simulation, point);
-    const bool is_stiff = now.strength<least_strain * now.modulus, is_tough = now.zone> longest_zone * size;
+    const bool is_stiff = now.strength / now.modulus < least_strain;
+    const bool is_tough = now.zone > longest_zone * size;
     if ((!is_stiff && !is_tough) || !seen.insert(point.interface).second) continue;
     const std::string& name = equilibrium.interfaces().names[static_cast<std::size_t>(point.interface)];
     out.push_back(
