@@ -371,7 +371,8 @@ class PointMaker {
 
 InterfaceSet make_interface_points(const Body& body, const ModelParameters& model, Findings& findings) {
   InterfaceSet out = PointMaker(body, model, findings).make();
-  std::ranges::move(locked_joints(body, out), std::back_inserter(out.notices));
+  out.locked = locked_joints(body, out);
+  std::ranges::copy(out.locked, std::back_inserter(out.notices));
   return out;
 }
 

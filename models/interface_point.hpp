@@ -101,12 +101,13 @@ struct InterfacePoint {
 struct InterfaceSet {
   std::vector<std::string> names;
   std::vector<std::string> gauss_names;  ///< of those that can crack and have Gauss points
+  std::vector<std::string> locked;  ///< why those with multipliers lock that do, see models/locked_joints.hpp
   std::vector<std::shared_ptr<const InterfaceLaw>> laws;
   std::vector<InterfacePoint> points;
   std::size_t num_active = 0;
   std::size_t num_nodes = 0;         ///< of unknown multipliers, one per side
   bool has_fields = false;           ///< some interface varies in space
-  std::vector<std::string> notices;  ///< what was adapted, for the log
+  std::vector<std::string> notices;  ///< what was adapted, and what locks, for the log
 
   std::size_t num_crackable() const {
     return static_cast<std::size_t>(

@@ -27,12 +27,15 @@ class Corners {
  public:
   Corners(const Body& body, const InterfaceSet& interfaces) : body_(body) {
     std::map<std::size_t, int> points;
-    for (const InterfacePoint& point : interfaces.points)
+    std::set<std::size_t> parting;
+    for (const InterfacePoint& point : interfaces.points) {
+      if (point.is_separate()) parting.insert(point.side);
       if (point.multiplier != Multiplier::none && ++points[point.side] > 1)
         joints_[point.side] = point.interface;
+    }
     const auto& sides = body.assembly.sides;
     for (std::size_t s = 0; s < sides.size(); ++s)
-      if (!joints_.contains(s)) bonded_.insert(std::minmax(sides[s].first, sides[s].second));
+      if (!parting.contains(s)) bonded_.insert(std::minmax(sides[s].first, sides[s].second));
   }
 
   /// By interface: corners at which two bonded blocks face one and the same block.
@@ -72,7 +75,7 @@ class Corners {
 
   const Body& body_;
   std::map<std::size_t, int> joints_;             ///< sides with multipliers and their interfaces
-  std::set<std::pair<BlockId, BlockId>> bonded_;  ///< neighbours joined otherwise
+  std::set<std::pair<BlockId, BlockId>> bonded_;  ///< neighbours that are not free to part
 };
 
 }  // namespace
@@ -81,11 +84,10 @@ std::vector<std::string> locked_joints(const Body& body, const InterfaceSet& int
   std::vector<std::string> out;
   for (const auto& [interface, found] : Corners(body, interfaces).t_joints())
     out.push_back(fmt::format(
-        "interface '{}' locks: at ({:.6g}, {:.6g}){} a corner of one body lies within a side of the other, "
-        "and exact "
-        "points on both pieces tie three blocks to one straight line; take `treatment: consistent`, or a "
-        "mesh "
-        "whose corners meet along the joint",
+        "interface '{}' locks: at ({:.6g}, {:.6g}){} a corner of one block lies within a side of another, "
+        "and exact points on both pieces tie three blocks to one straight line; take `treatment: "
+        "consistent`, "
+        "or a mesh whose corners meet along the joint",
         interface < 0 ? "" : interfaces.names[static_cast<std::size_t>(interface)], found.first.x(),
         found.first.y(),
         found.count > 1 ? fmt::format(" and {} more place{}", found.count - 1, found.count > 2 ? "s" : "")

@@ -1,5 +1,9 @@
 #include "continuation/course/path_parameters.hpp"
 
+#include <fmt/format.h>
+
+#include "framework/base/suggestion.hpp"
+
 namespace dda {
 namespace {
 
@@ -90,6 +94,16 @@ Schema<StopRules> stop_schema() {
                .bounds = above(0),
                .text = "Limit: no step is accepted that leaves a larger share of the work done so far "
                        "unaccounted for by stored and dissipated energy and the jumps."});
+}
+
+/// Controls by name, which there must be.
+void check_expected(const PathParameters& p, const Position& where, Findings& findings) {
+  std::vector<std::string> names;
+  for (const FamilyMember* control : controls().entries()) names.push_back(control->name);
+  for (const std::string& name : p.expected_to_stop)
+    if (!controls().find(name))
+      findings.add(where,
+                   fmt::format("expected_to_stop: unknown control '{}'{}", name, suggest(name, names)));
 }
 
 Schema<NewtonParameters> newton_schema() {
@@ -199,7 +213,34 @@ Schema<PathParameters> path_schema() {
           .number("peak_tolerance", &P::peak_tolerance,
                   {.fallback = 1e-4,
                    .bounds = above(0) & at_most(0.1),
-                   .text = "The peak load is bracketed to this relative width."}));
+                   .text = "The peak load is bracketed to this relative width."})
+          .check(check_expected));
+}
+
+std::vector<std::string> unheeded_keys(const PathParameters& path, const Control& control) {
+  const PathParameters usual;
+  const StepSizes& step = path.step;
+  std::vector<std::string> out;
+  const auto look = [&](const char* key, bool is_set) {
+    if (is_set) out.emplace_back(key);
+  };
+  if (!control.sizes_steps()) {
+    look("step.first", step.first.has_value());
+    look("step.shortest", step.shortest.has_value());
+    look("step.longest", step.longest.has_value());
+    look("step.sizing", step.sizing != usual.step.sizing);
+    look("step.aggressiveness", step.aggressiveness.has_value());
+    look("step.cut", step.cut != usual.step.cut);
+    look("step.predictor", step.predictor != usual.step.predictor);
+    look("branch", path.branch != usual.branch);
+    look("peak_tolerance", path.peak_tolerance != usual.peak_tolerance);
+  }
+  if (control.load_increment() > 0) {
+    look("step.accuracy", step.accuracy != usual.step.accuracy);
+    look("step.largest", step.largest != usual.step.largest);
+    look("stop.energy_error", path.stop.energy_error != usual.stop.energy_error);
+  }
+  return out;
 }
 
 }  // namespace dda

@@ -27,18 +27,12 @@ enum class Predictor {
 /// Step sizes as multiples of what the path itself suggests, and in units of what the control prescribes.
 struct StepSizes {
   double accuracy = 0.02;
-  double largest = 1;
+  double largest = 0.1;
   std::optional<double> first, shortest, longest;  ///< in the control's own unit
   Sizing sizing = Sizing::deviation;
   std::optional<double> aggressiveness;  ///< of `iterations`
   double cut = 0.25;                     ///< share that is left of a step that has failed
   Predictor predictor = Predictor::tangent;
-
-  /// Whether something is set that only controls heed whose steps have a size.
-  bool sets_sizes() const {
-    return first || shortest || longest || sizing != Sizing::deviation || aggressiveness || cut != 0.25 ||
-           predictor != Predictor::tangent;
-  }
 };
 
 /// Where the path is to end.
@@ -81,5 +75,9 @@ struct PathParameters : StepperParameters {
 };
 
 Schema<PathParameters> path_schema();
+
+/// Keys of the section, by name, that are set to something else than their default and that a control does not heed:
+/// one whose steps have no size finds no branches and brackets no peak; load increments are halved and not judged.
+std::vector<std::string> unheeded_keys(const PathParameters& path, const Control& control);
 
 }  // namespace dda

@@ -91,9 +91,10 @@ void note_mechanism(PathState& path, Point& point, const State& before) {
   if (change > standing_load(path, load) || along < mechanism_way * std::abs(path.displacement_of(before)))
     return;
   const ContactCount count = count_contacts(path.walker);
-  const std::string text = fmt::format(
-      "{} as a mechanism at a load factor of {:.9g}: {} points slide, {} are open",
-      count.slide > 0 ? "slides" : "turns", path.walker.state().load_factor, count.slide, count.open);
+  const double factor = std::abs(load) > path.smallest_load() ? path.walker.state().load_factor : 0;
+  const std::string text =
+      fmt::format("{} as a mechanism at a load factor of {:.9g}: {} points slide, {} are open",
+                  count.slide > 0 ? "slides" : "turns", factor, count.slide, count.open);
   if (!std::exchange(path.memory.is_mechanism, true)) {
     path.report("mechanism", text);
     point.landed.emplace_back("mechanism");

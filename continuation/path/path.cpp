@@ -2,11 +2,43 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "continuation/follow/branch.hpp"
 #include "continuation/follow/goals.hpp"
 #include "continuation/path/take_step.hpp"
 
 namespace dda {
+namespace {
+
+/// Leaves a step that somebody does not want to wait for.
+struct BrokenOff {};
+
+/// What a step changes before it accepts anything, to be put back. The point before the last stays where it is: only an
+/// accepted step replaces it.
+class BeforeStep {
+ public:
+  explicit BeforeStep(PathState& path)
+      : effort_(path.walker.effort()), history_(path.walker.system().history()) {
+    auto point = std::exchange(path.memory.before, {});
+    memory_ = path.memory;
+    path.memory.before = std::move(point);
+  }
+  void put_back(PathState& path) {
+    memory_.before = std::move(path.memory.before);
+    path.memory = std::move(memory_);
+    path.walker.effort() = effort_;
+    path.walker.system().set_history(std::move(history_));
+    path.walker.system().set_multipliers(path.walker.state().multipliers);
+  }
+
+ private:
+  PathMemory memory_;
+  Effort effort_;
+  std::vector<History> history_;
+};
+
+}  // namespace
 
 Path::Path(Walker& walker, const PathParameters& parameters, const GaugeBook& gauges, Route route)
     : state_(walker, parameters, gauges, std::move(route)) {
@@ -34,6 +66,27 @@ void Path::switch_control(const Aims& aims) {
   state_.memory.step_kind.reset();
 }
 
+void Path::interrupt_when(std::function<bool()> asked) {
+  interrupted_ = std::move(asked);
+  state_.walker.stepper().watch_by([this] {
+    if (interrupted_() && state_.walker.effort().accepted == accepted_before_) throw BrokenOff{};
+  });
+}
+
+std::optional<Point> Path::take() {
+  accepted_before_ = state_.cracks ? -1 : state_.walker.effort().accepted;
+  BeforeStep before(state_);
+  try {
+    return take_step(state_);
+  } catch (const BrokenOff&) {
+    before.put_back(state_);
+    return state_.end(Ending::Kind::interrupted, "interrupted");
+  } catch (...) {
+    if (state_.walker.effort().accepted == accepted_before_) before.put_back(state_);
+    throw;
+  }
+}
+
 double Path::share_of_goals() const { return dda::share_of_goals(state_); }
 
 void Path::judge(Point& point) const { judge_stability(state_, point); }
@@ -49,7 +102,7 @@ std::optional<Point> Path::next() {
                                          "`path.stop.after_steps` makes a number of steps the goal",
                                          stop.steps));
   state_.unsound.reset();
-  auto point = take_step(state_);
+  auto point = take();
   state_.unsound.reset();
   if (!point) return {};
   note_travel(state_);

@@ -27,8 +27,9 @@ class Path {
   const Ending& ending() const { return state_.ending; }
   PathMemory memory() const;
   void restore(const PathMemory& memory);
-  /// Called before each step; true ends the path as interrupted.
-  void interrupt_when(std::function<bool()> asked) { interrupted_ = std::move(asked); }
+  /// Asked before each step and before each solve of one; true ends the path as interrupted, where it stood before the
+  /// step. Steps that have accepted something, and those of running cracks, are taken to their end.
+  void interrupt_when(std::function<bool()> asked);
   /// Goes on by the control that its parameters name by now; gauges and route are looked up again. Its first step has the
   /// size that a first step has. Throws InputError for a gauge that there is not.
   void switch_control(const Aims& aims);
@@ -71,8 +72,13 @@ class Path {
   std::default_sentinel_t end() const { return {}; }
 
  private:
+  /// The next step; nothing, and nothing changed, where it has been broken off.
+  std::optional<Point> take();
+
   PathState state_;
   std::function<bool()> interrupted_;
+  int accepted_before_ =
+      -1;  ///< steps before the one that is being taken; −1 where it is not to be broken off
 };
 
 }  // namespace dda

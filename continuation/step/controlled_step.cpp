@@ -5,6 +5,7 @@
 
 #include "continuation/follow/advice.hpp"
 #include "continuation/follow/landings.hpp"
+#include "continuation/follow/mechanism.hpp"
 #include "continuation/follow/pace.hpp"
 #include "continuation/follow/trial.hpp"
 #include "continuation/step/rungs.hpp"
@@ -58,9 +59,39 @@ std::optional<Stopped> turning_point(PathState& path) {
   return {};
 }
 
+/// Looks beyond the last load that load control could reach, by the displacement on which the load works: where that
+/// goes on and the load stays, what slides or turns is a mechanism under it.
+std::optional<Stopped> mechanism_beyond(PathState& path, const Move& move) {
+  if (move.kind != StepKind::load || !path.walker.system().has_contacts()) return {};
+  const double load = path.load_of(path.walker.state());
+  const double along = mechanism_way * std::abs(path.displacement_of(path.walker.state()));
+  const double rate = path.displacement_rate(path.walker.leaving());
+  if (rate == 0 || along == 0) return {};
+  const Move by_displacement{
+      .kind = StepKind::displacement, .equation = make_gauge_equation(path.displacement), .rate = rate};
+  for (const double multiple : {1.0, 10.0}) {
+    const auto beyond =
+        try_step(path, by_displacement, multiple * along / std::abs(rate), Thoroughness::full);
+    if (!beyond || std::abs(path.load_of(beyond->state) - load) > standing_load(path, load)) continue;
+    return Stopped{
+        Stop::limit_point,
+        fmt::format("the load rises no further: at a load factor of {:.9g} the structure moves on as a "
+                    "mechanism, which load control cannot follow; use `staged` or `displacement`",
+                    beyond->state.load_factor)};
+  }
+  return {};
+}
+
+/// Whether nothing is loaded yet, where joints that only touch ask the same of a small load as of a large one.
+bool is_at_rest(const PathState& path) {
+  return path.walker.system().has_contacts() && path.walker.state().load_factor == 0 &&
+         path.walker.here().stored == 0;
+}
+
 /// Why a path ends whose control finds no next equilibrium.
 std::optional<Point> end_of_control(PathState& path, const Stride& stride) {
   if (const auto turned = turning_point(path)) return path.stop_early(turned->stop, turned->text);
+  if (const auto free = mechanism_beyond(path, stride.move)) return path.stop_early(free->stop, free->text);
   constexpr double hardly_any = 1e-3;
   const double left = std::abs(path.load_of(path.walker.state())) / path.memory.peak_load;
   if (left < hardly_any)
@@ -73,6 +104,13 @@ std::optional<Point> end_of_control(PathState& path, const Stride& stride) {
         "the path ends here: no rates were found that keep the equilibrium, whichever points crack, unload, "
         "slide and hold; the structure would go on dynamically");
   }
+  if (is_at_rest(path))
+    return path.stop_early(
+        Stop::no_next_equilibrium,
+        fmt::format("no equilibrium was found under the load, however small: {}; what it pushes may "
+                    "slide off, which friction holds only where the load leans by less than its "
+                    "angle",
+                    stride.why));
   return path.stop_early(Stop::no_next_equilibrium,
                          fmt::format("{} control found no next equilibrium: {}; {}",
                                      to_string(stride.move.kind), stride.why, what_to_try));

@@ -154,6 +154,7 @@ std::string to_svg(const Drawing& drawing) {
   double right = frame.right() + reach;
   if (scale.shown()) right += 20 + paint_bar(canvas, scale, {right + 20, frame.y, 0, frame.height});
   if (!drawing.key.empty()) right += 12 + paint_key(canvas, drawing.key, {right + 12, frame.y});
+  right = std::max(right, margin + std::min(text_width(drawing.title, large), drawing.width));
   canvas.text(margin, margin + large, fitted(drawing.title, large, right - margin),
               {large, Anchor::start, true});
   paint_polygons(canvas, view, drawing);

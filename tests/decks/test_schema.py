@@ -70,6 +70,16 @@ class Schema(unittest.TestCase):
             self.assertEqual(complaints(self.schema, tree), [], file)
         self.assertGreater(count, 30)
 
+    def test_the_first_line_of_every_deck_of_the_studies_names_it(self):
+        """The link leads there from a clone that has been built, and from an installation."""
+        self.assertEqual((ROOT / "deck.schema.json").readlink(), Path("build/release/share/ddapath/deck.schema.json"))
+        for file in sorted((ROOT / "studies").rglob("*.yaml")):
+            if file.name == "expect.yaml" or file.parent.name == "templates":  # `dda new` puts it before those
+                continue
+            text = file.read_text(encoding="utf-8")
+            if is_deck(decks.load(text)):
+                self.assertEqual(text.partition("\n")[0], "# yaml-language-server: $schema=../../deck.schema.json", file)
+
     def changed(self, change):
         deck = copy.deepcopy(self.deck)
         change(deck)

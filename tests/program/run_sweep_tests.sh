@@ -17,6 +17,7 @@ sweep:
   deck: $bar
   interfaces.crack.law.fracture_energy: [0.1, 0.2]
   zip: {interfaces.crack.law.tensile_strength: 2..3, path.stop.load_below: [0.1, 0.5]}
+  columns: {area: peak.load/tensile_strength, doubled: 2*steps, nothing: sqrt(-steps)}
 EOF
   expect 0 "a sweep" "$program" sweep bars.yaml
   said "4 goal_reached"
@@ -29,6 +30,11 @@ EOF
   has runs/bars status "goal_reached goal_reached goal_reached goal_reached"
   has runs/bars exit_code "0 0 0 0"
   grep -qF '"interfaces.crack.law.fracture_energy": "N/mm"' runs/bars/sweep.units.json || complain "no unit of a setting"
+  cells runs/bars area | awk '{ for (i = 1; i <= 4; ++i) if ($i < 9999.9 || $i > 10000.1) exit 1 }' ||
+    complain "strength times area, by strength: $(cells runs/bars area)"
+  [ "$(cells runs/bars doubled)" == "$(cells runs/bars steps | awk '{ print 2 * $1, 2 * $2, 2 * $3, 2 * $4 }')" ] ||
+    complain "twice the steps: $(cells runs/bars doubled)"
+  has runs/bars nothing "   "
   grep -qF '"peak.load": "N"' runs/bars/sweep.units.json || complain "no unit of the peak load"
   cells runs/bars peak.load | awk '{ exit !($1 / 20000 > 0.99999 && $1 / 20000 < 1.00001 && $2 / 30000 > 0.99999 && $2 / 30000 < 1.00001) }' ||
     complain "peaks are not strength times area: $(cells runs/bars peak.load)"

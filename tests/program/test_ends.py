@@ -50,8 +50,11 @@ class Ends(unittest.TestCase):
     def run_(self, deck, **changes):
         deck = copy.deepcopy(deck)
         for section, entries in changes.items():
-            deck.setdefault(section, {}).update(entries)
-        return ddapath.run(deck, folder=Path(self.scratch.name) / "run", check=False)
+            if section.endswith("_"):
+                deck[section[:-1]] = entries
+            else:
+                deck.setdefault(section, {}).update(entries)
+        return ddapath.run(deck, folder=Path(self.scratch.name) / "run", overwrite=True, check=False)
 
     def test_a_gauge_is_led_to_its_goal_where_nothing_can_crack(self):
         run = self.run_(BEAM, interfaces={"j": {"between": ["c", "c"], "law": "bonded"}}, path={"stop": {"gauges": {"defl": 1}}})
@@ -86,6 +89,73 @@ class Ends(unittest.TestCase):
         run = self.run_(BLOCKS, path={"stop": {"gauges": {"push": 5}, "load_below": 0}})
         self.assertEqual(run.summary["status"], "goal_reached")
         self.assertAlmostEqual(run.curve["push"].iloc[-1], 5, delta=1e-6)
+
+    def test_load_control_names_the_mechanism_at_which_it_ends(self):
+        run = self.run_(BLOCKS, path={"control": "load", "stop": {"gauges": {"push": 5}, "load_below": 0}})
+        self.assertEqual((run.summary["status"], run.summary["stop"]), ("stopped_early", "limit-point"))
+        self.assertIn("moves on as a mechanism, which load control cannot follow", run.summary["reason"])
+        friction = 100 * 50 * 10 * 1e-3 * 3 ** -0.5
+        self.assertAlmostEqual(run.curve["load"].iloc[-1] / friction, 1, delta=1e-5)
+
+    def test_a_load_that_slips_off_from_the_start(self):
+        """Leaning by more than the angle of friction, nothing holds it, however small; by less, something does."""
+        for angle, ends in ((20, "stopped_early"), (30, "goal_reached")):
+            law = {"type": "friction", "friction_angle": angle}
+            leaning = [{"name": "lean", "loads": [{"type": "edge_traction", "boundary": "head", "traction": [0.5, -1]}]}]
+            run = self.run_(BLOCKS, interfaces={"joint": {"law": law}},
+                            scene={"boundaries": {"floor": [[0, 0], [600, 0]], "head": [[50, 100], [150, 100]]}}, stages_=leaning)
+            self.assertEqual(run.summary["status"], ends, run.summary["reason"])
+            if ends == "stopped_early":
+                self.assertIn("no equilibrium was found under the load, however small", run.summary["reason"])
+
+    def test_without_friction_the_mechanism_needs_no_load(self):
+        run = self.run_(BLOCKS, interfaces={"joint": {"law": {"type": "friction", "friction_angle": 0}}},
+                        path={"stop": {"load_below": 0}})
+        self.assertEqual(run.summary["status"], "goal_reached")
+        self.assertIn("as a mechanism at a load factor of 0:", run.summary["reason"])
+        self.assertEqual(subprocess.run([str(ddapath.find_program()), "verify", str(run.folder)], capture_output=True).returncode, 0)
+
+    def test_joints_that_lock_are_named_where_they_stop_a_path(self):
+        mortar = {"type": "linear_softening", "tensile_strength": 0.2, "fracture_energy": 0.02, "cohesion": 0.3, "friction_angle": 35}
+        wall = {
+            "units": {"length": "mm", "force": "N"},
+            "scene": {"regions": [{"name": "w", "material": "b", "vertices": [[0, 0], [1000, 0], [1000, 480], [0, 480]]}],
+                      "boundaries": {"floor": [[0, 0], [1000, 0]], "top": [[0, 480], [1000, 480]]},
+                      "subdivision": {"type": "bricks", "length": 250, "height": 120}},
+            "thickness": 100, "plane": "stress",
+            "materials": {"b": {"type": "linear_elastic", "young_modulus": 5000, "poisson_ratio": 0.15}},
+            "interfaces": {"joints": {"between": ["b", "b"], "law": mortar, "treatment": "augmented_lagrangian"}},
+            "supports": {"floor": {"boundary": "floor", "fix": "xy"}},
+            "stages": [{"name": "pressed", "loads": [{"type": "edge_traction", "boundary": "top", "traction": [0, -0.3]}]},
+                       {"name": "pushed", "loads": [{"type": "point_load", "over": [[0, 360], [0, 480]], "force": [1, 0]}]}],
+            "gauges": {"drift": {"type": "displacement", "at": [0, 480], "direction": [1, 0]}},
+            "path": {"stop": {"gauges": {"drift": 4}, "steps": 3}},
+        }
+        run = self.run_(wall)
+        self.assertTrue(any("interface 'joints' locks" in notice for notice in run.summary["notices"]), run.summary)
+        if run.summary["status"] == "stopped_early":
+            self.assertIn("locks", run.summary["reason"])
+
+    def refusal(self, **changes):
+        with self.assertRaises(ddapath.InputError) as caught:
+            self.run_(BEAM, **changes)
+        return str(caught.exception)
+
+    def test_what_would_do_nothing_is_refused(self):
+        for control, key, path in (("event", "path.branch", {"branch": "switch"}),
+                                   ("event", "path.peak_tolerance", {"peak_tolerance": 1e-3}),
+                                   ("load_increments", "path.step.accuracy", {"step": {"accuracy": 0.01}})):
+            said = self.refusal(path={"control": control, **path},
+                                interfaces={"j": {"between": ["c", "c"],
+                                                  "law": {"type": "mohr_coulomb", "tensile_strength": 3, "cohesion": 5, "friction_angle": 30}}})
+            self.assertIn(f"{key}: control '{control}' does not heed it", said)
+        self.assertIn("unknown control 'dispalcement'; did you mean 'displacement'?",
+                      self.refusal(path={"expected_to_stop": ["dispalcement"]}))
+        self.assertIn("'defl' is to reach 0, where the path starts", self.refusal(path={"stop": {"gauges": {"defl": 0}}}))
+
+    def test_a_material_that_leaves_no_digits_is_refused(self):
+        said = self.refusal(materials={"c": {"type": "linear_elastic", "young_modulus": 30000, "poisson_ratio": 0.4999999999}}, plane_="strain")
+        self.assertIn("materials.c: so near to its limit", said)
 
     def test_messages_that_cannot_be_written_change_nothing(self):
         program = str(ddapath.find_program())

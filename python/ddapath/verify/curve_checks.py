@@ -14,6 +14,7 @@ NOTHING = 1e-6     # of the work of the dead loads: what live loads may do and c
 RUPTURE = 1e-3     # of the peak: what "complete rupture" may leave
 LEFT = 1e-2        # the same where the reason says how much
 MAY_BE_UNKNOWN = re.compile(r"negative_|current_stiffness|rigid_modes|mu_")  # nan where it is not known
+FORCE = 1e-8       # of the largest reaction: a load that is none within the tolerances of the path
 NUMBER = r"([-+]?[0-9.]+(?:e[-+]?[0-9]+)?)"
 
 
@@ -56,10 +57,12 @@ def unaccounted(curve, log):
 def balance(curve, log, deck):
     """Rows are compared with the largest work so far: just after the start, or fully unloaded, a row's own is none.
 
-    Nor is what a load does by which nothing resists; less than `NOTHING` of the work of the dead loads counts as that.
+    Nor is what a load does by which nothing resists; less than `NOTHING` of the work of the dead loads counts as that, and
+    what the force that counts as none does along the gauges, which a mechanism moves far.
     """
     work = np.abs(curve["external_work"] - curve["external_work"][0]).to_numpy()
-    largest = np.maximum.accumulate(work).clip(max(1e-2 * work.max(), NOTHING * abs(curve["external_work"][0])))
+    none = max(NOTHING * abs(curve["external_work"][0]), tolerated_force(curve, deck) * largest_travel(curve, deck))
+    largest = np.maximum.accumulate(work).clip(max(1e-2 * work.max(), none))
     error = np.abs(unaccounted(curve, log))
     ratio = np.where(error > 0, error / np.where(largest > 0, largest, 1e-300), 0)
     step = int(np.argmax(np.where(np.isnan(ratio), np.inf, ratio)))
@@ -132,6 +135,20 @@ def of_load(reason, curve, deck):
     return max(left - share, 0.0) if left == left else left, f"{left:.6g} of the peak is left"
 
 
+def largest_travel(curve, deck):
+    """By how much a gauge of displacements has moved at most [L]."""
+    gauges = [name for name, gauge in deck.get("gauges", {}).items() if gauge.get("type") in ("displacement", "relative_displacement")]
+    return max((np.abs(curve[name] - curve[name][0]).max() for name in gauges if name in curve), default=0.0)
+
+
+def tolerated_force(curve, deck):
+    """What a load may be and count as none: a force that the path's tolerance leaves of the largest reaction [F]."""
+    path, supports = deck.get("path", {}), deck.get("supports", {})
+    tolerance = max(FORCE, 10 * path.get("newton", {}).get("tolerance", 0))
+    reactions = [name for name in curve if name.rpartition(".")[0] in supports]
+    return tolerance * np.abs(curve[reactions].to_numpy()).max() if reactions else 0.0
+
+
 def of_factor(reason, curve, deck):
     """"slides as a mechanism at a load factor of 6": the last row stands there, and so did the one before."""
     found = re.search(f"load factor of {NUMBER}", reason)
@@ -140,9 +157,11 @@ def of_factor(reason, curve, deck):
     factor, before = curve["load_factor"].iloc[-1], curve["load_factor"].iloc[-2 if len(curve) > 1 else -1]
     scale = max(abs(factor), 1e-9 * np.abs(curve["load_factor"]).max(), 1e-300)
     error = max(abs(factor - float(found[1])) / scale - PRINTED, 0)
-    if "mechanism" in reason:
-        error = max(error, max(abs(curve["load"].iloc[-1] - curve["load"].iloc[-2]) / max(np.abs(curve["load"]).max(), 1e-300), 0)
-                    if len(curve) > 1 else 0)
+    if "mechanism" in reason and len(curve) > 1:
+        largest = np.abs(curve["load"]).max()
+        change = abs(curve["load"].iloc[-1] - curve["load"].iloc[-2]) / max(largest, 1e-300)
+        is_none = largest <= tolerated_force(curve, deck)
+        error = abs(float(found[1])) if is_none else max(error, change)
     return error, f"load factor {factor:.9g}, before {before:.9g}"
 
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 
 #include "continuation/detour/dead_load.hpp"
@@ -10,10 +11,27 @@
 #include "continuation/ranks/ranks.hpp"
 #include "framework/base/memory.hpp"
 #include "framework/base/suggestion.hpp"
+#include "models/locked_joints.hpp"
 #include "studies/dda/case/motion_columns.hpp"
 
 namespace dda {
 namespace {
+
+/// A material whose stiffness keeps half of a number's digits: near ν = 1/2 in plane strain, and near −1, stresses are
+/// differences of numbers that are larger by 1/(1 − 2ν) and 1/(1 + ν).
+std::shared_ptr<const Material> made(const std::string& name, const MaterialChoice& choice, const Deck& deck,
+                                     Findings& findings) {
+  constexpr double most = 1e7;
+  std::shared_ptr<const Material> out = choice.make(deck.plane);
+  const Vec3 principal = out->stiffness().selfadjointView<Eigen::Lower>().eigenvalues();
+  if (principal.maxCoeff() > most * principal.minCoeff())
+    findings.add(choice.where(),
+                 fmt::format("materials.{}: so near to its limit `poisson_ratio` leaves no digits for the "
+                             "stresses: the stiffnesses in two directions differ {:.1e}-fold, at most "
+                             "{:.0e}",
+                             name, principal.maxCoeff() / principal.minCoeff(), most));
+  return out;
+}
 
 /// The materials of the regions; an unknown name is a finding.
 std::vector<std::shared_ptr<const Material>> materials_of(const Assembly& assembly, const Deck& deck) {
@@ -21,7 +39,7 @@ std::vector<std::shared_ptr<const Material>> materials_of(const Assembly& assemb
   std::map<std::string, std::shared_ptr<const Material>> made;
   std::vector<std::string> names;
   for (const auto& [name, choice] : deck.material_names) {
-    made[name] = choice.make(deck.plane);
+    made[name] = dda::made(name, choice, deck, findings);
     names.push_back(name);
   }
   std::vector<std::shared_ptr<const Material>> out;
@@ -84,8 +102,7 @@ Simulation::Simulation(const Deck& deck, Timings& timings) : deck_(deck), timing
     motion_column::require_free(deck, equilibrium_->interfaces().names);
     require_handover(*body_, *equilibrium_, *deck.motion);
   }
-  landings();
-  legs();
+  require_way();
   if (deck.record.detail)
     for (const Spot& corner : {deck.record.detail->from, deck.record.detail->to}) locate(*assembly_, corner);
   if (deck.record.reference_peak)
@@ -121,12 +138,13 @@ void Simulation::require_control() const {
   const auto control = deck_.path.control.make(gauges_);
   if (const std::string why = control->refusal(*equilibrium_); !why.empty())
     throw InputError(deck_.path.control.where(), "path.control: " + why);
-  if (deck_.path.step.sets_sizes() && !control->sizes_steps())
-    throw InputError(
-        deck_.path.where,
-        fmt::format("path.step: the steps of control '{}' have no size that could be set; of this section "
-                    "only `accuracy` and `largest` may stay",
-                    deck_.path.control.name()));
+  Findings findings;
+  for (const std::string& key : unheeded_keys(deck_.path, *control))
+    findings.add(deck_.path.where,
+                 fmt::format("path.{}: control '{}' does not heed it; leave it out, or take another "
+                             "`path.control`",
+                             key, deck_.path.control.name()));
+  findings.throw_if_any();
 }
 
 void Simulation::require_eigenvalues() const {
@@ -194,7 +212,8 @@ std::string Simulation::apply_dead_loads() {
   for (std::size_t stage = 0; stage + 1 < stages; ++stage) {
     walker_->begin_stage(stage);
     if (std::string why = apply_full_stage(*walker_); !why.empty())
-      return "stage '" + walker_->system().loading().name + "' cannot be carried: " + why;
+      return "stage '" + walker_->system().loading().name + "' cannot be carried: " + why +
+             what_locks(equilibrium_->interfaces());
   }
   walker_->begin_stage(stages - 1);
   return {};
@@ -262,6 +281,21 @@ const Functional& Simulation::gauge(const std::string& name, const Position& whe
   }
   if (name == "load") return loading().load;
   throw InputError(where, "unknown gauge '" + name + "'" + suggest(name, names));
+}
+
+void Simulation::require_way() const {
+  const std::vector<Leg> legs = this->legs();
+  const std::vector<Landing> landings = this->landings();
+  if (legs.empty() || equilibrium_->stages().size() > 1) return;  // dead loads decide where the path starts
+  std::vector<Landing> goals = legs.front().until;
+  if (legs.size() == 1) std::ranges::copy_if(landings, std::back_inserter(goals), &Landing::ends_leg);
+  const State rest{.d = std::vector<double>(equilibrium_->num_unknowns(), 0.0)};
+  for (const Landing& goal : goals)
+    if (!goal.only_falling && rest.value(goal.gauge) == goal.value)
+      throw InputError(deck_.path.where,
+                       fmt::format("'{}' is to reach {:g}, where the path starts: it would end, or go by, "
+                                   "at once",
+                                   goal.name, goal.value));
 }
 
 std::vector<Landing> Simulation::landings() const {

@@ -56,6 +56,8 @@ class Simulation {
   void require_loads() const;
   /// Throws InputError for a control that names no known gauge, that cannot serve, or whose steps have no size to
   /// be set.
+  /// Throws InputError for a goal at which the path starts, and for gauges that there are not.
+  void require_way() const;
   void require_control() const;
   /// Throws InputError for more eigenvalues than there are, or than fit into memory.
   void require_eigenvalues() const;

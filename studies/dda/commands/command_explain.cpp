@@ -13,6 +13,7 @@
 #include "studies/dda/case/parameter_list.hpp"
 #include "studies/dda/case/written_deck.hpp"
 #include "studies/dda/commands/commands.hpp"
+#include "studies/dda/run/recording/summary.hpp"
 
 namespace dda {
 namespace {
@@ -27,6 +28,8 @@ constexpr const char* sweep_manual =
   seed: 1..20                               every key called seed that the deck has
   deck: [a.yaml, ../b/deck.yaml]            whole decks, from the folder of this file
   zip: {a.key: [1, 2], another: [3, 4]}     keys that vary together; several zips as a list of maps
+  columns: {strength: peak.load/(thickness*depth)}   further columns of sweep.csv, of varied keys (or their ends),
+                                            numbers of the deck and of summary.json, by their dotted names
 
 Entries form the product; the last one runs fastest. The section stands in the deck that it varies, or in a file of
 its own with `deck: base.yaml` (or a list) and perhaps a `title`.
@@ -67,7 +70,9 @@ numbers that came out.
 )manual";
 
 std::string manual_of(const std::string& topic) {
-  if (topic == "sweep") return sweep_manual;
+  if (topic == "sweep")
+    return fmt::format("{}Numbers of summary.json for `columns`: {}, peak.gauges.NAME.\n", sweep_manual,
+                       fmt::join(numbers_of_summaries, ", "));
   if (topic != "variables") return "";
   return fmt::format(
       "{}  constants       {}\n  functions       {}\n"

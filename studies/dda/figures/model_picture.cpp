@@ -10,6 +10,7 @@
 #include "framework/figure/drawing.hpp"
 #include "framework/figure/style.hpp"
 #include "framework/files/whole_file.hpp"
+#include "models/loading.hpp"
 #include "studies/dda/figures/material_colours.hpp"
 #include "studies/dda/figures/pictures.hpp"
 
@@ -92,15 +93,36 @@ class ModelPicture {
     for (std::size_t s = 0; s < stages.size(); ++s) {
       const bool is_last = s + 1 == stages.size();
       const int colour = is_last ? svg::vermilion : static_cast<int>(s) + 2;
-      Functional acting;
-      acting.add_rows(1, stages[s].reference_work);
+      Functional acting = forces_of(stages[s]);
       const std::size_t as_a_whole = gather_body_forces(acting, colour);
       add_symbols(acting, {.mark = Mark::force, .colour = colour});
-      if (acting.rows.empty() && as_a_whole == 0) continue;
+      const auto strained =
+          std::ranges::count_if(stages[s].reference_stress, [](const Vec3& x) { return !x.isZero(0); });
+      if (acting.rows.empty() && as_a_whole == 0 && strained == 0) continue;
       std::string name = stages[s].name + (is_last ? ", × load factor" : ", in full first");
+      if (strained > 0) name += fmt::format(" (initial strain or stress in {} blocks)", strained);
       if (as_a_whole > 0) name += fmt::format(" (at the middle: on {} blocks as a whole)", as_a_whole);
       add_key(KeyEntry::Kind::force, colour, std::move(name));
     }
+  }
+
+  /// What pushes and pulls in a stage, without what initial stress does in blocks and joints: no arrow tells that.
+  Functional forces_of(const Loading& stage) const {
+    constexpr double rounding = 1e-9;
+    std::vector<double> force = stage.reference_work;
+    if (!stage.reference_stress.empty()) {
+      const StressOffset offset = stress_offset(body_, equilibrium_.interfaces(), stage.reference_stress);
+      for (std::size_t i = 0; i < offset.force.size(); ++i) force[i] -= offset.force[i];
+    }
+    Functional before, out;
+    before.add_rows(1, stage.reference_work);
+    out.add_rows(1, force);
+    double largest = 0;
+    for (const auto& part : before.rows) largest = std::max(largest, part.second.head<2>().norm());
+    std::erase_if(out.rows, [&](const auto& part) {
+      return !(part.second.template head<2>().norm() > rounding * largest);
+    });
+    return out;
   }
 
   /// Takes out what acts on blocks at their centroids, as weight does; of more than one it becomes one force at their

@@ -101,6 +101,7 @@ constexpr std::array<CrackQuantity, 2> crack_quantities{
 
 /// Openings that a picture does not show, as part of the structure's size in it.
 constexpr double hairline = 2e-3;
+constexpr double rounding = 1e-9;                          ///< of the least jump that is seen
 constexpr double hairline_width = 0.6, crack_width = 1.5;  // [pt]
 
 /// Draws one deformed state, shifted. Blocks have the colour of their material where there are several.
@@ -161,7 +162,8 @@ class DeformedState {
       };
       const auto& [start, end] = fields_.segment(p);
       const Vec2& w = interface.opening[p];
-      drawing.strokes.push_back({between(start), between(end), quantity_->value(w),
+      const double value = quantity_->value(w);
+      drawing.strokes.push_back({between(start), between(end), value > rounding * visible_ ? value : 0,
                                  w.norm() < visible_ ? hairline_width : crack_width});
     }
   }

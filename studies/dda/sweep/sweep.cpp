@@ -18,6 +18,7 @@ namespace fs = std::filesystem;
 constexpr const char* section = "sweep";
 constexpr const char* deck_key = "deck";
 constexpr const char* seed_key = "seed";
+constexpr const char* columns_key = "columns";
 
 bool concerns_section(const std::string& assignment) {
   const bool begins = assignment.starts_with("sweep.") || assignment.starts_with("sweep=");
@@ -63,6 +64,10 @@ class SweepReader {
     if (const Node* deck = entries->find(deck_key); deck && deck->is_scalar()) {
       base_ = *deck;
       varied = without(varied, deck_key);
+    }
+    if (const Node* columns = entries->find(columns_key)) {
+      sweep_.derived = read_derived_columns(*columns, findings_);
+      varied = without(varied, columns_key);
     }
     sweep_.axes = read_axes(varied);
     keys_ = sweep_.keys();
@@ -149,6 +154,12 @@ class SweepReader {
     const Deck deck = values_of(tree);
     const Node effective = deck_schema().echo(deck);
     one.effective = to_yaml(effective);
+    std::vector<std::pair<std::string, Node>> varied;
+    for (std::size_t k = 0; k < keys_.size(); ++k) varied.emplace_back(keys_[k].name, one.values[k]);
+    Findings findings;
+    for (const DerivedColumn& column : sweep_.derived)
+      one.known.push_back(known_numbers(column, effective, varied, findings));
+    findings.throw_if_any();
     if (!sweep_.cases.empty()) return;
     sweep_.units = deck.units;
     for (std::size_t k = 0; k < keys_.size(); ++k) {

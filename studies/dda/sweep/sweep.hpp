@@ -6,6 +6,7 @@
 
 #include "framework/deck/changes/axes.hpp"
 #include "framework/deck/units.hpp"
+#include "studies/dda/sweep/derived_columns.hpp"
 
 namespace dda {
 
@@ -15,7 +16,9 @@ struct SweepCase {
   std::vector<Node> values;            ///< of the varied keys, in the order of Sweep::keys
   std::vector<std::string> overrides;  ///< what `dda run` of the deck is given by --set
   std::vector<std::string> seeds;      ///< paths that the key `seed` stands for
-  std::string effective;               ///< every parameter, as YAML: equal for equal runs
+  /// Of each derived column the numbers that its deck and settings know.
+  std::vector<std::vector<std::optional<double>>> known;
+  std::string effective;  ///< every parameter, as YAML: equal for equal runs
 };
 
 /// A sweep as its file describes it: the axes and every case of their product, each read and found valid.
@@ -27,6 +30,7 @@ struct Sweep {
   Units units;  ///< of the first case
   std::vector<Axis> axes;
   std::vector<std::string> key_units;  ///< of the varied keys, "" = none
+  std::vector<DerivedColumn> derived;  ///< columns of sweep.csv that are computed of others
   std::vector<SweepCase> cases;
 
   /// The varied keys, axis by axis.

@@ -59,6 +59,7 @@ class TableBuilder {
   TableBuilder(const Sweep& sweep, const std::vector<CaseState>& states) : sweep_(sweep), states_(states) {
     for (const SweptKey& key : sweep.keys()) taken_.push_back(key.name);
     std::ranges::copy(own_columns, std::back_inserter(taken_));
+    for (const DerivedColumn& column : sweep.derived) taken_.push_back(column.name);
     for (std::size_t i = 0; i < states.size(); ++i) collect(i);
   }
 
@@ -100,6 +101,10 @@ class TableBuilder {
     out.emplace_back(name_of(state.status));
     out.push_back(state.exit_code ? TableCell(std::int64_t{*state.exit_code}) : TableCell(""));
     out.emplace_back(state.reason);
+    for (std::size_t c = 0; c < sweep_.derived.size(); ++c) {
+      const auto value = value_of(sweep_.derived[c], sweep_.cases[i].known[c], state.summary);
+      out.push_back(value ? TableCell(*value) : TableCell(""));
+    }
     for (const std::string& name : names_) {
       const auto found = rows_[i].find(name);
       out.push_back(found == rows_[i].end() ? TableCell("") : found->second);

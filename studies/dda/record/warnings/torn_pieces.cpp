@@ -8,23 +8,15 @@
 #include <numbers>
 
 #include "meshing/quality.hpp"
+#include "studies/dda/record/warnings/strength_left.hpp"
 
 namespace dda {
 namespace {
 
-/// Of its strength: a joint with less left holds no piece.
-constexpr double strength_left = 0.1;
 /// Of the energy: where so much is spent, the structure has failed.
 constexpr double most_energy = 0.5;
 /// Around a bearing's point that is still its place, in sizes of its blocks.
 constexpr double reach = 2.5;
-
-/// Left of the strength of a point, 1 intact.
-double strength_of(const InterfacePoint& point, const History& h) {
-  if (!point.law->can_crack() || !std::isfinite(point.law->initial_kappa(point.stiffness))) return 1;
-  const double kappa = point.law->kappa(h, point.stiffness) / point.law->initial_kappa(point.stiffness);
-  return (1 - point.law->damage(h, point.stiffness)) * kappa;
-}
 
 /// Sides with a point that still has some strength.
 std::vector<bool> holding_sides(const Simulation& simulation, const std::vector<History>& history) {
@@ -32,7 +24,7 @@ std::vector<bool> holding_sides(const Simulation& simulation, const std::vector<
   std::vector<bool> holds(simulation.assembly().sides.size(), false);
   for (std::size_t p = 0; p < equilibrium.num_points(); ++p) {
     if (equilibrium.point(p).cut) continue;
-    if (p >= history.size() || strength_of(equilibrium.point(p), history[p]) >= strength_left)
+    if (p >= history.size() || holds_still(equilibrium.point(p), history[p]))
       holds[equilibrium.point(p).side] = true;
   }
   return holds;

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "studies/dda/case/simulation.hpp"
 #include "studies/dda/record/run_memory.hpp"
@@ -29,6 +31,15 @@ void add_program(nlohmann::ordered_json& summary);
 /// The content of summary.json, but for the log's notices.
 nlohmann::ordered_json summarise(const Simulation& simulation, const RunMemory& memory,
                                  const Measures& measures, const Ending& ending);
+
+/// Numbers that every summary of a path has, by their dotted names; `peak.gauges.NAME` beside them.
+inline constexpr std::array<std::string_view, 17> numbers_of_summaries = {
+    "peak.load",       "peak.load_factor",     "peak.step",
+    "steps",           "rejected_steps",       "rescues",
+    "external_work",   "stored_energy",        "dissipated_energy",
+    "jump_energy",     "energy_balance_error", "blocks",
+    "unknowns",        "interface_points",     "crackable_points",
+    "peak_memory_mib", "timings.total"};
 
 /// MatrixQuality of the intact stiffness, `start`, and of the tangent at the last accepted state, `end`.
 /// A condition beyond what can be estimated is null.

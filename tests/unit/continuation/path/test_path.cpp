@@ -106,12 +106,44 @@ TEST(Path, LoadThatHasTurnedRoundIsNoRupture) {
 
 TEST(Path, CanBeInterrupted) {
   Bar bar(100, "stop: {load_below: 0.02}");
-  int asked = 0;
-  bar.path().interrupt_when([&] { return ++asked > 3; });
   int steps = 0;
+  bar.path().interrupt_when([&] { return steps == 3; });
   for ([[maybe_unused]] const Point& point : bar.path()) ++steps;
   EXPECT_EQ(steps, 3);
   EXPECT_EQ(bar.path().ending().kind, Ending::Kind::interrupted);
+}
+
+/// Load factor, dissipated energy, and every number that the path remembers.
+std::vector<double> numbers_of(const Bar& bar, const PathMemory& memory) {
+  std::vector<double> out{bar.walker().state().load_factor, bar.walker().here().dissipated,
+                          static_cast<double>(bar.walker().effort().rejected)};
+  const auto note = [&](const char*, const auto& value) { out.push_back(static_cast<double>(value)); };
+  PathMemory::visit(memory, note);
+  return out;
+}
+
+/// Whatever solve of a step it is at which somebody loses patience.
+TEST(Path, LeavesNoTraceOfAStepThatIsBrokenOff) {
+  const std::string rules = "step: {largest: 0.5}\nstop: {load_below: 0.02}";
+  Bar whole(2000, rules);
+  std::vector<std::vector<double>> expected{numbers_of(whole, whole.path().memory())};
+  for ([[maybe_unused]] const Point& point : whole.path())
+    expected.push_back(numbers_of(whole, whole.path().memory()));
+  std::size_t within = 0;
+  for (int patience = 1;; ++patience) {
+    Bar bar(2000, rules);
+    int asked = 0, asked_between = 0;
+    std::size_t steps = 0;
+    bar.path().interrupt_when([&] { return ++asked > patience; });
+    while (bar.path().next()) {
+      ++steps;
+      asked_between = asked;
+    }
+    if (bar.path().ending().kind != Ending::Kind::interrupted) break;
+    within += asked > asked_between + 1;
+    EXPECT_EQ(numbers_of(bar, bar.path().memory()), expected[steps]) << "asked " << patience << " times";
+  }
+  EXPECT_GT(within, expected.size());
 }
 
 /// From the first crack of the bar and of the square: the result is an equilibrium on the damage surface.

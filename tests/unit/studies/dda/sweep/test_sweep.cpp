@@ -55,6 +55,32 @@ TEST(Sweep, SeedIsEverySeedOfTheEffectiveDeck) {
               HasSubstr("s.yaml:1:23: seed: "));
 }
 
+TEST(Sweep, DerivedColumnsAreOfKeysTheDeckAndTheSummary) {
+  const Sweep sweep = SweepExample(
+                          "sweep:\n  deck: a.yaml\n  materials.stone.young_modulus: [100, 200]\n"
+                          "  columns: {slender: young_modulus/(2e0*thickness), half: max(peak.load/2, pi)}\n")
+                          .read();
+  ASSERT_EQ(sweep.derived.size(), 2u);
+  EXPECT_THAT(sweep.derived[0].names, ElementsAre("young_modulus", "thickness"));
+  EXPECT_EQ(value_of(sweep.derived[0], sweep.cases[1].known[0], Json()), 100);
+  const Json summary{{"peak", {{"load", 10}}}};
+  EXPECT_EQ(value_of(sweep.derived[1], sweep.cases[1].known[1], summary), 5);
+  EXPECT_EQ(value_of(sweep.derived[1], sweep.cases[1].known[1], Json()), std::nullopt) << "no summary yet";
+}
+
+TEST(Sweep, DerivedColumnsThatNobodyKnowsAreRefused) {
+  const auto with = [](const std::string& column) {
+    return refusal("sweep:\n  deck: a.yaml\n  thickness: [1, 2]\n  columns:\n    " + column + "\n");
+  };
+  EXPECT_THAT(with("a: peak.lod/2"), HasSubstr("s.yaml:5:5: columns.a: 'peak.lod' is no varied key"));
+  EXPECT_THAT(with("a: peak.lod/2"), HasSubstr("did you mean 'peak.load'?"));
+  EXPECT_THAT(with("a: 2*(thickness"), HasSubstr("s.yaml:5:8: columns.a: "));
+  EXPECT_THAT(with("steps: thickness"), HasSubstr("columns.steps: a name is of letters"));
+  EXPECT_THAT(with("a: [1]"), HasSubstr("columns.a: expected an expression"));
+  EXPECT_THAT(refusal("sweep: {deck: a.yaml, thickness: [1], columns: 3}\n"),
+              HasSubstr("columns: expected a map"));
+}
+
 TEST(Sweep, CommandLineVariesKeys) {
   const SweepExample example("sweep: {deck: a.yaml, thickness: [1, 2]}\n");
   EXPECT_EQ(example.read({"sweep.thickness=1..5"}).cases.size(), 5u);
