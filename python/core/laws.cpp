@@ -3,10 +3,10 @@
 #include <pybind11/stl.h>
 
 #include <map>
-#include <set>
 
 #include "models/interface/softening_parameters.hpp"
 #include "python/core/bindings.hpp"
+#include "python/core/own_classes.hpp"
 #include "python/core/python_law.hpp"
 
 namespace dda::python {
@@ -14,120 +14,34 @@ namespace {
 
 namespace py = pybind11;
 
-/// A parameter as a class of Python declares it: ddapath.Number.
-struct OwnNumber {
-  std::string name, text;
-  Dimension dimension;
-  std::optional<double> fallback, above, at_least, below, at_most;
-
-  friend bool operator==(const OwnNumber&, const OwnNumber&) = default;
-};
-
-/// A law as it is registered. Its parameters stay, its class may be replaced by another one.
-struct Registered {
-  bool is_curve = false;
-  std::vector<OwnNumber> numbers;
-  std::vector<std::pair<std::string, int>> memory;
-  py::object type;
-
-  bool has_same_parameters(const Registered& other) const {
-    return is_curve == other.is_curve && numbers == other.numbers && memory == other.memory;
-  }
-};
-
-/// By name; it lives as long as the process, since classes must not be let go when Python has ended.
-std::map<std::string, std::shared_ptr<Registered>>& registered() {
-  static auto* all = new std::map<std::string, std::shared_ptr<Registered>>;
-  return *all;
-}
-
 /// What a deck gives: of a curve the keys of all softening laws, and the numbers that the class declares.
 struct LawParameters : SofteningParameters {
   std::map<std::string, double> own;
 };
 
-Bounds bounds_of(const OwnNumber& number) {
-  Bounds out;
-  if (number.above) out = out & above(*number.above);
-  if (number.at_least) out = out & at_least(*number.at_least);
-  if (number.below) out = out & below(*number.below);
-  if (number.at_most) out = out & at_most(*number.at_most);
-  return out;
-}
+using Memory = std::vector<std::pair<std::string, int>>;  ///< names, and powers of length
 
-/// A schema to which numbers are added by name, their values kept in a map.
-class LawSchema final : public Schema<LawParameters> {
- public:
-  explicit LawSchema(Schema<LawParameters> others) : Schema(std::move(others)) {}
-
-  void add(const OwnNumber& number) {
-    const Kind<double> kind = number_kind(number.dimension, bounds_of(number));
-    std::optional<Node> fallback;
-    if (number.fallback) fallback = Node::number(*number.fallback);
-    const auto read = [kind, name = number.name](void* object, const Node& node, const Reading& reading) {
-      const std::optional<double> value = kind.read(node, reading);
-      if (value) static_cast<LawParameters*>(object)->own[name] = *value;
-      return value.has_value();
-    };
-    const auto echo = [name = number.name](const void* object) -> std::optional<Node> {
-      return Node::number(static_cast<const LawParameters*>(object)->own.at(name));
-    };
-    declare({Parameter{number.name, number.text, kind.info, std::move(fallback), false}, read, echo});
-  }
-};
-
-LawSchema schema_of(const Registered& law, const std::string& text) {
-  LawSchema out(law.is_curve ? softening_schema<LawParameters>(text) : Schema<LawParameters>(text));
-  for (const OwnNumber& number : law.numbers) out.add(number);
-  return out;
-}
-
-std::vector<Remembered> remembered_of(const Registered& law) {
+std::vector<Remembered> remembered_of(const Memory& memory) {
   std::vector<Remembered> out;
-  for (const auto& [name, length] : law.memory) out.push_back({name, Dimension{0, length}, 1});
+  for (const auto& [name, length] : memory) out.push_back({name, Dimension{0, length}, 1});
   return out;
 }
 
-/// An object of the class with the numbers of the deck, as the law that the program asks.
-std::unique_ptr<InterfaceLaw> make(const Registered& law, const LawParameters& parameters) {
-  const py::gil_scoped_acquire lock;
-  py::dict numbers;
-  for (const auto& [name, value] : parameters.own) numbers[py::str(name)] = value;
-  py::object object = law.type(**numbers);
-  if (law.is_curve) return std::make_unique<DamageLaw>(parameters.numbers(), python_shape(std::move(object)));
-  return python_law(std::move(object), remembered_of(law));
-}
-
-void register_law(const std::string& name, const std::string& text, Registered law) {
-  auto& known = registered();
-  if (const auto found = known.find(name); found != known.end()) {
-    if (!found->second->has_same_parameters(law))
-      throw py::value_error(
-          "law '" + name +
-          "' is registered with other parameters, which stay as long as this process: choose "
-          "another name, or start Python again");
-    found->second->type = law.type;
-    return;
-  }
-  if (interface_laws().find(name))
-    throw py::value_error("law '" + name + "' is one of the program's or of a plugin: choose another name");
-  auto shared = std::make_shared<Registered>(std::move(law));
-  interface_laws().add(name, static_cast<const Schema<LawParameters>&>(schema_of(*shared, text)),
-                       [shared](const LawParameters& parameters) { return make(*shared, parameters); });
-  known.emplace(name, std::move(shared));
-}
-
-OwnNumber number_of(const py::handle& declared) {
-  OwnNumber out;
-  out.name = declared.attr("name").cast<std::string>();
-  out.text = declared.attr("text").cast<std::string>();
-  out.dimension = {declared.attr("force").cast<int>(), declared.attr("length").cast<int>()};
-  out.fallback = declared.attr("fallback").cast<std::optional<double>>();
-  out.above = declared.attr("above").cast<std::optional<double>>();
-  out.at_least = declared.attr("at_least").cast<std::optional<double>>();
-  out.below = declared.attr("below").cast<std::optional<double>>();
-  out.at_most = declared.attr("at_most").cast<std::optional<double>>();
-  return out;
+void register_law(const std::string& name, const py::object& type) {
+  const auto is_curve = type.attr("is_curve").cast<bool>();
+  const auto memory = type.attr("memory").cast<Memory>();
+  if (memory.size() > LawMemory::capacity) throw py::value_error("a law remembers ten numbers at most");
+  const auto text = type.attr("text").cast<std::string>();
+  const std::string shape =
+      std::string(is_curve ? "curve " : "law ") + std::string(py::repr(py::cast(memory)));
+  register_own(
+      interface_laws(), name, own_class(type, shape),
+      is_curve ? softening_schema<LawParameters>(text) : Schema<LawParameters>(text),
+      [is_curve, memory](const OwnClass& law, const LawParameters& p) -> std::unique_ptr<InterfaceLaw> {
+        const py::gil_scoped_acquire lock;
+        if (is_curve) return std::make_unique<DamageLaw>(p.numbers(), python_shape(law.object(p.own)));
+        return python_law(law.object(p.own), remembered_of(memory));
+      });
 }
 
 void bind_history(py::module_& module) {
@@ -179,13 +93,7 @@ py::tuple respond_along(const std::string& yaml, const Rows& openings, double k)
 void bind_laws(py::module_& module) {
   bind_history(module);
   module.def("respond_along", &respond_along);
-  module.def("register_law", [](const std::string& name, const py::object& type) {
-    Registered law{.is_curve = type.attr("is_curve").cast<bool>(), .numbers = {}, .memory = {}, .type = type};
-    for (const py::handle number : type.attr("declared_numbers")()) law.numbers.push_back(number_of(number));
-    law.memory = type.attr("memory").cast<decltype(law.memory)>();
-    if (law.memory.size() > LawMemory::capacity) throw py::value_error("a law remembers ten numbers at most");
-    register_law(name, type.attr("text").cast<std::string>(), std::move(law));
-  });
+  module.def("register_law", &register_law);
 }
 
 }  // namespace dda::python

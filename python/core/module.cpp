@@ -25,6 +25,8 @@ PYBIND11_MODULE(_core, module) {
   module.doc() = "What `ddapath` asks of the program's own code; use the package, not this module.";
   bind_errors();
   bind_laws(module);
+  bind_loads(module);
+  bind_controls(module);
   bind_followed(module);
   module.def("load_plugin", [](const std::string& file) { dda::load_plugin(file); });
   module.def("set_num_threads", &dda::set_num_threads);

@@ -28,12 +28,6 @@ class PythonShape final : public SofteningShape {
 
 }  // namespace
 
-void Asked::wrong_type(const py::handle& given, const char* method) const {
-  const std::string name = py::str(py::type::of(object_).attr("__qualname__"));
-  throw py::type_error(name + "." + method + " gave " + std::string(py::repr(given)) +
-                       ", which is not what it is to give; its docstring in ddapath says that");
-}
-
 std::unique_ptr<SofteningShape> python_shape(py::object curve) {
   return std::make_unique<PythonShape>(std::move(curve));
 }

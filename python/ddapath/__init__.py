@@ -11,17 +11,20 @@
 Tables are pandas DataFrames with the unit of each column in `attrs["units"]`; "" where there is none.
 """
 
+from .controls import Control, register_control
 from .deck import read_deck, write_deck
+from .declared import Number
 from .errors import (DdapathError, InputError, Interrupted, NotFound, NothingStored, OutputError, ProgramFailed,
                      ProgramNotFound, StoppedEarly)
 from .fields import Fields, Mesh
-from .laws import InterfaceLaw, Number, SofteningCurve, register_law, respond
+from .laws import InterfaceLaw, SofteningCurve, register_law, respond
+from .loads import Load, register_load
 from .program import check, find_program, report, resume, run, sweep
 from .run_folder import Run, read_run
 from .stepping import Path, Point, follow
 from .sweep_folder import read_sweep
 
-__all__ = ["DdapathError", "Fields", "InputError", "InterfaceLaw", "Interrupted", "Mesh", "NotFound", "NothingStored", "Number",
-           "OutputError", "Path", "Point", "ProgramFailed", "ProgramNotFound", "Run", "SofteningCurve", "StoppedEarly", "check",
-           "find_program", "follow", "read_deck", "read_run", "read_sweep", "register_law", "report", "respond", "resume", "run", "sweep",
-           "write_deck"]
+__all__ = ["Control", "DdapathError", "Fields", "InputError", "InterfaceLaw", "Interrupted", "Load", "Mesh", "NotFound",
+           "NothingStored", "Number", "OutputError", "Path", "Point", "ProgramFailed", "ProgramNotFound", "Run",
+           "SofteningCurve", "StoppedEarly", "check", "find_program", "follow", "read_deck", "read_run", "read_sweep",
+           "register_control", "register_law", "register_load", "report", "respond", "resume", "run", "sweep", "write_deck"]

@@ -14,69 +14,12 @@ What is good is worth a plugin in C++ (docs/manual/plugins.md), which has the sa
 
 import json
 import math
-from dataclasses import dataclass
 
 from . import deck as decks
 from .compiled import core
+from .declared import Declaring, registered
 
-# Powers of force and length that a number may have.
-DIMENSIONS = {"none": (0, 0), "length": (0, 1), "area": (0, 2), "curvature": (0, -1), "force": (1, 0), "stress": (1, -2),
-              "stiffness": (1, -1), "interface_stiffness": (1, -3), "energy_per_area": (1, -1)}
-
-
-@dataclass(frozen=True)
-class Number:
-    """A parameter of a law, a number in the deck: what it measures, its bounds, its value where the deck has none.
-
-    dimension: a name of DIMENSIONS. above, at_least, below, at_most: bounds; None, there is none. fallback: None, the deck
-    must give it. text: one sentence, which `dda explain` would print. name: taken from the attribute it is assigned to.
-    """
-
-    dimension: str = "none"
-    fallback: float | None = None
-    above: float | None = None
-    at_least: float | None = None
-    below: float | None = None
-    at_most: float | None = None
-    text: str = ""
-    name: str = ""
-
-    def __post_init__(self):
-        if self.dimension not in DIMENSIONS:
-            raise ValueError(f"there is no dimension '{self.dimension}'; there are {', '.join(DIMENSIONS)}")
-
-    def __set_name__(self, owner, name):
-        object.__setattr__(self, "name", name)
-
-    @property
-    def force(self):
-        return DIMENSIONS[self.dimension][0]
-
-    @property
-    def length(self):
-        return DIMENSIONS[self.dimension][1]
-
-
-class _Declaring:
-    """What both kinds of laws have: an object has the values of the deck in place of the Numbers of its class."""
-
-    is_curve = False
-    memory = ()
-
-    def __init__(self, **numbers):
-        for name, value in numbers.items():
-            setattr(self, name, value)
-
-    @classmethod
-    def declared_numbers(cls):
-        """The Numbers of the class and its bases, in the order of their declaration."""
-        found = {}
-        for base in reversed(cls.__mro__):
-            found |= {name: value for name, value in vars(base).items() if isinstance(value, Number)}
-        return list(found.values())
-
-
-class SofteningCurve(_Declaring):
+class SofteningCurve(Declaring):
     """A softening curve: traction over strength, g, against ω = w ft/Gf, w the physical opening. No units.
 
         g(0) = 1,   ∫₀^∞ g dω = 1,   g never rises
@@ -146,7 +89,7 @@ def bisected(rising, high):
             high = middle
 
 
-class InterfaceLaw(_Declaring):
+class InterfaceLaw(Declaring):
     """What an interface does with the trial opening q = (q_n, q_s) of its two sides [L], q_n > 0 opens.
 
         t = law(q; h)      traction (t_n, t_s)                      [F/L²]
@@ -315,11 +258,4 @@ def register_law(name):
     Under the same name a class with the same parameters replaces the earlier one, in paths that begin later. Throws TypeError
     for another class, ValueError for a name of the program's and for other parameters under the same name.
     """
-    def register(law):
-        if not (isinstance(law, type) and issubclass(law, (SofteningCurve, InterfaceLaw))):
-            raise TypeError(f"{law!r} is no law: derive it from ddapath.SofteningCurve or ddapath.InterfaceLaw")
-        law.text = (law.__doc__ or law.__name__).strip().splitlines()[0]
-        core().register_law(name, law)
-        return law
-
-    return register
+    return registered(core().register_law, name, SofteningCurve, InterfaceLaw)
