@@ -14,25 +14,34 @@
 namespace dda {
 namespace {
 
-/// How many joints slide and how many are apart.
-struct ContactCount {
+/// How many joints slide and how many are apart, and how far the last step has moved them.
+struct ContactMotion {
   int slide = 0, open = 0;
+  double slip = 0, parting = 0;  ///< largest [L]
+
+  /// One that slides along a stair parts at the stair's risers by as much.
+  bool slides() const { return slide > 0 && slip > 0.5 * parting; }
 };
 
-ContactCount count_contacts(const Walker& walker) {
+ContactMotion contact_motion(const Walker& walker, const State& before) {
   const System& system = walker.system();
   const LawValues laws = system.laws(walker.state());
-  ContactCount out;
+  const std::vector<Vec2> from = system.laws(before).opening;
+  ContactMotion out;
   for (std::size_t p = 0; p < laws.opening.size(); ++p) {
     const InterfacePoint& point = system.equilibrium().point(p);
     const History& h = system.history()[p];
     const auto contact = point.law->contact(h, point.stiffness);
     if (!contact) continue;
+    const Vec2 moved = laws.opening[p] - from[p];
     const ContactPiece piece = piece_at(*contact, laws.opening[p], h.sliding);
-    if (piece == ContactPiece::open)
+    if (piece == ContactPiece::open) {
       ++out.open;
-    else if (piece != ContactPiece::stuck)
+      out.parting = std::max(out.parting, std::abs(moved.x()));
+    } else if (piece != ContactPiece::stuck) {
       ++out.slide;
+      out.slip = std::max(out.slip, std::abs(moved.y()));
+    }
   }
   return out;
 }
@@ -90,11 +99,11 @@ void note_mechanism(PathState& path, Point& point, const State& before) {
   const double along = std::abs(path.displacement_of(path.walker.state()) - path.displacement_of(before));
   if (change > standing_load(path, load) || along < mechanism_way * std::abs(path.displacement_of(before)))
     return;
-  const ContactCount count = count_contacts(path.walker);
+  const ContactMotion moving = contact_motion(path.walker, before);
   const double factor = std::abs(load) > path.smallest_load() ? path.walker.state().load_factor : 0;
   const std::string text =
       fmt::format("{} as a mechanism at a load factor of {:.9g}: {} points slide, {} are open",
-                  count.slide > 0 ? "slides" : "turns", factor, count.slide, count.open);
+                  moving.slides() ? "slides" : "turns", factor, moving.slide, moving.open);
   if (!std::exchange(path.memory.is_mechanism, true)) {
     path.report("mechanism", text);
     point.landed.emplace_back("mechanism");

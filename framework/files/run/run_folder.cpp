@@ -100,11 +100,17 @@ std::shared_ptr<const FolderLock> lock_or_refuse(const fs::path& folder) {
 }
 
 bool is_run_file(const fs::path& file) {
-  static constexpr std::array names = {
-      "deck.yaml",       "effective_deck.yaml", "curve.csv",      "curve.units.json",
-      "curve.svg",       "deformed.svg",        "log.jsonl",      "run.xdmf",
-      "summary.json",    "restart.h5",          "overrides.txt",  "report.html",
-      "eigenvalues.svg", "modes.svg",           "parameters.xml", "nox.log"};
+  static constexpr std::array names = {"deck.yaml",        "effective_deck.yaml",
+                                       "curve.csv",        "curve.units.json",
+                                       "curve.svg",        "deformed.svg",
+                                       "log.jsonl",        "run.xdmf",
+                                       "summary.json",     "restart.h5",
+                                       "overrides.txt",    "report.html",
+                                       "eigenvalues.svg",  "modes.svg",
+                                       "parameters.xml",   "nox.log",
+                                       "model.svg",        "deformed-sliding.svg",
+                                       "detail.svg",       "detail-sliding.svg",
+                                       "paraview_state.py"};
   const fs::path inner = file.parent_path().filename() / file.filename();
   if (file.extension() == ".part" || inner == mesh_file || step_of(inner)) return true;
   for (const char* name : names) {

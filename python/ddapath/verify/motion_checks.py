@@ -11,6 +11,7 @@ from .finding import Finding, worst_of
 
 ROUNDING = 1e-9  # of the largest energy
 SOLVING = 1e-5   # of the largest energy: what steps may have been solved inexactly by
+GIVEN_BACK = 1e-2  # of the largest energy: what integration may add where bodies turn in free flight
 REST = 1e-6      # of the largest kinetic energy
 BOOKED = ("kinetic_energy", "stored_energy", "friction", "fracture", "viscous_damping", "impact_and_damping", "energy_error")
 SPENT = ("friction", "fracture", "viscous_damping")
@@ -39,6 +40,13 @@ def spent_never_falls(curve):
     scale = scale_of(curve)
     found = [(-np.diff(curve[name]).min(initial=0) / scale, name) for name in SPENT]
     return worst_of("motion: what is spent never falls", found, ROUNDING)
+
+
+def impact_gives_nothing_back(curve):
+    """Impact and damping take energy; where they fall integration has made some, and all falls together are bounded."""
+    falls = -np.diff(curve["impact_and_damping"]).clip(max=0)
+    at = int(np.argmax(falls)) + 2 if len(falls) else 0
+    return worst_of("motion: impact gives nothing back", [(falls.sum() / scale_of(curve), f"mostly step {at}")], GIVEN_BACK)
 
 
 def rest(curve, summary):
@@ -123,5 +131,5 @@ def all_checks(run):
     curve = motion.curve
     out = [finite(curve)] if len(curve) else []
     if len(curve):
-        out += [*books(curve), spent_never_falls(curve), *rest(curve, summary)]
+        out += [*books(curve), spent_never_falls(curve), impact_gives_nothing_back(curve), *rest(curve, summary)]
     return [*out, overlaps(motion) if has_penalties_alone(run) else nothing_crosses(motion, offset_of(run))]

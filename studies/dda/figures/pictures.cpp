@@ -82,14 +82,6 @@ Box bounds(const Fields& fields) {
   return out;
 }
 
-/// Makes the largest displacement about 5 % of the structure.
-double magnification(const Fields& fields, const State& state, double size) {
-  double largest = 0;
-  for (std::size_t b = 0; b < fields.equilibrium().num_blocks(); ++b)
-    largest = std::max(largest, Eigen::Map<const Vec2>(state.d.data() + block_unknowns * b).norm());
-  return largest > 0 ? svg::round_down(std::max(0.05 * size / largest, 1e-12)) : 1;
-}
-
 /// What the colour of a crack tells.
 struct CrackQuantity {
   const char *name, *suffix;  ///< in the label and the name of the file
@@ -201,13 +193,13 @@ svg::Drawing deformed(const Fields& fields, const PictureContent& content, const
   const auto& [memory, end, record, torn] = content;
   const Box box = bounds(fields);
   const double height = (box.high - box.low).y();
-  const double of_end = magnification(fields, end.state, box.size());
+  const double of_end = magnification(fields, end.state);
   svg::Drawing out{.title = "Deformed blocks and cracks",
                    .caption = fmt::format("end: displacements × {:g}", of_end),
                    .stroke_label = with_unit(quantity.name, fields.mesh().length_unit)};
   DeformedState(fields, end, Vec2::Zero(), of_end).coloured_by(quantity).marking(torn).add_to(out);
   if (!memory.peak_state || memory.peak_state->step == end.step) return out;
-  const double of_peak = magnification(fields, memory.peak_state->state, box.size());
+  const double of_peak = magnification(fields, memory.peak_state->state);
   const Vec2 above(0, 1.2 * height + 0.1 * box.size());
   DeformedState(fields, *memory.peak_state, above, of_peak).coloured_by(quantity).marking(torn).add_to(out);
   out.caption =
@@ -232,6 +224,13 @@ svg::Drawing detail_of(const Fields& fields, const Detail& detail, const StoredS
 }
 
 }  // namespace
+
+double magnification(const Fields& fields, const State& state) {
+  double largest = 0;
+  for (std::size_t b = 0; b < fields.equilibrium().num_blocks(); ++b)
+    largest = std::max(largest, Eigen::Map<const Vec2>(state.d.data() + block_unknowns * b).norm());
+  return largest > 0 ? svg::round_down(std::max(0.05 * bounds(fields).size() / largest, 1e-12)) : 1;
+}
 
 void write_pictures(const RunFolder& folder, const Fields& fields, const Measures& measures,
                     const PictureContent& content) {

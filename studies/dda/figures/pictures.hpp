@@ -11,6 +11,9 @@ namespace dda {
 /// Blocks beyond which none are drawn: a picture would be too large for a browser.
 inline constexpr std::size_t most_drawn_blocks = 20000;
 
+/// By how much displacements are enlarged in pictures: the largest is about 5 % of the structure.
+double magnification(const Fields& fields, const State& state);
+
 /// What the pictures of a run show beside its curve.
 struct PictureContent {
   const RunMemory& memory;

@@ -9,6 +9,7 @@
 #include "framework/files/whole_file.hpp"
 #include "framework/messages/provenance.hpp"
 #include "studies/dda/case/model_tables.hpp"
+#include "studies/dda/figures/paraview_state.hpp"
 #include "studies/dda/figures/pictures.hpp"
 #include "studies/dda/figures/stability_pictures.hpp"
 #include "studies/dda/record/path/peak.hpp"
@@ -318,6 +319,7 @@ nlohmann::ordered_json RunRecorder::finish(const Ending& ending) {
     write_restart_file();
     const auto inner = timings_.measure("figures");
     write_pictures(folder_, fields_, measures_, {memory_, here(), simulation_.deck().record, torn_});
+    write_paraview_state(folder_, simulation_, magnification(fields_, here().state));
     if (deck_.deck.record.eigenvalues.count > 0) write_stability_pictures(folder_, fields_, measures_);
     if (deck_.deck.record.stiffness) write_stiffness();
   }

@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <nlohmann/json.hpp>
+
 #include "unit/framework/deck/messages.hpp"
 #include "unit/studies/dda/sweep/sweep_example.hpp"
 
