@@ -143,7 +143,7 @@ TEST(Path, LeavesNoTraceOfAStepThatIsBrokenOff) {
     within += asked > asked_between + 1;
     EXPECT_EQ(numbers_of(bar, bar.path().memory()), expected[steps]) << "asked " << patience << " times";
   }
-  EXPECT_GT(within, expected.size());
+  EXPECT_GT(within, 4u) << "within a step";
 }
 
 /// From the first crack of the bar and of the square: the result is an equilibrium on the damage surface.

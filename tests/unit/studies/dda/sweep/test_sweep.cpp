@@ -58,10 +58,11 @@ TEST(Sweep, SeedIsEverySeedOfTheEffectiveDeck) {
 }
 
 TEST(Sweep, DerivedColumnsAreOfKeysTheDeckAndTheSummary) {
-  const Sweep sweep = SweepExample(
-                          "sweep:\n  deck: a.yaml\n  materials.stone.young_modulus: [100, 200]\n"
-                          "  columns: {slender: young_modulus/(2e0*thickness), half: max(peak.load/2, pi)}\n")
-                          .read();
+  const Sweep sweep =
+      SweepExample(
+          "sweep:\n  deck: a.yaml\n  materials.stone.young_modulus: [100, 200]\n"
+          "  columns: {slender: young_modulus/(2e0*thickness), half: \"max(peak.load/2, pi)\"}\n")
+          .read();
   ASSERT_EQ(sweep.derived.size(), 2u);
   EXPECT_THAT(sweep.derived[0].names, ElementsAre("young_modulus", "thickness"));
   EXPECT_EQ(value_of(sweep.derived[0], sweep.cases[1].known[0], Json()), 100);
