@@ -48,6 +48,8 @@ std::optional<Point> Path::next() {
                              fmt::format("the limit of {} steps is reached; `path.stop.steps` raises it, "
                                          "`path.stop.after_steps` makes a number of steps the goal",
                                          stop.steps));
+  begin_stages(state_);
+  if (state_.ending.kind != Ending::Kind::running) return {};
   state_.unsound.reset();
   auto point = take_step(state_);
   state_.unsound.reset();

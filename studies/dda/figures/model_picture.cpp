@@ -89,18 +89,23 @@ class ModelPicture {
   /// The forces of each stage in a colour of its own.
   void add_stages() {
     const auto& stages = equilibrium_.stages();
-    for (std::size_t s = 0; s < stages.size(); ++s) {
-      const bool is_last = s + 1 == stages.size();
-      const int colour = is_last ? svg::vermilion : static_cast<int>(s) + 2;
-      Functional acting;
-      acting.add_rows(1, stages[s].reference_work);
-      const std::size_t as_a_whole = gather_body_forces(acting, colour);
-      add_symbols(acting, {.mark = Mark::force, .colour = colour});
-      if (acting.rows.empty() && as_a_whole == 0) continue;
-      std::string name = stages[s].name + (is_last ? ", × load factor" : ", in full first");
-      if (as_a_whole > 0) name += fmt::format(" (at the middle: on {} blocks as a whole)", as_a_whole);
-      add_key(KeyEntry::Kind::force, colour, std::move(name));
-    }
+    for (std::size_t s = 0; s + 1 < stages.size(); ++s)
+      add_stage(stages[s], static_cast<int>(s) + 2, ", in full first");
+    add_stage(stages.back(), svg::vermilion, ", × load factor");
+    const auto& later = equilibrium_.later_stages();
+    for (std::size_t s = 0; s < later.size(); ++s)
+      add_stage(later[s], static_cast<int>(stages.size() + s) + 1, ", then × load factor");
+  }
+
+  void add_stage(const Loading& stage, int colour, const std::string& how) {
+    Functional acting;
+    acting.add_rows(1, stage.reference_work);
+    const std::size_t as_a_whole = gather_body_forces(acting, colour);
+    add_symbols(acting, {.mark = Mark::force, .colour = colour});
+    if (acting.rows.empty() && as_a_whole == 0) return;
+    std::string name = stage.name + how;
+    if (as_a_whole > 0) name += fmt::format(" (at the middle: on {} blocks as a whole)", as_a_whole);
+    add_key(KeyEntry::Kind::force, colour, std::move(name));
   }
 
   /// Takes out what acts on blocks at their centroids, as weight does; of more than one it becomes one force at their
