@@ -36,7 +36,8 @@ PLATE = {
     "supports": {"wall": {"boundary": "wall", "fix": "xy"}},
     "gauges": {"x": {"type": "displacement", "at": [300, 50], "direction": [1, 0]},
                "y": {"type": "displacement", "at": [300, 50], "direction": [0, 1]},
-               "top": {"type": "displacement", "at": [150, 100], "direction": [0, 1]}},
+               "top": {"type": "displacement", "at": [150, 100], "direction": [0, 1]},
+               "side": {"type": "displacement", "over": [[300, 0], [300, 100]], "direction": [0, 1]}},
     "record": {"fields_every": 1},
 }
 PULL = [{"type": "edge_traction", "boundary": "end", "traction": [1, 0.1]}]
@@ -88,6 +89,9 @@ class StageCase(ProgramCase):
         self.assertEqual([f"{found.check}: {found.worst} at {found.place}" for found in findings if not found.holds], [])
         self.assertIn("loads of earlier stages are held", [found.check for found in findings])
 
+    def last_fields(self, run):
+        return run.fields(run.steps[-1])
+
     def assert_energies_balance(self, run, error=1e-8):
         self.assertLess(run.summary["energy_balance_error"], error)
 
@@ -95,10 +99,9 @@ class StageCase(ProgramCase):
 class ElasticStructures(StageCase):
     """Displacements are the sum of those of each load alone, in whatever order; so is the work that is stored."""
 
-    def alone(self, loads, factor, driven=()):
-        stages = [stage("still", driven, {"load_factor": 1e-9})] if driven else []
-        deck = with_stages(PLATE, *stages, stage("alone", loads, {"load_factor": factor}))
-        return self.followed(deck, f"alone-{len(list(self.folder.iterdir()))}").fields(-1)
+    def alone(self, loads, factor):
+        deck = with_stages(PLATE, stage("alone", loads, {"load_factor": factor}))
+        return self.last_fields(self.followed(deck, f"alone-{len(list(self.folder.iterdir()))}"))
 
     def moved(self, fields):
         return fields.vertices[["displacement_x", "displacement_y"]].to_numpy()
@@ -110,7 +113,7 @@ class ElasticStructures(StageCase):
         for name, order in (("forth", stages), ("back", stages[::-1])):
             listed = [stage(f"stage {i}", loads, {"load_factor": factor}) for i, (loads, factor) in enumerate(order, start=1)]
             run = self.followed(with_stages(PLATE, *listed), name)
-            np.testing.assert_allclose(self.moved(run.fields(-1)), expected, atol=1e-10 * np.abs(expected).max())
+            np.testing.assert_allclose(self.moved(self.last_fields(run)), expected, atol=1e-10 * np.abs(expected).max())
             self.assert_energies_balance(run)
             self.assert_verified(run)
             energies.append(run.summary["stored_energy"])
@@ -121,7 +124,7 @@ class ElasticStructures(StageCase):
         self.compare([(PULL, 3), (PRESS, 2)])
 
     def test_three_loads_of_which_one_is_of_strain(self):
-        self.compare([(WARM, 1.5), (PULL, 3), (PRESS, -2)])
+        self.compare([(WARM, 1.5), (PULL, 3), (PRESS, 0.5)])
 
     def test_a_load_beyond_its_full_value_is_as_good_as_dead(self):
         dead = with_stages(PLATE, stage("dead", [PULL[0] | {"traction": [3, 0.3]}]), stage("live", PRESS, {"load_factor": 2}))
@@ -135,11 +138,10 @@ class ElasticStructures(StageCase):
         goal = 0.6 * MOVE[0]["displacement"]
         run = self.followed(with_stages(PLATE, stage("drive", MOVE, {"load_factor": 0.6}), stage("press", PRESS, {"load_factor": 2})))
         first, last = (run.curve[run.curve.stage == number].iloc[-1] for number in (1, 2))
-        self.assertAlmostEqual(first.y, goal, delta=1e-4 * goal)
-        self.assertAlmostEqual(last.y, goal, delta=1e-4 * goal)
+        self.assertAlmostEqual(first.side, goal, delta=2e-3 * goal, msg="but for the spring by which it is driven")
+        self.assertAlmostEqual((goal - last.side) / (goal - first.side), last.driven / first.driven, delta=1e-9)
         pressed = 2 * PRESS[0]["traction"][1] * 300 * THICKNESS
-        reactions = [name for name in run.curve if name.endswith(".y") or "drive" in name or "displacement" in name]
-        self.assertAlmostEqual(last[reactions].sum(), -pressed, delta=1e-8 * abs(pressed), msg=str(reactions))
+        self.assertAlmostEqual(last["wall.y"] + last.driven, -pressed, delta=1e-8 * abs(pressed))
         self.assert_energies_balance(run)
         self.assert_verified(run)
 
@@ -226,16 +228,15 @@ class CrackedBeam(StageCase):
         self.assert_verified(other)
 
     def test_another_load_after_unloading(self):
-        """Pulled along its axis it opens the crack that bending has made, at less than the whole section bears."""
+        """Pulled along its axis it is torn at less than the whole section bears."""
         deck = self.beam()
         deck["scene"]["boundaries"] = {"end": [[300, 0], [300, 100]]}
-        deck["stages"].append({"name": "pull", "loads": [{"type": "edge_traction", "boundary": "end", "traction": [0.01, 0]}],
-                               "until": {"cmod": 0.08}})
+        deck["stages"].append({"name": "pull", "loads": [{"type": "edge_traction", "boundary": "end", "traction": [0.01, 0]}]})
         run = self.followed(deck)
         pull = run.curve[run.curve.stage == 3]
         self.assertGreater(pull.load.max(), 0)
         self.assertLess(pull.load.max(), 3 * 70 * 100, "ft times the ligament and the thickness")
-        self.assertAlmostEqual(run.curve.cmod.iloc[-1], 0.08, delta=1e-8)
+        self.assertAlmostEqual(pull.load.iloc[-1], 0.1 * pull.load.max(), delta=1e-6 * pull.load.max())
         self.assertLess(run.summary["energy_balance_error"], 0.02)
         self.assert_verified(run)
 
@@ -313,7 +314,7 @@ class Doctored(StageCase):
         refused = verify_failures(copied)
         self.assertIn("loads of earlier stages are held", refused)
         self.assertIn("block equilibrium", refused)
-        self.dda("verify", "copy", code=4)
+        self.dda("verify", "copy", code=3)
 
     def test_a_summary_with_another_load_factor(self):
         copied = self.doctored()

@@ -88,7 +88,7 @@ def summary_agrees(run):
     pairs += [("steps", summary["steps"], len(curve) - 1)]
     if 0 <= peak["step"] < len(curve):
         pairs += [(f"peak {name}", peak[name], curve[name][peak["step"]]) for name in ("load", "load_factor")]
-        largest = np.abs(of_last_stage(curve, run.deck)["load"]).max()
+        largest = (np.sign(peak["load"] or 1) * of_last_stage(curve, run.deck)["load"]).max()  # the other way it unloads
         pairs += [("peak load", abs(peak["load"]), largest if largest > least_load(curve) else abs(peak["load"]))]
     else:
         pairs += [("peak step", peak["step"], len(curve) - 1)]
