@@ -21,7 +21,8 @@ from ddapath.run_folder import sealed
 from ddapath.verify import verify
 from program_case import ProgramCase
 
-WIDTH, HEIGHT, THICKNESS = 100.0, 50.0, 10.0
+STUDIES = Path(__file__).resolve().parents[2] / "studies"
+WIDTH, THICKNESS = 100.0, 10.0
 PHI = math.radians(30)
 
 # A cantilever of blocks that cannot part: displacements are linear in the loads.
@@ -241,19 +242,42 @@ class CrackedBeam(StageCase):
         self.assert_verified(run)
 
 
-class GoingOn(StageCase):
-    """A run that is killed and resumed anywhere is the run that was left alone, to the last bit."""
-    deck = with_stages(BLOCK, *SlidingBlock.stages)
+class ResumedCase(StageCase):
+    """`begin` follows a deck to its end; parts of it may then be compared with that."""
 
-    def setUp(self):
-        super().setUp()
-        (self.folder / "deck.yaml").write_text(json.dumps(self.deck))
+    def begin(self, deck):
+        (self.folder / "deck.yaml").write_text(json.dumps(deck))
         self.dda("run", "deck.yaml", "--folder", "whole", "--quiet")
         self.whole = (self.folder / "whole" / "curve.csv").read_text()
 
     def ends_of_stages(self):
         summary = json.loads((self.folder / "whole" / "summary.json").read_text())
         return [entry["end"] for entry in summary["stages"]]
+
+    def resume_after(self, steps):
+        """A run that has been stopped after so many steps, and gone on with."""
+        name = f"part{steps}"
+        self.dda("run", "deck.yaml", "--folder", name, "--quiet", "--overwrite", "--set", f"path.stop.after_steps={steps}")
+        self.dda("resume", name, "--quiet", "--set", "path.stop.after_steps=0")
+        self.assertEqual((self.folder / name / "curve.csv").read_text(), self.whole, name)
+        return name
+
+    def resume_killed_after(self, rows):
+        """The same of one that is killed some rows later."""
+        name = f"killed{rows}"
+        self.dda("run", "deck.yaml", "--folder", name, "--quiet", "--set", f"path.stop.after_steps={rows}")
+        run = subprocess.Popen([str(ddapath.find_program()), "resume", name, "--quiet", "--set", "path.stop.after_steps=0"],
+                               cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        curve = self.folder / name / "curve.csv"
+        for _ in range(400):
+            if len(curve.read_text().splitlines()) > rows + 3 or run.poll() is not None:
+                break
+            time.sleep(0.005)
+        run.send_signal(signal.SIGKILL)
+        run.wait()
+        self.dda("resume", name, "--quiet", "--set", "path.stop.after_steps=0")
+        self.assertEqual(curve.read_text(), self.whole, name)
+        self.assertEqual(verify_failures(self.folder / name), [])
 
     def assert_same_fields(self, name):
         for file in sorted((self.folder / "whole" / "fields").glob("[0-9]*.h5")):
@@ -262,31 +286,55 @@ class GoingOn(StageCase):
                 for key in (key for key in one if isinstance(one[key], h5py.Dataset)):
                     np.testing.assert_array_equal(one[key][()], other[key][()], err_msg=f"{file.name}: {key}")
 
-    def test_stopped_around_the_ends_of_stages(self):
+
+class GoingOn(ResumedCase):
+    """A run that is stopped or killed anywhere, and resumed, is the run that was left alone, to the last bit."""
+
+    def test_a_block_around_the_ends_of_its_stages(self):
+        self.begin(with_stages(BLOCK, *SlidingBlock.stages))
+        refused = self.dda("resume", "whole", "--quiet", "--set", f"stages=[{json.dumps(stage('press', PRESSURE))}]", code=2)
+        self.assertIn("the run has gone through more stages than there are now", refused)
         for end in self.ends_of_stages()[:-1]:
             for steps in (end - 1, end, end + 1, end + 3):
-                name = f"part{steps}"
-                self.dda("run", "deck.yaml", "--folder", name, "--quiet", "--overwrite", "--set", f"path.stop.after_steps={steps}")
-                self.dda("resume", name, "--quiet", "--set", "path.stop.after_steps=0")
-                self.assertEqual((self.folder / name / "curve.csv").read_text(), self.whole, name)
-        self.assert_same_fields(name)
+                self.assert_same_fields(self.resume_after(steps))
 
-    def test_killed_in_the_second_stage_and_later(self):
-        for number, rows in enumerate((self.ends_of_stages()[0] + 3, self.ends_of_stages()[1] + 2, self.ends_of_stages()[2] + 4)):
-            name = f"killed{number}"
-            self.dda("run", "deck.yaml", "--folder", name, "--quiet", "--set", f"path.stop.after_steps={rows}")
-            run = subprocess.Popen([str(ddapath.find_program()), "resume", name, "--quiet", "--set", "path.stop.after_steps=0"],
-                                   cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-            curve = self.folder / name / "curve.csv"
-            for _ in range(400):
-                if len(curve.read_text().splitlines()) > rows + 3 or run.poll() is not None:
-                    break
-                time.sleep(0.005)
-            run.send_signal(signal.SIGKILL)
-            run.wait()
-            self.dda("resume", name, "--quiet", "--set", "path.stop.after_steps=0")
-            self.assertEqual(curve.read_text(), self.whole, name)
-            self.assertEqual(verify_failures(self.folder / name), [])
+    def test_a_block_killed_in_its_second_stage_and_later(self):
+        self.begin(with_stages(BLOCK, *SlidingBlock.stages))
+        first, second, third, _ = self.ends_of_stages()
+        for rows in (first + 3, second + 2, third + 4):
+            self.resume_killed_after(rows)
+
+    def test_a_mortar_wall_pressed_sheared_pressed_more_and_sheared_back(self):
+        deck = {"extends": str(STUDIES / "held-loads" / "mortar.yaml"), "record": {"fields_every": 10}}
+        self.begin(deck)
+        run = ddapath.read_run(self.folder / "whole")
+        curve = run.curve
+        self.assertEqual(run.summary["status"], "goal_reached")
+        self.assert_verified(run)
+        self.assert_energies_balance(run, 0.01)
+        self.assertLess((curve.external_work - curve.stored_energy - curve.dissipated_energy).abs().max(), 0.01 * curve.external_work.max())
+        pushed, more, _ = self.ends_of_stages()
+        self.resume_killed_after(pushed + 10)
+        self.resume_killed_after(more + 5)
+
+    def test_cracks_through_blocks(self):
+        """Under a load, unloaded, under another one, and then warmed: the crack runs on in each of them."""
+        deck = ddapath.read_deck(Path(__file__).resolve().parent / "cracked_beam.yaml")
+        beside = [{"type": "point_load", "over": [[190, 100], [210, 100]], "force": [0, -1]}]
+        warm = [{"type": "initial_strain", "expansion": 1e-5, "temperature": "-y/10"}]
+        deck["stages"] = [deck["stages"][0] | {"until": {"cmod": 0.008}}, stage("unloading", None, {"load": 2500}, unload=True),
+                          stage("beside", beside, {"cmod": 0.014}), stage("warmed", warm)]
+        deck["record"], deck["path"] = {"fields_every": 2}, {"stop": {"gauges": {"cmod": 0.016}, "load_below": 0}}
+        self.begin(deck)
+        run = ddapath.read_run(self.folder / "whole")
+        self.assertEqual(run.summary["reason"], "cmod reached 0.016")
+        self.assert_verified(run)
+        self.assertEqual(sorted(run.curve.stage.unique()), [1, 3, 4])
+        spent = [run.curve[run.curve.stage == number].dissipated_energy.iloc[-1] for number in (1, 3, 4)]
+        self.assertEqual(spent, sorted(set(spent)), "each stage spends something")
+        first, second, _ = self.ends_of_stages()
+        for steps in (first, first + 2, second, second + 2):
+            self.resume_after(steps)
 
 
 def verify_failures(folder):

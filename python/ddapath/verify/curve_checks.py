@@ -74,7 +74,7 @@ def of_last_stage(curve, deck):
 
 def followed_stages(deck):
     """Numbers of the stages whose loads the load factor multiplies: from the first with `until` on, or the last."""
-    loaded = [(number, bool(stage.get("until"))) for number, stage in enumerate(deck["stages"], start=1) if stage.get("loads")]
+    loaded = [(number, bool(stage.get("until"))) for number, stage in enumerate(deck.get("stages", []), start=1) if stage.get("loads")]
     first = next((i for i, (_, ends) in enumerate(loaded) if ends), len(loaded) - 1)
     return [number for number, _ in loaded[first:]]
 

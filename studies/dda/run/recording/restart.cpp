@@ -363,7 +363,11 @@ DeckFile deck_of(const RestartData& data, const fs::path& folder, const std::vec
 
 RunMemory restore(const RestartData& data, const fs::path& folder, Simulation& simulation) {
   simulation.walker().begin_stage(simulation.equilibrium().stages().size() - 1);
-  for (const double load_factor : data.numbers.at("held_load_factors")) simulation.hold_loads(load_factor);
+  const Numbers& held = data.numbers.at("held_load_factors");
+  if (held.size() >= simulation.deck().followed_stages().size() ||
+      take<PathMemory>(data, "path").leg >= std::ssize(simulation.deck().legs()))
+    throw InputError(Position{folder.string()}, "the run has gone through more stages than there are now");
+  for (const double load_factor : held) simulation.hold_loads(load_factor);
   restore_structure(data, folder, simulation);
   restore_walker(data, simulation.walker());
   simulation.begin_path();
