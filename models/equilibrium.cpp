@@ -1,8 +1,10 @@
 #include "models/equilibrium.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "framework/base/threads.hpp"
 #include "models/kinematics/second_order.hpp"
@@ -97,11 +99,13 @@ void add_stress_energy(BlockMatrix& matrix, const InterfacePoint& point) {
   add_stress_energy(matrix, point, 1);
 }
 
-Equilibrium::Equilibrium(const Body& body, const ModelParameters& model)
+Equilibrium::Equilibrium(const Body& body, const ModelParameters& model,
+                         std::vector<double> held_load_factors)
     : num_blocks_(body.assembly.num_blocks()),
       num_jumps_(body.num_jumps()),
       num_cuts_(body.cracks ? body.cracks->cuts().size() : 0),
-      intact_(0, {}) {
+      intact_(0, {}),
+      held_load_factors_(std::move(held_load_factors)) {
   Findings findings;
   for (const BlockId id : body.second_order.blocks) {
     const Moments& moments = body.block(id).moments;
@@ -117,17 +121,35 @@ Equilibrium::Equilibrium(const Body& body, const ModelParameters& model)
   std::vector<Spring> springs = supports_;
   springs.insert(springs.end(), driven_.begin(), driven_.end());
   if (!model.stages.empty()) check_rigid_motions(body, springs, model.where, findings);
-  stages_ = make_stages({body, model, set_, supports_}, programme, findings);
+  StageLoadings made = make_stages({body, model, set_, supports_, held_load_factors_}, programme, findings);
+  stages_ = std::move(made.begun);
+  later_stages_ = std::move(made.later);
   findings.throw_if_any();
   for (std::size_t i = 0; i < num_blocks_; ++i) block_size_.push_back(body.size(BlockId{i}));
-  for (Loading& stage : stages_)
-    for (auto* force : {&stage.dead, &stage.reference, &stage.dead_work, &stage.reference_work})
-      force->resize(num_unknowns(), 0.0);
+  fit_stages();
   assemble(body, model, springs);
 }
 
+void Equilibrium::fit_stages() {
+  for (auto* stages : {&stages_, &later_stages_})
+    for (Loading& stage : *stages)
+      for (auto* force : {&stage.dead, &stage.reference, &stage.dead_work, &stage.reference_work})
+        force->resize(num_unknowns(), 0.0);
+}
+
+void Equilibrium::hold(const Body& body, const ModelParameters& model, double load_factor) {
+  assert(!later_stages_.empty());
+  held_load_factors_.push_back(load_factor);
+  Findings none;
+  StageLoadings made =
+      make_stages({body, model, set_, supports_, held_load_factors_}, make_loads(body, model, none), none);
+  std::ranges::move(made.begun, stages_.begin());
+  later_stages_ = std::move(made.later);
+  fit_stages();
+}
+
 bool Equilibrium::remake(const Body& body, const ModelParameters& model) {
-  Equilibrium made(body, model);
+  Equilibrium made(body, model, held_load_factors_);
   const bool is_same = are_same(intact_, made.intact_, num_block_nodes());
   std::ranges::move(made.stages_, stages_.begin());
   made.stages_ = std::move(stages_);

@@ -76,10 +76,14 @@ struct Loading {
 /// K0.
 class Equilibrium {
  public:
-  Equilibrium(const Body& body, const ModelParameters& model);
+  /// `held_load_factors` are those of the followed stages that are over.
+  Equilibrium(const Body& body, const ModelParameters& model, std::vector<double> held_load_factors = {});
   /// Made anew for the cuts that the body has now. References to it and to its stages stay good, those to points,
   /// springs and laws do not. Whether K0 of the blocks is still the same, but for rounding.
   bool remake(const Body& body, const ModelParameters& model);
+  /// Ends the stage that is followed: its loads become dead at this load factor, and the first of `later_stages` takes its
+  /// place at the back of `stages`, to which references stay good.
+  void hold(const Body& body, const ModelParameters& model, double load_factor);
 
   std::size_t num_blocks() const { return num_blocks_; }
   /// Of blocks of second order.
@@ -110,7 +114,12 @@ class Equilibrium {
   /// K0 without the perturbation δ of unknown multipliers: singular once for each redundant one.
   BlockMatrix unperturbed() const;
   std::size_t num_unknown_multipliers() const { return num_unknown_multipliers_; }
+  /// Those applied in full, and behind them the one whose loads are followed.
   const std::vector<Loading>& stages() const { return stages_; }
+  /// Those that are followed after it.
+  const std::vector<Loading>& later_stages() const { return later_stages_; }
+  /// Of the followed stages that are over.
+  const std::vector<double>& held_load_factors() const { return held_load_factors_; }
   /// Length scale of each block, √area [L]: makes rotations and strains comparable with translations.
   const std::vector<double>& block_size() const { return block_size_; }
   /// V C of each block, 3 × 3: stress resultants from strains [F L].
@@ -169,6 +178,8 @@ class Equilibrium {
 
  private:
   void assemble(const Body& body, const ModelParameters& model, const std::vector<Spring>& springs);
+  /// Gives the forces of all stages a place for every unknown.
+  void fit_stages();
   void add_strain_energy(const Body& body);
   void add_spring(const Spring& spring);
   void hold_unused_unknowns();
@@ -186,7 +197,8 @@ class Equilibrium {
   std::vector<std::size_t> held_;  ///< unknowns of nodes that nothing uses
   BlockMatrix intact_;
   std::optional<BlockMatrix> unjoined_;  ///< none where it is K0
-  std::vector<Loading> stages_;
+  std::vector<Loading> stages_, later_stages_;
+  std::vector<double> held_load_factors_;
   std::vector<double> block_size_, rounding_of_sums_;
   std::vector<Mat3> strain_stiffness_;
   std::vector<Gradient> gradients_;

@@ -30,8 +30,10 @@ class StageMaker {
         model_(structure.model),
         interfaces_(structure.interfaces),
         supports_(structure.supports),
+        held_(structure.held_load_factors),
         programme_(programme),
         stages_(model_.loaded_stages()),
+        num_dead_(model_.num_dead_stages()),
         findings_(findings) {
     const std::size_t n = block_unknowns * body_.num_nodes();
     so_far_.dead.assign(n, 0.0);
@@ -39,19 +41,26 @@ class StageMaker {
     driven_so_far_.assign(programme.driven.size(), 0.0);
   }
 
-  std::vector<Loading> make() {
-    if (programme_.stages.empty()) return {no_stage()};
-    std::vector<Loading> out;
+  StageLoadings make() {
+    if (programme_.stages.empty()) return {{no_stage()}, {}};
+    StageLoadings out;
     std::size_t first_driven = 0;
     for (std::size_t s = 0; s < programme_.stages.size(); ++s) {
-      out.push_back(stage(s, first_driven));
+      Loading now = stage(s, first_driven);
       first_driven += programme_.stages[s].driven.size();
-      absorb(out.back());
+      if (s < present()) absorb(now, s < num_dead_ ? 1 : held_[s - num_dead_]);
+      if (s < num_dead_ || s == present())
+        out.begun.push_back(std::move(now));
+      else if (s > present())
+        out.later.push_back(std::move(now));
     }
     return out;
   }
 
  private:
+  /// The stage that is followed.
+  std::size_t present() const { return num_dead_ + held_.size(); }
+
   Loading no_stage() {
     Loading out = so_far_;
     add_reactions(out, {});
@@ -79,8 +88,8 @@ class StageMaker {
     }
     add_reactions(out, reference);
     out.load = load_gauge(out, loads, first_driven);
-    add_gauges(out, index + 1 == programme_.stages.size());
-    for (std::size_t i = 0; i < reference.size(); ++i) driven_so_far_[i] += reference[i];
+    add_gauges(out, index == present());
+    driven_now_ = std::move(reference);
     return out;
   }
 
@@ -117,26 +126,29 @@ class StageMaker {
     }
   }
 
-  /// A finished stage is dead in the next.
-  void absorb(const Loading& stage) {
-    add_scaled(1, stage.reference, so_far_.dead);
-    add_scaled(1, stage.reference_work, so_far_.dead_work);
-    if (!stage.reference_offset.empty()) add_scaled(1, stage.reference_offset, so_far_.dead_offset);
+  /// The stage that was made last is dead in the next, at a share of its full value.
+  void absorb(const Loading& stage, double share) {
+    add_scaled(share, driven_now_, driven_so_far_);
+    add_scaled(share, stage.reference, so_far_.dead);
+    add_scaled(share, stage.reference_work, so_far_.dead_work);
+    if (!stage.reference_offset.empty()) add_scaled(share, stage.reference_offset, so_far_.dead_offset);
     if (stage.reference_stress.empty()) return;
     so_far_.dead_stress.resize(stage.reference_stress.size(), Vec3::Zero());
     for (std::size_t b = 0; b < stage.reference_stress.size(); ++b)
-      so_far_.dead_stress[b] += stage.reference_stress[b];
+      so_far_.dead_stress[b] += share * stage.reference_stress[b];
   }
 
   const Body& body_;
   const ModelParameters& model_;
   const InterfaceSet& interfaces_;
   const std::vector<Spring>& supports_;
+  const Vector& held_;
   const LoadProgramme& programme_;
   const std::vector<StageParameters> stages_;
+  const std::size_t num_dead_;
   Findings& findings_;
   Loading so_far_;
-  Vector driven_so_far_;
+  Vector driven_so_far_, driven_now_;  ///< far ends of the driven springs [L]
 };
 
 }  // namespace
@@ -190,8 +202,7 @@ LoadProgramme make_loads(const Body& body, const ModelParameters& model, Finding
   return out;
 }
 
-std::vector<Loading> make_stages(const Structure& structure, const LoadProgramme& programme,
-                                 Findings& findings) {
+StageLoadings make_stages(const Structure& structure, const LoadProgramme& programme, Findings& findings) {
   return StageMaker(structure, programme, findings).make();
 }
 

@@ -26,11 +26,17 @@ struct Structure {
   const ModelParameters& model;
   const InterfaceSet& interfaces;
   const std::vector<Spring>& supports;
+  const std::vector<double>& held_load_factors;  ///< of the followed stages that are over
 };
 
-/// The stages as Loading: forces before a stage are dead in it; offsets of initial stress; reactions and
-/// gauges. A model without stages has one of no load.
-std::vector<Loading> make_stages(const Structure& structure, const LoadProgramme& programme,
-                                 Findings& findings);
+/// The stages as Loading.
+struct StageLoadings {
+  std::vector<Loading> begun;  ///< those applied in full, and behind them the one that is followed
+  std::vector<Loading> later;  ///< with what is dead now
+};
+
+/// Forces before a stage are dead in it, those of followed stages at the load factors at which they are held; offsets
+/// of initial stress; reactions and gauges. A model without stages has one of no load.
+StageLoadings make_stages(const Structure& structure, const LoadProgramme& programme, Findings& findings);
 
 }  // namespace dda

@@ -94,11 +94,14 @@ Kind<StageParameters> stage_kind() {
       .text("name", &P::name, {.fallback = "loading", .text = "Name of the stage."})
       .list("loads", &P::loads, loads().kind(),
             {.at_least = 0,
-             .text = "The loads at full value; without any the stage goes on with those before it."})
+             .text = "The loads at full value; without any the stage goes on with those before it. After a "
+                     "stage with `until` they are multiplied by a load factor of their own, and what was "
+                     "there is held."})
       .map("until", &P::until, number_kind({}, {}),
            {.fallback = {{}},
-            .text = "Gauge values (`load` is the load gauge) that end this stage; the next one goes on from "
-                    "there."})
+            .text =
+                "Gauge values (`load` is the load gauge, `load_factor` what multiplies the loads) that end "
+                "this stage; the next one goes on from there."})
       .boolean("unload", &P::unload,
                {.fallback = false,
                 .text = "Turn round: lead the one gauge in `until` to its value, also through zero and as "
@@ -114,24 +117,37 @@ std::vector<StageParameters> ModelParameters::loaded_stages() const {
   return out;
 }
 
+std::size_t ModelParameters::num_dead_stages() const {
+  const std::vector<StageParameters> loaded = loaded_stages();
+  const auto first = std::ranges::find_if(loaded, [](const auto& stage) { return !stage.until.empty(); });
+  return loaded.empty() ? 0 : std::min<std::size_t>(first - loaded.begin(), loaded.size() - 1);
+}
+
+std::vector<std::size_t> ModelParameters::followed_stages() const {
+  std::vector<std::size_t> out;
+  for (std::size_t i = num_dead_stages(); i < stages.size(); ++i)
+    if (!stages[i].loads.empty()) out.push_back(i);
+  return out;
+}
+
 std::vector<StageParameters> ModelParameters::legs() const {
-  if (stages.empty()) return {};
-  const auto first = static_cast<std::ptrdiff_t>(loaded_stages().size()) - 1;
-  return {stages.begin() + first, stages.end()};
+  return {stages.begin() + static_cast<std::ptrdiff_t>(num_dead_stages()), stages.end()};
 }
 
 void check_stages(const std::vector<StageParameters>& stages, Findings& findings) {
+  bool is_followed = false;
   for (std::size_t i = 0; i < stages.size(); ++i) {
     const StageParameters& stage = stages[i];
-    const bool is_last = i + 1 == stages.size(), before_loads = !is_last && !stages[i + 1].loads.empty();
+    const bool is_last = i + 1 == stages.size(), before_leg = !is_last && stages[i + 1].loads.empty();
+    is_followed = is_followed || !stage.until.empty();
     if (i == 0 && stage.loads.empty()) findings.add(stage.where, "the first stage needs `loads`");
-    if (i > 0 && !stage.loads.empty() && stages[i - 1].loads.empty())
-      findings.add(stage.where, "stages with `loads` must come before those that go on with them");
-    if (before_loads && !stage.until.empty())
-      findings.add(stage.where,
-                   "`until` needs a stage whose loads are the last ones; this one is applied in full");
-    if (!is_last && !before_loads && stage.until.empty())
+    if (before_leg && stage.until.empty())
       findings.add(stage.where, "a stage that is followed by one without loads needs `until`");
+    else if (is_followed && !is_last && stage.until.empty())
+      findings.add(stage.where,
+                   "a stage after one with `until` is multiplied by the load factor, too, and needs `until` "
+                   "if others come after it (`until: {load_factor: 1}` brings its loads to full value); "
+                   "loads that are applied in full at once come before the first `until`");
     if (stage.unload && (stage.until.size() != 1 || !stage.loads.empty()))
       findings.add(stage.where, "`unload` needs one gauge in `until` and no `loads` of its own");
   }

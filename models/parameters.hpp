@@ -91,7 +91,11 @@ struct ModelParameters {
   std::vector<std::pair<std::string, GaugeChoice>> gauge_names;
   /// The stages with loads.
   std::vector<StageParameters> loaded_stages() const;
-  /// The last of them and the stages after it; none without any.
+  /// How many of them are applied in full before the path begins: those before the first with `until`, or before the last.
+  std::size_t num_dead_stages() const;
+  /// Places in `stages` of the others, whose loads the load factor multiplies one after another.
+  std::vector<std::size_t> followed_stages() const;
+  /// The first of them and the stages after it; none without any.
   std::vector<StageParameters> legs() const;
   double support_stiffness = 1e5;
   double weak_springs = 1e-13;
@@ -107,7 +111,8 @@ Kind<InterfaceParameters> interface_kind();
 Kind<SupportParameters> support_kind();
 Kind<StageParameters> stage_kind();
 
-/// The order of the stages: loads first, then legs; an unloading leg has one goal.
+/// The order of the stages: loads applied in full, then those that are followed and legs, which end by `until`; an unloading
+/// leg has one goal.
 void check_stages(const std::vector<StageParameters>& stages, Findings& findings);
 
 template <class P>
@@ -129,11 +134,14 @@ void add_model(Schema<P>& schema) {
           {.fallback = {{}},
            .text = "Stiff springs that hold the structure; without any only `motion` can say what becomes of "
                    "it."})
-      .list("stages", &P::stages, stage_kind(),
-            {.fallback = {{}},
-             .text = "Loads in their order; the last loads are those multiplied by the load factor. Stages "
-                     "without loads go on with them: unloading, loading again. Without any stage there is no "
-                     "path, and `motion` begins with the undeformed structure."})
+      .list(
+          "stages", &P::stages, stage_kind(),
+          {.fallback = {{}},
+           .text = "Loads in their order. Those before the first `until`, or before the last, are applied in "
+                   "full and stay; then the loads of each stage are multiplied by a load factor that "
+                   "begins at 0, those of the stages before being held as they are. Stages without loads "
+                   "go on with the last ones: unloading, loading again. Without any stage there is no "
+                   "path, and `motion` begins with the undeformed structure."})
       .map("gauges", &P::gauge_names, gauges().kind(),
            {.fallback = {{}}, .text = "Scalars recorded at every step, by name."})
       .number(

@@ -43,9 +43,12 @@ void PathState::look_up(const Aims& aims) {
   travelling = aims.gauges.gauges;
   if (std::ranges::find(travelling, "load", &NamedGauge::name) == travelling.end())
     travelling.push_back({"load", loading.load, dimension::force});
-  for (const Landing& landing : route.landings)
+  const auto add = [&](const Landing& landing) {
     if (std::ranges::find(travelling, landing.name, &NamedGauge::name) == travelling.end())
       travelling.push_back({landing.name, landing.gauge, {}});
+  };
+  std::ranges::for_each(route.landings, add);
+  for (const Leg& leg : route.legs) std::ranges::for_each(leg.until, add);
 }
 
 double PathState::load_of(const State& state) const {

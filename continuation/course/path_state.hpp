@@ -16,6 +16,19 @@ struct Aims {
   Route route;
 };
 
+/// Why and where the loads of a stage are held.
+struct StageEnd {
+  double load_factor = 0;
+  std::string reason;
+};
+
+/// Loads that are followed one after another.
+struct LaterStages {
+  /// Holds the loads as they are, puts the walker at the beginning of the next stage, and looks up its gauges.
+  std::function<Aims(const StageEnd&)> hold;
+  std::function<void()> has_begun;  ///< and the path has forgotten the loads before
+};
+
 /// Cracks that may run through the blocks while a path is followed.
 struct RunningCracks {
   CrackedStructure& structure;
@@ -39,6 +52,10 @@ struct PathState {
   double displacement_of(const State& state) const;
   double displacement_rate(const Tangent& tangent) const;
   const Leg& leg() const { return route.legs[static_cast<std::size_t>(memory.leg)]; }
+  /// Whether the leg after the present one has loads of its own.
+  bool is_last_of_stage() const {
+    return !is_last_leg() && route.legs[static_cast<std::size_t>(memory.leg) + 1].has_loads;
+  }
   bool is_last_leg() const { return static_cast<std::size_t>(memory.leg) + 1 == route.legs.size(); }
 
   /// Ends the path; where equilibria were found that are no results, by them. Nothing, for the caller to
@@ -60,6 +77,7 @@ struct PathState {
   std::vector<NamedGauge> travelling;  ///< whose travel is remembered
   bool releases_at_once = false;       ///< some law does
   std::optional<RunningCracks> cracks;
+  std::optional<LaterStages> later_stages;
   double size = 0;  ///< of the structure [L]
   Standstill standstill;
   std::string refusal;  ///< why the last try has not been taken

@@ -27,9 +27,10 @@ inline constexpr double same_value = 1e-7;
 /// the path, whatever the size of the steps.
 inline constexpr double turn_depth = 0.005;
 
-/// A part of the path under the loads of its last stage: followed by the control, or unloaded.
+/// A part of the path under the loads of one stage: followed by the control, or unloaded.
 struct Leg {
   std::string name;
+  bool has_loads = false;      ///< of its own; those of the legs before are held
   bool unloads = false;        ///< leaves the damage surfaces and goes straight to `until`
   std::vector<Landing> until;  ///< the next leg begins at the first of them
 };
@@ -104,6 +105,14 @@ struct PathMemory {
   /// The point before the present one, for `Predictor::secant`; none after a jump and where a leg begins.
   std::optional<State> before = {};
   double dissipated_before = 0;  ///< there [FL]
+
+  /// The loads are others from here on: forgets what was measured by those before.
+  void begin_stage() {
+    peak_load = step = largest_displacement = last_quantum = control = 0;
+    direction = idle_looks = idle_turn_looks = 0;
+    step_kind.reset();
+    is_mechanism = releases = false;
+  }
 
   template <class Self, class Visit>
   static void visit(Self& self, Visit& visit) {

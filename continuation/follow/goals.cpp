@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "continuation/detour/release.hpp"
 #include "continuation/follow/advice.hpp"
 
 namespace dda {
@@ -54,16 +56,43 @@ std::string goal_of_path(const PathState& path) {
   return {};
 }
 
-void begin_next_leg(PathState& path) {
+/// What is true of the present equilibrium if the leg ends here; else "".
+std::string end_of_leg(const PathState& path) {
+  for (const Landing& landing : path.leg().until)
+    if (std::string text = reached(path, landing); !text.empty()) return text;
+  return {};
+}
+
+void count_leg(PathState& path) {
   ++path.memory.leg;
   path.memory.leg_start = path.walker.effort().accepted;
   path.memory.step = 0;
   path.memory.mechanism_way = path.memory.mechanism_share = 0;
   path.memory.before.reset();
+}
+
+void begin_next_leg(PathState& path) {
+  count_leg(path);
   set_out(path);
   set_heading(path);
   path.walker.unload();
   path.report("leg", path.leg().name);
+}
+
+/// The loads stay as they are; those of the next leg begin at nothing.
+void begin_stage(PathState& path, std::string reason) {
+  const StageEnd end{path.walker.state().load_factor, std::move(reason)};
+  path.walker.head_for({});
+  const Aims aims = path.later_stages->hold(end);
+  count_leg(path);
+  path.memory.begin_stage();
+  path.standstill = Standstill(path.size);
+  path.control.reset();
+  path.look_up(aims);
+  set_out(path);
+  path.later_stages->has_begun();
+  path.report("leg", fmt::format("{}; what acted before is held at load factor {:.9g} ({})", path.leg().name,
+                                 end.load_factor, end.reason));
 }
 
 }  // namespace
@@ -129,12 +158,10 @@ void settle(PathState& path) {
       path.end(Ending::Kind::goal_reached, std::move(text));
       return;
     }
-    const auto& until = path.leg().until;
-    const auto goal =
-        std::ranges::find_if(until, [&](const Landing& landing) { return !reached(path, landing).empty(); });
-    if (goal == until.end()) break;
+    std::string end = end_of_leg(path);
+    if (end.empty() || path.is_last_of_stage()) break;
     if (path.is_last_leg())
-      path.end(Ending::Kind::goal_reached, reached(path, *goal));
+      path.end(Ending::Kind::goal_reached, std::move(end));
     else
       begin_next_leg(path);
   }
@@ -142,6 +169,16 @@ void settle(PathState& path) {
   if (path.ending.kind == Ending::Kind::running && wanted > 0 && path.walker.effort().accepted >= wanted)
     path.end(Ending::Kind::goal_reached, fmt::format("{} steps", path.walker.effort().accepted));
   end_where_stuck(path);
+}
+
+void begin_stages(PathState& path) {
+  const auto is_releasing = [&] { return path.releases_at_once && is_release_pending(path.walker.system()); };
+  while (path.ending.kind == Ending::Kind::running && path.is_last_of_stage() && !is_releasing()) {
+    std::string end = end_of_leg(path);
+    if (end.empty()) return;
+    begin_stage(path, std::move(end));
+    settle(path);
+  }
 }
 
 namespace {

@@ -19,9 +19,13 @@ void note_travel(PathState& path);
 double share_of_way(const PathState& path, const Landing& landing);
 double share_of_goals(const PathState& path);
 
-/// Ends the path where it has reached its goal, and begins the next leg where only the leg has; and where a crack through
-/// blocks is stuck, which would make all that comes after too strong.
+/// Ends the path where it has reached its goal, and begins the next leg where only the leg has, unless that has loads of
+/// its own; and where a crack through blocks is stuck, which would make all that comes after too strong.
 void settle(PathState& path);
+
+/// Begins the leg with loads of its own that is due, and those after it that are, but not while a release goes on. The equilibrium at which they begin belongs
+/// to the loads before: it is recorded first.
+void begin_stages(PathState& path);
 
 /// Ends the path where nothing changes any more.
 void look_for_standstill(PathState& path, const Point& point);

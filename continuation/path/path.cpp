@@ -101,6 +101,8 @@ std::optional<Point> Path::next() {
                              fmt::format("the limit of {} steps is reached; `path.stop.steps` raises it, "
                                          "`path.stop.after_steps` makes a number of steps the goal",
                                          stop.steps));
+  begin_stages(state_);
+  if (state_.ending.kind != Ending::Kind::running) return {};
   state_.unsound.reset();
   auto point = take();
   state_.unsound.reset();

@@ -9,7 +9,7 @@
 
 namespace dda {
 
-/// The equilibrium path of the last stage as a range: `for (const Point& p : path)`.
+/// The equilibrium path of the followed stages as a range: `for (const Point& p : path)`.
 ///
 /// Common to every control: the first crack is located by the event control; steps are sized by how well the
 /// tangent predicted the last one; a step across the limit point is shortened until the peak is bracketed;
@@ -17,7 +17,8 @@ namespace dda {
 /// balance), or that retraces the unloading branch, is rejected; where Newton fails at the smallest step,
 /// sequentially linear steps carry on; points whose law loses its strength at once are released event by
 /// event (detour/release.hpp). The path may have several legs: loading, unloading to a gauge value, loading
-/// again. The walker must stand at the start of the stage.
+/// again, or going on with other loads while those so far are held. The walker must stand at the start of the first
+/// stage.
 class Path {
  public:
   Path(Walker& walker, const PathParameters& parameters, const GaugeBook& gauges, Route route);
@@ -41,6 +42,8 @@ class Path {
   void report_to(std::function<void(const std::string& event, const std::string& text)> listener) {
     state_.listener = std::move(listener);
   }
+  /// Lets legs begin that have loads of their own.
+  void go_on_with(LaterStages stages) { state_.later_stages.emplace(std::move(stages)); }
   /// Lets cracks run through the blocks.
   void run(RunningCracks cracks) { state_.cracks.emplace(std::move(cracks)); }
   /// The load gauge of the path.

@@ -94,7 +94,7 @@ Growth CrackedStructure::remake(const std::vector<Cut>& before) {
 }
 
 std::pair<Equilibrium, Growth> CrackedStructure::tried(const std::vector<Cut>& before) const {
-  std::pair<Equilibrium, Growth> out{Equilibrium(body_, model_), {}};
+  std::pair<Equilibrium, Growth> out{Equilibrium(body_, model_, equilibrium_.held_load_factors()), {}};
   out.second = growth({stands(equilibrium_, before), before}, out.first, front_.geometry().cuts());
   return out;
 }

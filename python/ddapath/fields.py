@@ -85,7 +85,8 @@ class CutBlocks:
     block: to which each part belongs. moves: rows (part, cut), the part moves by the jump across the cut beside its block.
     pieces: columns cut, crack, is_provisional of each piece. cuts: a row per cut, in the order in which they came, with
     crack, is_provisional (it lies ahead of its crack), block, side (along which it runs; -1: through the block),
-    start_x … end_y, length, interface, stiffness k. forces: dead and reference loads on the jump across each cut, n × 3.
+    start_x … end_y, length, interface, stiffness k. forces: dead and reference loads on the jump across each cut, n × 3, and
+    where several stages are followed reference_N of each that comes after the first.
     spring_parts: what supports and driven points feel of jumps, columns spring, cut and row (n × 3).
     """
 
@@ -293,7 +294,8 @@ def read_cut_blocks(mesh, file):
     pieces["is_provisional"] = pieces["is_provisional"].astype(bool)
     outlines = Mesh(vertices, offsets, mesh.region[block], lines_of(cracks, "ends"), mesh.unit)
     cuts = file.get("cuts", {})
-    forces = {name: cuts[name][()].reshape(-1, 3) if name in cuts else np.zeros((0, 3)) for name in ("dead", "reference")}
+    forces = {name: np.zeros((0, 3)) for name in ("dead", "reference")}
+    forces |= {name: cuts[name][()].reshape(-1, 3) for name in cuts if name == "dead" or name.startswith("reference")}
     felt = {name: cuts[f"spring_part/{name}"][()] if "spring_part" in cuts else np.zeros(0) for name in ("spring", "cut", "row")}
     felt = {"spring": felt["spring"].astype(int), "cut": felt["cut"].astype(int), "row": felt["row"].reshape(-1, 3)}
     return CutBlocks(outlines, block, moves, pieces, read_cuts(cuts), forces, felt)

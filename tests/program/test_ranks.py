@@ -32,6 +32,9 @@ PATHS = {
     "multipliers": (BEAM, (LAGRANGE, SMALL)),
     "dead load": (BEAM, ("stages=[{loads: [{type: body_force, force: [0, -2.4e-5]}]}, "
                          "{loads: [{type: point_load, at: [150, 100], force: [0, -1]}]}]",)),
+    "held loads": (BEAM, ("stages=[{loads: [{type: point_load, at: [150, 100], force: [0, -1]}], until: {cmod: 0.01}}, "
+                          "{loads: [{type: point_load, at: [150, 100], force: [0.1, -1]}]}]",
+                          "path.stop={load_below: 0, gauges: {cmod: 0.05}}")),
     "eigenvalues": (BEAM, ("record.eigenvalues={count: 3}", SMALL)),
 }
 # The first point of a crack is reached in a step whose size hangs on last digits: such paths have other points in common.

@@ -12,7 +12,7 @@ namespace dda {
 namespace {
 
 constexpr const char* format_name = "ddapath restart";
-constexpr std::int64_t format_version = 6;
+constexpr std::int64_t format_version = 7;
 
 template <class Value>
 void write_group(Hdf5File& file, const std::string& group,

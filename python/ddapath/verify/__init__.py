@@ -11,7 +11,7 @@ import re
 import threading
 
 from ..run_folder import MESH, opened, read_run
-from . import curve_checks, fields_checks, motion_checks
+from . import curve_checks, fields_checks, motion_checks, stage_checks
 from .finding import Finding
 from .model import Model
 from .state import Step
@@ -54,7 +54,9 @@ def checks_of_path(run):
     with opened(run.folder / MESH) as file:
         model = Model(file, run.deck)
     steps = read_steps(run, model)
-    return out + (fields_checks.all_checks(steps, run.curve, dead_loads_are_carried(run)) if steps else [])
+    if not steps:
+        return out
+    return out + fields_checks.all_checks(steps, run.curve, dead_loads_are_carried(run)) + stage_checks.all_checks(steps, run)
 
 
 def dead_loads_are_carried(run):

@@ -70,7 +70,20 @@ def balance(curve, log, deck):
                    deck["path"]["stop"].get("energy_error", BALANCE), f"step {step}")
 
 
-def summary_agrees(curve, log, summary):
+def of_last_stage(curve, deck):
+    """The rows whose load is that of the last row: where several stages are followed each has a load of its own."""
+    return curve[curve["stage"] == curve["stage"].iloc[-1]] if len(followed_stages(deck)) > 1 else curve
+
+
+def followed_stages(deck):
+    """Numbers of the stages whose loads the load factor multiplies: from the first with `until` on, or the last."""
+    loaded = [(number, bool(stage.get("until"))) for number, stage in enumerate(deck.get("stages", []), start=1) if stage.get("loads")]
+    first = next((i for i, (_, ends) in enumerate(loaded) if ends), len(loaded) - 1)
+    return [number for number, _ in loaded[first:]]
+
+
+def summary_agrees(run):
+    curve, log, summary = run.curve, run.log, run.summary
     if not summary:
         return not_made("summary.json agrees with curve.csv", "there is no summary: the run is not finished")
     last, peak = curve.iloc[-1], summary["peak"]
@@ -78,7 +91,7 @@ def summary_agrees(curve, log, summary):
     pairs += [("steps", summary["steps"], len(curve) - 1)]
     if 0 <= peak["step"] < len(curve):
         pairs += [(f"peak {name}", peak[name], curve[name][peak["step"]]) for name in ("load", "load_factor")]
-        largest = np.abs(curve["load"]).max()
+        largest = (np.sign(peak["load"] or 1) * of_last_stage(curve, run.deck)["load"]).max()  # the other way it unloads
         pairs += [("peak load", abs(peak["load"]), largest if largest > least_load(curve) else abs(peak["load"]))]
     else:
         pairs += [("peak step", peak["step"], len(curve) - 1)]
@@ -122,7 +135,7 @@ def of_load(reason, curve, deck):
 
     "load below 10 % of its peak, turned round to -45 %": a jump has led to so much of a load against that of the peak.
     """
-    load = curve["load"].to_numpy()
+    load = of_last_stage(curve, deck)["load"].to_numpy()
     found, said = re.match(f"load below {NUMBER} % of its peak", reason), re.search(f"{NUMBER} of the peak", reason)
     if not found and not reason.startswith("complete rupture"):
         return None
@@ -154,6 +167,7 @@ def of_factor(reason, curve, deck):
     found = re.search(f"load factor of {NUMBER}", reason)
     if not found:
         return None
+    curve = of_last_stage(curve, deck)
     factor, before = curve["load_factor"].iloc[-1], curve["load_factor"].iloc[-2 if len(curve) > 1 else -1]
     scale = max(abs(factor), 1e-9 * np.abs(curve["load_factor"]).max(), 1e-300)
     error = max(abs(factor - float(found[1])) / scale - PRINTED, 0)
@@ -202,7 +216,7 @@ def law_type(entry):
 
 def all_checks(run):
     curve, log, summary = run.curve, run.log, run.summary
-    out = [finite(curve), energies_never_fall(curve), balance(curve, log, run.deck), summary_agrees(curve, log, summary)]
+    out = [finite(curve), energies_never_fall(curve), balance(curve, log, run.deck), summary_agrees(run)]
     if summary:
         return [*out, reason_is_true(curve, summary, run.deck)]
     return [*out, not_made("last row is what the reason says", "there is no summary: the run is not finished")]

@@ -169,7 +169,7 @@ def reactions_carry(steps):
         springs, every = step.model.springs, np.arange(step.model.mesh.num_blocks)
         of_blocks = springs["block"] < len(every)
         held = (springs["row"] * step.spring_forces[springs["spring"], None])[of_blocks]
-        loads = step.model.forces(step.load_factor)[:len(every)]
+        loads = step.model.forces(step.load_factors)[:len(every)]
         rest = resultant(step, springs["block"][of_blocks], held) + resultant(step, every, loads)
         largest = max(largest, np.abs(held[:, :2]).sum() + np.abs(loads[:, :2]).sum())
         found.append((max(np.abs(rest).max() - step.spring_noise.sum(), 0.0), f"step {step.number}"))
@@ -193,7 +193,7 @@ def stored_energy(step):
     g = step.d[model.mesh.num_blocks:model.num_block_nodes]
     total += 0.5 * np.einsum("bi,bij,bj->", g, model.gradients.stiffness, g)
     springs = model.springs
-    held = (springs["dead"] == 0) & (springs["reference"] == 0)
+    held = np.all([springs[name] == 0 for name in ("dead", *model.references)], axis=0)
     total += 0.5 * (step.spring_forces[held]**2 / springs["stiffness"][held]).sum()
     joints = np.zeros(len(points.weight))
     for number, interface in enumerate(model.interfaces):

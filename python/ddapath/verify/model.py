@@ -112,6 +112,7 @@ class Model:
             raise NothingStored(f"{file.filename}: has no /model; this run was written by a version before `dda verify`")
         self.deck, self.mesh, self.thickness = deck, read_mesh(file), deck["thickness"]
         tables = Tables(file["model"])
+        self._set_stages(tables)
         self._set_blocks(tables)
         self._set_sides(tables)
         self._set_loads(tables)
@@ -137,6 +138,18 @@ class Model:
             "row": np.concatenate([self.springs["row"], np.pad(felt["row"], ((0, 0), (0, 3)))])}
         return out
 
+    def _set_stages(self, tables):
+        """Numbers of the stages that are followed, where these are several, and the tables of each."""
+        numbers = tables.rows("followed_stages", 1)
+        self.stages = [] if numbers is None else [int(number) for number in numbers[:, 0]]
+        self.references = ["reference", *(f"reference_{number}" for number in self.stages[1:])]
+
+    def load_factors(self, fields):
+        """Of every stage that is followed: those before are held, those to come are 0."""
+        if not self.stages:
+            return np.array([fields.load_factor])
+        return np.array([fields.numbers[f"load_factor_{number}"] for number in self.stages])
+
     def _set_blocks(self, tables):
         materials = [self.deck["materials"][name] for name in tables["region_materials"]]
         each = np.array([elastic_stiffness(material, self.deck["plane"]) for material in materials])
@@ -150,7 +163,7 @@ class Model:
         self.gradients = second_order.Gradients(self, np.zeros(0, dtype=int) if numbers is None else numbers[:, 0].astype(int))
         none = np.zeros((self.mesh.num_blocks, 3))
         self.stress = [none if found is None else found
-                       for found in (tables.rows(f"initial_stress/{part}", 3) for part in ("dead", "reference"))]
+                       for found in (tables.rows(f"initial_stress/{part}", 3) for part in ("dead", *self.references))]
 
     def _set_sides(self, tables):
         self.interfaces = [interface_of(name, self.deck) for name in tables["interface_names"]] + [BOND]
@@ -164,13 +177,13 @@ class Model:
     def _set_loads(self, tables):
         self.loads = {}
         blocks = tables["load/block"].astype(int)
-        for part in ("dead", "reference"):
+        for part in ("dead", *self.references):
             force = np.zeros((self.num_block_nodes, 6))
             force[blocks] = tables.rows(f"load/{part}", 6)
             self.loads[part] = force
 
     def _set_springs(self, tables):
-        self.springs = {name: tables[f"spring/{name}"] for name in ("stiffness", "dead", "reference", "names")}
+        self.springs = {name: tables[f"spring/{name}"] for name in ("stiffness", "names", "dead", *self.references)}
         self.springs |= {"spring": tables["spring_part/spring"].astype(int), "block": tables["spring_part/block"].astype(int),
                          "row": tables.rows("spring_part/row", 6)}
 
@@ -190,12 +203,16 @@ class Model:
         """Diagonal of the structure [L]."""
         return float(np.hypot(*np.ptp(self.mesh.vertices, axis=0)))
 
-    def forces(self, load_factor):
+    def forces(self, load_factors):
         """External forces on d without those of springs and initial stress, nodes × 6."""
-        return self.loads["dead"] + load_factor * self.loads["reference"]
+        return self.loads["dead"] + sum(factor * self.loads[name] for factor, name in zip(load_factors, self.references))
 
-    def initial_stress(self, load_factor):
-        return self.stress[0] + load_factor * self.stress[1]
+    def initial_stress(self, load_factors):
+        return self.stress[0] + sum(factor * stress for factor, stress in zip(load_factors, self.stress[1:]))
+
+    def far_ends(self, load_factors):
+        """δ of every support and driven point [L]."""
+        return self.springs["dead"] + sum(factor * self.springs[name] for factor, name in zip(load_factors, self.references))
 
 
 class Points:

@@ -59,9 +59,10 @@ class Step:
         self.model, self.fields, self.releasing = model.at(fields), fields, releasing
         model = self.model
         self.number, self.load_factor = fields.step, fields.load_factor
+        self.load_factors = model.load_factors(fields)
         self.d = unknowns(model, fields)
         self.strain = self.d[:model.mesh.num_blocks, 3:]
-        self.stress = np.einsum("bij,bj->bi", model.stiffness, self.strain) + model.initial_stress(self.load_factor)
+        self.stress = np.einsum("bij,bj->bi", model.stiffness, self.strain) + model.initial_stress(self.load_factors)
         self._set_openings()
         self._set_tractions()
 
@@ -145,7 +146,7 @@ class Step:
         moved = np.einsum("ri,ri->r", springs["row"], self.d[springs["block"]])
         total = np.zeros(len(springs["stiffness"]))
         np.add.at(total, springs["spring"], moved)
-        return springs["stiffness"] * (springs["dead"] + self.load_factor * springs["reference"] - total)
+        return springs["stiffness"] * (self.model.far_ends(self.load_factors) - total)
 
     @cached_property
     def weak_forces(self):
@@ -176,7 +177,7 @@ class Step:
         yield node, -points.weight[point, None] * np.einsum("pij,pi->pj", rows, self.traction[point])
         springs = model.springs
         yield springs["block"], springs["row"] * self.spring_forces[springs["spring"], None]
-        yield np.arange(len(self.d)), model.forces(self.load_factor)
+        yield np.arange(len(self.d)), model.forces(self.load_factors)
         yield np.arange(model.mesh.num_blocks), np.column_stack([self.weak_forces, -model.volumes[:, None] * self.stress])
 
     def centre_rows(self):

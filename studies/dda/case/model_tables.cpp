@@ -1,5 +1,7 @@
 #include "studies/dda/case/model_tables.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "models/loading.hpp"
@@ -35,29 +37,53 @@ void add_sides(const Assembly& assembly, const InterfaceSet& interfaces, std::ve
   out.push_back({"region_materials", {}, {}, std::move(materials), 1});
 }
 
-/// Forces of the dead stages and of the last one, and the stresses that are there without strain.
-struct StageSums {
-  Vector dead, reference;
-  std::vector<Vec3> dead_stress, reference_stress;
+/// Forces of a stage, or of several, and the stress that is there without strain.
+struct StageForces {
+  std::string name;  ///< of its tables
+  Vector force;
+  std::vector<Vec3> stress;
 };
+/// The dead ones as one, and behind it each that is followed.
+using StageSums = std::vector<StageForces>;
 
-void add(const StageLoads& loads, const Body& body, Vector& force, std::vector<Vec3>& stress) {
-  for (std::size_t i = 0; i < loads.force.size(); ++i) force[i] += loads.force[i];
+/// Names of the tables of the dead stages and of each that is followed.
+std::vector<std::string> names_of(const ModelParameters& model) {
+  std::vector<std::string> out{"dead", "reference"};
+  const std::vector<std::size_t> stages = model.followed_stages();
+  for (std::size_t i = 1; i < stages.size(); ++i) out.push_back(fmt::format("reference_{}", stages[i] + 1));
+  return out;
+}
+
+/// Place among these names of a stage with loads.
+std::size_t place_of(std::size_t stage, const ModelParameters& model) {
+  const std::size_t num_dead = model.num_dead_stages();
+  return stage < num_dead ? 0 : 1 + stage - num_dead;
+}
+
+void add(const StageLoads& loads, const Body& body, StageForces& to) {
+  for (std::size_t i = 0; i < loads.force.size(); ++i) to.force[i] += loads.force[i];
   for (std::size_t b = 0; b < loads.initial_stress.size(); ++b) {
-    stress[b] += loads.initial_stress[b];
-    Eigen::Map<Vec6>(force.data() + block_unknowns * b).tail<3>() +=
+    to.stress[b] += loads.initial_stress[b];
+    Eigen::Map<Vec6>(to.force.data() + block_unknowns * b).tail<3>() +=
         body.volume(BlockId(b)) * loads.initial_stress[b];
   }
 }
 
-StageSums sums(const Body& body, const LoadProgramme& programme) {
+StageSums sums(const Body& body, const ModelParameters& model, const LoadProgramme& programme) {
   const std::size_t blocks = body.assembly.num_blocks(), n = block_unknowns * body.num_nodes();
-  StageSums out{Vector(n), Vector(n), std::vector<Vec3>(blocks, Vec3::Zero()),
-                std::vector<Vec3>(blocks, Vec3::Zero())};
-  for (std::size_t s = 0; s + 1 < programme.stages.size(); ++s)
-    add(programme.stages[s], body, out.dead, out.dead_stress);
-  add(programme.stages.back(), body, out.reference, out.reference_stress);
+  StageSums out;
+  for (const std::string& name : names_of(model))
+    out.push_back({name, Vector(n), std::vector<Vec3>(blocks, Vec3::Zero())});
+  for (std::size_t s = 0; s < programme.stages.size(); ++s)
+    add(programme.stages[s], body, out[place_of(s, model)]);
   return out;
+}
+
+void add_followed_stages(const ModelParameters& model, std::vector<ResultsTable>& out) {
+  std::vector<std::int64_t> numbers;
+  for (const std::size_t stage : model.followed_stages())
+    numbers.push_back(static_cast<std::int64_t>(stage) + 1);
+  if (numbers.size() > 1) out.push_back({"followed_stages", {}, std::move(numbers), {}, 1});
 }
 
 /// Blocks whose strain gradients are nodes behind the blocks, in that order.
@@ -69,37 +95,44 @@ void add_second_order(const Body& body, std::vector<ResultsTable>& out) {
 }
 
 void add_loads(const StageSums& loads, std::size_t num_nodes, std::vector<ResultsTable>& out) {
-  Vector dead, reference;
+  std::vector<Vector> rows(loads.size());
   std::vector<std::int64_t> blocks;
+  const auto part = [&](std::size_t stage, std::size_t node) {
+    return Eigen::Map<const Vec6>(loads[stage].force.data() + block_unknowns * node);
+  };
   for (std::size_t b = 0; b < num_nodes; ++b) {
-    const Eigen::Map<const Vec6> before(loads.dead.data() + block_unknowns * b),
-        now(loads.reference.data() + block_unknowns * b);
-    if (before.isZero(0) && now.isZero(0)) continue;
+    bool is_loaded = false;
+    for (std::size_t s = 0; s < loads.size(); ++s) is_loaded = is_loaded || !part(s, b).isZero(0);
+    if (!is_loaded) continue;
     blocks.push_back(static_cast<std::int64_t>(b));
-    append(before, dead);
-    append(now, reference);
+    for (std::size_t s = 0; s < loads.size(); ++s) append(part(s, b), rows[s]);
   }
   out.push_back({"load/block", {}, std::move(blocks), {}, 1});
-  out.push_back({"load/dead", std::move(dead), {}, {}, block_unknowns});
-  out.push_back({"load/reference", std::move(reference), {}, {}, block_unknowns});
+  for (std::size_t s = 0; s < loads.size(); ++s)
+    out.push_back({"load/" + loads[s].name, std::move(rows[s]), {}, {}, block_unknowns});
 }
 
 void add_initial_stress(const StageSums& loads, std::vector<ResultsTable>& out) {
-  Vector dead, reference;
-  for (const Vec3& stress : loads.dead_stress) append(stress, dead);
-  for (const Vec3& stress : loads.reference_stress) append(stress, reference);
-  const auto is_zero = [](double value) { return value == 0; };
-  if (std::ranges::all_of(dead, is_zero) && std::ranges::all_of(reference, is_zero)) return;
-  out.push_back({"initial_stress/dead", std::move(dead), {}, {}, 3});
-  out.push_back({"initial_stress/reference", std::move(reference), {}, {}, 3});
+  const auto is_none = [](const StageForces& stage) {
+    return std::ranges::all_of(stage.stress, [](const Vec3& stress) { return stress.isZero(0); });
+  };
+  if (std::ranges::all_of(loads, is_none)) return;
+  for (const StageForces& stage : loads) {
+    Vector rows;
+    for (const Vec3& stress : stage.stress) append(stress, rows);
+    out.push_back({"initial_stress/" + stage.name, std::move(rows), {}, {}, 3});
+  }
 }
 
-/// The far ends of driven springs: those of earlier stages stay.
-void far_ends(const LoadProgramme& programme, std::size_t num_supports, Vector& dead, Vector& reference) {
+/// The far ends of driven springs by stage: those of earlier stages stay.
+std::vector<Vector> far_ends(const LoadProgramme& programme, const ModelParameters& model,
+                             std::size_t num_supports) {
+  std::vector<Vector> out(names_of(model).size(), Vector(num_supports + programme.driven.size()));
   std::size_t spring = num_supports;
   for (std::size_t s = 0; s < programme.stages.size(); ++s)
     for (const DrivenSpring& driven : programme.stages[s].driven)
-      (s + 1 < programme.stages.size() ? dead : reference)[spring++] = driven.prescribed;
+      out[place_of(s, model)][spring++] = driven.prescribed;
+  return out;
 }
 
 /// Supports, and behind them what loads drive.
@@ -109,10 +142,10 @@ std::vector<Spring> all_springs(const LoadProgramme& programme, const Equilibriu
   return out;
 }
 
-void add_springs(const LoadProgramme& programme, const Equilibrium& equilibrium,
+void add_springs(const LoadProgramme& programme, const ModelParameters& model, const Equilibrium& equilibrium,
                  std::vector<ResultsTable>& out) {
   const std::vector<Spring> springs = all_springs(programme, equilibrium);
-  Vector stiffness, rows, dead(springs.size()), reference(springs.size());
+  Vector stiffness, rows;
   std::vector<std::int64_t> numbers, blocks;
   std::vector<std::string> names;
   for (std::size_t s = 0; s < springs.size(); ++s) {
@@ -125,10 +158,11 @@ void add_springs(const LoadProgramme& programme, const Equilibrium& equilibrium,
       append(row, rows);
     }
   }
-  far_ends(programme, equilibrium.supports().size(), dead, reference);
+  std::vector<Vector> ends = far_ends(programme, model, equilibrium.supports().size());
+  const std::vector<std::string> stages = names_of(model);
   out.push_back({"spring/stiffness", std::move(stiffness), {}, {}, 1});
-  out.push_back({"spring/dead", std::move(dead), {}, {}, 1});
-  out.push_back({"spring/reference", std::move(reference), {}, {}, 1});
+  for (std::size_t s = 0; s < stages.size(); ++s)
+    out.push_back({"spring/" + stages[s], std::move(ends[s]), {}, {}, 1});
   out.push_back({"spring/names", {}, {}, std::move(names), 1});
   out.push_back({"spring_part/spring", {}, std::move(numbers), {}, 1});
   out.push_back({"spring_part/block", {}, std::move(blocks), {}, 1});
@@ -199,20 +233,24 @@ void add_moves(const CrackGeometry& cracks, std::vector<ResultsTable>& out) {
   if (number > 0) out.push_back({"parts/moves", {}, std::move(moves), {}, 2});
 }
 
-/// Forces on the jumps, and what springs feel of them.
-void add_forces_on_jumps(const Body& body, const LoadProgramme& programme, const Equilibrium& equilibrium,
-                         std::vector<ResultsTable>& out) {
-  const StageSums loads = sums(body, programme);
+void add_forces_on_jumps(const Body& body, const StageSums& loads, std::vector<ResultsTable>& out) {
+  const std::vector<std::int64_t> cut = cuts_of_jumps(body.cracks->cuts());
+  for (const StageForces& stage : loads) {
+    Vector forces(3 * body.cracks->cuts().size());
+    for (std::size_t jump = 0; jump < cut.size(); ++jump)
+      for (std::size_t i = 0; i < 3; ++i)
+        forces[3 * static_cast<std::size_t>(cut[jump]) + i] =
+            stage.force[block_unknowns * body.node_of(JumpId{jump}).value() + i];
+    out.push_back({"cuts/" + stage.name, std::move(forces), {}, {}, 3});
+  }
+}
+
+/// What springs feel of jumps.
+void add_springs_on_jumps(const Body& body, const LoadProgramme& programme, const Equilibrium& equilibrium,
+                          std::vector<ResultsTable>& out) {
   const std::vector<std::int64_t> cut = cuts_of_jumps(body.cracks->cuts());
   const std::size_t first = body.assembly.num_blocks() + body.num_gradients();
-  Vector dead(3 * body.cracks->cuts().size()), reference(dead.size()), rows;
-  for (std::size_t jump = 0; jump < cut.size(); ++jump)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t to = 3 * static_cast<std::size_t>(cut[jump]) + i,
-                        from = block_unknowns * body.node_of(JumpId{jump}).value() + i;
-      dead[to] = loads.dead[from];
-      reference[to] = loads.reference[from];
-    }
+  Vector rows;
   std::vector<std::int64_t> numbers, of_springs;
   const std::vector<Spring> springs = all_springs(programme, equilibrium);
   for (std::size_t s = 0; s < springs.size(); ++s)
@@ -222,8 +260,6 @@ void add_forces_on_jumps(const Body& body, const LoadProgramme& programme, const
       of_springs.push_back(cut[node.value() - first]);
       append(row.head<3>(), rows);
     }
-  out.push_back({"cuts/dead", std::move(dead), {}, {}, 3});
-  out.push_back({"cuts/reference", std::move(reference), {}, {}, 3});
   out.push_back({"cuts/spring_part/spring", {}, std::move(numbers), {}, 1});
   out.push_back({"cuts/spring_part/cut", {}, std::move(of_springs), {}, 1});
   out.push_back({"cuts/spring_part/row", std::move(rows), {}, {}, 3});
@@ -235,7 +271,7 @@ std::vector<ResultsTable> model_tables(const Body& body, const ModelParameters& 
                                        const Equilibrium& equilibrium) {
   Findings none;
   const LoadProgramme programme = make_loads(body, model, none);
-  const StageSums loads = sums(body, programme);
+  const StageSums loads = sums(body, model, programme);
   std::vector<ResultsTable> out;
   if (body.cracks)
     add_sides(body.assembly,
@@ -245,9 +281,10 @@ std::vector<ResultsTable> model_tables(const Body& body, const ModelParameters& 
   else
     add_sides(body.assembly, equilibrium.interfaces(), out);
   add_second_order(body, out);
+  add_followed_stages(model, out);
   add_loads(loads, body.assembly.num_blocks() + body.num_gradients(), out);
   add_initial_stress(loads, out);
-  add_springs(programme, equilibrium, out);
+  add_springs(programme, model, equilibrium, out);
   return out;
 }
 
@@ -259,7 +296,9 @@ std::vector<ResultsTable> cut_tables(const Body& body, const ModelParameters& mo
   add_cuts(cuts, equilibrium, out);
   add_pieces(cuts, equilibrium, out);
   add_moves(*body.cracks, out);
-  add_forces_on_jumps(body, make_loads(body, model, none), equilibrium, out);
+  const LoadProgramme programme = make_loads(body, model, none);
+  add_forces_on_jumps(body, sums(body, model, programme), out);
+  add_springs_on_jumps(body, programme, equilibrium, out);
   return out;
 }
 

@@ -14,8 +14,11 @@ namespace dda {
 ///
 ///     side/blocks [n,2], ends [n,4], stiffness k [n]   sides between blocks, as they are without cuts
 ///          interface [n]                               −1 a bond that nobody named
-///     load/block [m], dead [m,6], reference [m,6]      forces on d in the last stage: dead + λ reference;
+///     load/block [m], dead [m,6], reference [m,6]      forces on d in the followed stage: dead + λ reference;
 ///                                                      without what initial stress and springs exert
+///     followed_stages [f]                              numbers in the deck, from 1, of those that are followed, where these
+///                                                      are several; of all but the first, N, there is `reference_N`
+///                                                      wherever there is `reference`: dead + Σ λ_N reference_N
 ///     spring/stiffness p̄ [s], dead, reference [s]      far ends δ(λ) of supports and driven points;
 ///            names [s]                                 of reactions
 ///     spring_part/spring, block [r], row [r,6]         l · u of spring s = Σ row · d_block

@@ -125,11 +125,13 @@ void Simulation::assemble() {
 
 void Simulation::require_loads() const {
   const std::vector<StageParameters> stages = deck_.loaded_stages();
-  const std::vector<Loading>& loadings = equilibrium_->stages();
+  std::vector<const Loading*> loadings;
+  for (const auto* part : {&equilibrium_->stages(), &equilibrium_->later_stages()})
+    for (const Loading& loading : *part) loadings.push_back(&loading);
   Findings findings;
   for (std::size_t s = 0; s < stages.size(); ++s)
-    if (is_zero(loadings[s].reference) && is_zero(loadings[s].reference_offset))
-      findings.add(stages[s].where, "stage '" + loadings[s].name +
+    if (is_zero(loadings[s]->reference) && is_zero(loadings[s]->reference_offset))
+      findings.add(stages[s].where, "stage '" + loadings[s]->name +
                                         "' applies no load: its forces are zero or cancel each other");
   findings.throw_if_any();
 }
@@ -219,8 +221,22 @@ std::string Simulation::apply_dead_loads() {
   return {};
 }
 
+void Simulation::hold_loads(double load_factor) {
+  equilibrium_->hold(*body_, deck_, load_factor);
+  walker_->begin_stage(equilibrium_->stages().size() - 1);
+  gauges_.gauges = loading().gauges;
+}
+
 void Simulation::begin_path() {
   path_ = std::make_unique<Path>(*walker_, deck_.path, gauges_, Route{landings(), legs()});
+  path_->go_on_with({[this](const StageEnd& end) {
+                       if (holds_) holds_(end);
+                       hold_loads(end.load_factor);
+                       return look_up();
+                     },
+                     [this] {
+                       if (has_held_) has_held_();
+                     }});
   if (front_)
     path_->run({*cracked_, [this] { return look_up(); },
                 [this] {
@@ -274,12 +290,14 @@ void Simulation::note_coarse_cracks() {
 }
 
 const Functional& Simulation::gauge(const std::string& name, const Position& where) const {
-  std::vector<std::string> names{"load"};
+  std::vector<std::string> names{"load", "load_factor"};
   for (const NamedGauge& gauge : gauges_.gauges) {
     if (gauge.name == name) return gauge.functional;
     names.push_back(gauge.name);
   }
   if (name == "load") return loading().load;
+  static const Functional load_factor{.rows = {}, .per_load_factor = 1};
+  if (name == "load_factor") return load_factor;
   throw InputError(where, "unknown gauge '" + name + "'" + suggest(name, names));
 }
 
@@ -305,6 +323,8 @@ std::vector<Landing> Simulation::landings() const {
   const StopRules& stop = deck_.path.stop;
   for (const auto& [name, value] : stop.gauges)
     out.push_back({name, gauge(name, deck_.path.where), value, true});
+  if (!equilibrium_->later_stages().empty())
+    return out;  // load factors that end the path are of its last stage
   const Functional load_factor{.rows = {}, .per_load_factor = 1};
   if (stop.load_factor_above) out.push_back({"load_factor", load_factor, *stop.load_factor_above, true});
   if (stop.load_factor_below)
@@ -315,7 +335,7 @@ std::vector<Landing> Simulation::landings() const {
 std::vector<Leg> Simulation::legs() const {
   std::vector<Leg> out;
   for (const StageParameters& stage : deck_.legs()) {
-    Leg leg{stage.name, stage.unload, {}};
+    Leg leg{.name = stage.name, .has_loads = !stage.loads.empty(), .unloads = stage.unload, .until = {}};
     for (const auto& [name, value] : stage.until)
       leg.until.push_back({name, gauge(name, stage.where), value, true});
     out.push_back(std::move(leg));

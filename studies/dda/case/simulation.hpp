@@ -30,11 +30,19 @@ class Simulation {
     has_grown_ = std::move(after);
   }
 
+  /// Told before the loads of a stage are held, and once the next one has begun.
+  void when_held(std::function<void(const StageEnd&)> before, std::function<void()> after) {
+    holds_ = std::move(before);
+    has_held_ = std::move(after);
+  }
+
   /// Factorises and stands at the start. Call before `walker` and `path`.
   void prepare();
-  /// Brings the stages before the last to full value; "" or why that failed.
+  /// Brings the dead stages to full value; "" or why that failed.
   std::string apply_dead_loads();
-  /// The path of the last stage, with the deck's landings.
+  /// Holds the loads of the followed stage at a load factor, and stands at the beginning of the next one.
+  void hold_loads(double load_factor);
+  /// The path of the followed stages, with the deck's landings.
   void begin_path();
   /// Goes on by the control that the deck names by now. Throws InputError for one that cannot serve here.
   void switch_control();
@@ -49,6 +57,10 @@ class Simulation {
   const std::vector<std::string>& notices() const { return notices_; }
   const GaugeBook& gauges() const { return gauges_; }
   const Loading& loading() const { return equilibrium_->stages().back(); }
+  /// Place in the deck's `stages` of the one whose loads are followed.
+  std::size_t followed_stage() const {
+    return deck_.followed_stages().at(equilibrium_->held_load_factors().size());
+  }
 
  private:
   void assemble();
@@ -82,6 +94,8 @@ class Simulation {
   std::unique_ptr<CrackedStructure> cracked_;
   std::function<void()> grows_;
   std::function<void(const Growth&)> has_grown_;
+  std::function<void(const StageEnd&)> holds_;
+  std::function<void()> has_held_;
   std::unique_ptr<System> system_;
   std::unique_ptr<Stepper> stepper_;
   std::unique_ptr<Walker> walker_;

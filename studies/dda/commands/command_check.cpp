@@ -157,6 +157,8 @@ void print_loading(const Simulation& simulation) {
   for (std::size_t s = 0; s < stages.size(); ++s)
     line("stage", fmt::format("{}{}", stages[s].name,
                               s + 1 == stages.size() ? ", times the load factor" : ", in full first"));
+  for (const Loading& stage : simulation.equilibrium().later_stages())
+    line("stage", stage.name + ", times a load factor of its own, what acted before being held");
   print_gauges(simulation);
   line("control", simulation.deck().path.control.name());
 }

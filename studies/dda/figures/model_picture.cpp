@@ -90,20 +90,25 @@ class ModelPicture {
   /// The forces of each stage in a colour of its own.
   void add_stages() {
     const auto& stages = equilibrium_.stages();
-    for (std::size_t s = 0; s < stages.size(); ++s) {
-      const bool is_last = s + 1 == stages.size();
-      const int colour = is_last ? svg::vermilion : static_cast<int>(s) + 2;
-      Functional acting = forces_of(stages[s]);
-      const std::size_t as_a_whole = gather_body_forces(acting, colour);
-      add_symbols(acting, {.mark = Mark::force, .colour = colour});
-      const auto strained =
-          std::ranges::count_if(stages[s].reference_stress, [](const Vec3& x) { return !x.isZero(0); });
-      if (acting.rows.empty() && as_a_whole == 0 && strained == 0) continue;
-      std::string name = stages[s].name + (is_last ? ", × load factor" : ", in full first");
-      if (strained > 0) name += fmt::format(" (initial strain or stress in {} blocks)", strained);
-      if (as_a_whole > 0) name += fmt::format(" (at the middle: on {} blocks as a whole)", as_a_whole);
-      add_key(KeyEntry::Kind::force, colour, std::move(name));
-    }
+    for (std::size_t s = 0; s + 1 < stages.size(); ++s)
+      add_stage(stages[s], static_cast<int>(s) + 2, ", in full first");
+    add_stage(stages.back(), svg::vermilion, ", × load factor");
+    const auto& later = equilibrium_.later_stages();
+    for (std::size_t s = 0; s < later.size(); ++s)
+      add_stage(later[s], static_cast<int>(stages.size() + s) + 1, ", then × load factor");
+  }
+
+  void add_stage(const Loading& stage, int colour, const std::string& how) {
+    Functional acting = forces_of(stage);
+    const std::size_t as_a_whole = gather_body_forces(acting, colour);
+    add_symbols(acting, {.mark = Mark::force, .colour = colour});
+    const auto strained =
+        std::ranges::count_if(stage.reference_stress, [](const Vec3& x) { return !x.isZero(0); });
+    if (acting.rows.empty() && as_a_whole == 0 && strained == 0) return;
+    std::string name = stage.name + how;
+    if (strained > 0) name += fmt::format(" (initial strain or stress in {} blocks)", strained);
+    if (as_a_whole > 0) name += fmt::format(" (at the middle: on {} blocks as a whole)", as_a_whole);
+    add_key(KeyEntry::Kind::force, colour, std::move(name));
   }
 
   /// What pushes and pulls in a stage, without what initial stress does in blocks and joints: no arrow tells that.

@@ -48,7 +48,7 @@ svg::Panel panel(const CsvTable& curve, const Measures& measures, const RunMemor
 svg::Panel energy_panel(const CsvTable& curve, const Measures& measures) {
   return {.x_label = with_unit("dissipated energy", measures.energy_unit()),
           .y_label = with_unit("load", measures.load_unit()),
-          .series = {{"", curve.numbers(column::dissipated_energy), curve.numbers(column::load)}}};
+          .series = by_stability(curve, column::dissipated_energy, column::load)};
 }
 
 /// The branch that was not taken.

@@ -18,14 +18,18 @@ namespace {
 constexpr double gap = std::numeric_limits<double>::quiet_NaN();  // interrupts a line
 constexpr std::size_t most_stages = 6, most_modes = 6, most_blocks = 5000;
 
-/// The pieces of a curve, one for each kind of stability, with gaps where it is of another.
+/// The pieces of a curve, one for each kind of stability, with gaps where it is of another, and between stages.
 std::array<svg::Series, 4> pieces_of(const CsvTable& curve, const std::string& x, const std::string& y) {
   const auto xs = curve.numbers(x), ys = curve.numbers(y);
   const std::vector<Stability> kinds = between(stability_of(curve));
+  const std::vector<double> stages =
+      curve.has(column::stage) ? curve.numbers(column::stage) : std::vector<double>(xs.size());
+  const auto is_gap = [&](std::size_t i) { return stages[i] != stages[i + 1]; };  // other loads begin
   std::array<svg::Series, 4> out;
   for (std::size_t i = 0; i < kinds.size(); ++i) {
+    if (is_gap(i)) continue;
     svg::Series& piece = out[static_cast<std::size_t>(kinds[i])];
-    const bool begins = i == 0 || kinds[i - 1] != kinds[i];
+    const bool begins = i == 0 || kinds[i - 1] != kinds[i] || is_gap(i - 1);
     if (begins && !piece.x.empty()) {
       piece.x.push_back(gap);
       piece.y.push_back(gap);

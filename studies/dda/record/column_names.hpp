@@ -1,11 +1,13 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 /// Names of columns of curve.csv by which others read it.
 namespace dda::column {
 
 inline constexpr const char* step = "step";
+inline constexpr const char* stage = "stage";
 inline constexpr const char* load = "load";
 inline constexpr const char* load_factor = "load_factor";
 inline constexpr const char* dissipated_energy = "dissipated_energy";

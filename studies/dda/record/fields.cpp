@@ -1,11 +1,12 @@
 #include "studies/dda/record/fields.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 
 #include "models/body/motion.hpp"
-#include "models/loading.hpp"
 #include "studies/dda/case/model_tables.hpp"
 
 namespace dda {
@@ -32,12 +33,6 @@ std::vector<std::array<Vec2, 2>> pieces_of_sides(const Assembly& assembly, const
                         side.start + static_cast<double>(i + 1) / count * along};
   }
   return out;
-}
-
-void add_stress(const std::vector<Vec3>& from, std::vector<Vec3>& to) {
-  if (from.empty()) return;
-  to.resize(from.size(), Vec3::Zero());
-  for (std::size_t b = 0; b < from.size(); ++b) to[b] += from[b];
 }
 
 void append(const Vec2& v, std::vector<double>& to) { to.insert(to.end(), {v.x(), v.y()}); }
@@ -70,13 +65,7 @@ Fields::Fields(const Body& body, const ModelParameters& model, const Equilibrium
       model_(model),
       equilibrium_(equilibrium),
       units_(units),
-      segments_(pieces_of_sides(body.assembly, equilibrium)) {
-  Findings none;
-  const LoadProgramme programme = make_loads(body, model, none);
-  for (std::size_t s = 0; s + 1 < programme.stages.size(); ++s)
-    add_stress(programme.stages[s].initial_stress, dead_stress_);
-  add_stress(programme.stages.back().initial_stress, reference_stress_);
-}
+      segments_(pieces_of_sides(body.assembly, equilibrium)) {}
 
 ResultsMesh Fields::mesh() const {
   ResultsMesh out{.blocks = {}, .block_region = {}, .segments = segments_, .length_unit = units_.length};
@@ -230,11 +219,12 @@ StoredField Fields::stress_at_vertices(const StoredField& means, const State& st
 void Fields::add_blocks(const State& state, Snapshot& out) const {
   StoredField strain{"strain", "", FieldPlace::block, 3, {}, "xx yy 2xy"};
   StoredField stress{"stress", label(dimension::stress, units_), FieldPlace::block, 3, {}, "xx yy xy"};
+  const Loading& loading = equilibrium_.stages().back();
   for (std::size_t b = 0; b < body_.assembly.num_blocks(); ++b) {
     const Vec3 e = Eigen::Map<const Vec3>(state.d.data() + block_unknowns * b + 3);
     Vec3 s = body_.material(BlockId(b)).stiffness() * e;
-    if (!dead_stress_.empty()) s += dead_stress_[b];
-    if (!reference_stress_.empty()) s += state.load_factor * reference_stress_[b];
+    if (!loading.dead_stress.empty()) s += loading.dead_stress[b];
+    if (!loading.reference_stress.empty()) s += state.load_factor * loading.reference_stress[b];
     append(e, strain.values);
     append(s, stress.values);
   }
@@ -297,10 +287,22 @@ CutBlocks Fields::cut_blocks() const {
   return out;
 }
 
+/// That of the present stage, and where several are followed those of each: where it is held, and 0 where it is to come.
+std::map<std::string, double> Fields::load_factors(double now) const {
+  std::map<std::string, double> out{{"load_factor", now}};
+  const std::vector<std::size_t> stages = model_.followed_stages();
+  const std::vector<double>& held = equilibrium_.held_load_factors();
+  for (std::size_t i = 0; stages.size() > 1 && i < stages.size(); ++i)
+    out[fmt::format("load_factor_{}", stages[i] + 1)] = i < held.size()    ? held[i]
+                                                        : i == held.size() ? now
+                                                                           : 0;
+  return out;
+}
+
 Snapshot Fields::snapshot(const StoredState& at) const {
   Snapshot out{.step = at.step,
                .time = static_cast<double>(at.step),
-               .numbers = {{"load_factor", at.state.load_factor}},
+               .numbers = load_factors(at.state.load_factor),
                .fields = {},
                .cut = cut_blocks()};
   add_blocks(at.state, out);

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <map>
 #include <span>
+#include <string>
 
 #include "continuation/state/system.hpp"
 #include "framework/deck/units.hpp"
@@ -76,14 +78,13 @@ class Fields {
   void add_points(const Interface& all, const Points& points, const StoredState& at, Snapshot& out) const;
   std::vector<double> mode(const std::vector<double>& shape) const;
   CutBlocks cut_blocks() const;
+  std::map<std::string, double> load_factors(double now) const;
 
   const Body& body_;
   const ModelParameters& model_;
   const Equilibrium& equilibrium_;
   Units units_;
   std::vector<std::array<Vec2, 2>> segments_;
-  std::vector<Vec3> dead_stress_,
-      reference_stress_;  ///< initial stress by block [F/L²]; empty when there is none
 };
 
 }  // namespace dda

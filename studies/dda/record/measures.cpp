@@ -15,7 +15,7 @@ Measures::Measures(const Loading& loading, Functional load, std::string load_uni
   const RecordedColumns own = path_columns();
   const auto is_taken = [&](const std::string& name) {
     const auto takes = [&](const RecordedColumn& column) { return column.takes(name); };
-    return std::ranges::any_of(own, takes) || std::ranges::any_of(others, takes) ||
+    return name == column::stage || std::ranges::any_of(own, takes) || std::ranges::any_of(others, takes) ||
            std::ranges::find(names_, name, &Column::name) != names_.end();
   };
   const auto add = [&](const std::string& name, Dimension dimension, const Functional& functional) {

@@ -36,7 +36,7 @@ struct Measurement {
 /// What is recorded of every accepted state: the path's own numbers, every gauge and every reaction.
 class Measures {
  public:
-  /// A gauge whose name one of the columns takes, of these or of `others`, is called gauge_<name>, a reaction
+  /// A gauge whose name one of the columns takes, of these or of `others`, or is `stage`, is called gauge_<name>, a reaction
   /// reaction_<name>.
   Measures(const Loading& loading, Functional load, std::string load_unit, const Units& units,
            const RecordedColumns& others);

@@ -142,5 +142,55 @@ TEST(Loading, AStageIsDeadInTheNext) {
   EXPECT_EQ(second.load.value(std::vector<double>(24, 0.0), 0.5), 0.5) << "resultant 1 times the load factor";
 }
 
+const std::string one_after_another = R"(stages:
+  - {name: dead, loads: [{type: point_load, at: [1, 1], force: [0.5, 0]}]}
+  - {name: shrink, loads: [{type: initial_stress, xx: 0.3, yy: -0.2, xy: 0.1}], until: {load_factor: 1}}
+  - {name: back, unload: true, until: {load_factor: 0}}
+  - {name: drive, loads: [{type: prescribed_displacement, at: [1, 1], direction: [0, 1], displacement: 0.1}], until: {load: 1}}
+  - {name: push, loads: [{type: point_load, at: [1, 1], force: [0, 1]}]}
+support_stiffness: 1e-13
+)";
+
+TEST(Loading, AHeldStageIsDeadAtItsLoadFactor) {
+  const Structure square(square_deck(one_after_another));
+  Equilibrium equilibrium = square.equilibrium();
+  EXPECT_EQ(square.deck().num_dead_stages(), 1u);
+  EXPECT_EQ(square.deck().followed_stages(), (std::vector<std::size_t>{1, 3, 4}));
+  EXPECT_EQ(square.deck().legs().size(), 4u);
+  ASSERT_EQ(equilibrium.stages().size(), 2u);
+  ASSERT_EQ(equilibrium.later_stages().size(), 2u);
+  const Loading* followed = &equilibrium.stages().back();
+  const Loading first = *followed;
+  EXPECT_EQ(first.name, "shrink");
+  equilibrium.hold(square.body(), square.deck(), 0.25);
+  ASSERT_EQ(&equilibrium.stages().back(), followed) << "in the same place";
+  const Loading second = *followed;
+  EXPECT_EQ(second.name, "drive");
+  for (std::size_t i = 0; i < first.dead.size(); ++i)
+    EXPECT_DOUBLE_EQ(second.dead[i], first.dead[i] + 0.25 * first.reference[i]);
+  for (std::size_t i = 0; i < first.reference_offset.size(); ++i)
+    EXPECT_DOUBLE_EQ(second.dead_offset[i], 0.25 * first.reference_offset[i]);
+  EXPECT_TRUE(second.initial_stress(0, 1).isApprox(0.25 * first.initial_stress(0, 1), 1e-15));
+  equilibrium.hold(square.body(), square.deck(), -2);
+  EXPECT_EQ(followed->name, "push");
+  EXPECT_TRUE(equilibrium.later_stages().empty());
+  ASSERT_EQ(followed->driven.size(), 1u);
+  const double stiffness = equilibrium.driven_springs().front().stiffness;
+  EXPECT_DOUBLE_EQ(followed->driven.front().force.constant, -2 * 0.1 * stiffness) << "its far end stays";
+  EXPECT_EQ(followed->driven.front().force.per_load_factor, 0);
+}
+
+TEST(Loading, HeldStagesAreThoseOfAnEquilibriumMadeWithThem) {
+  const Structure square(square_deck(one_after_another));
+  Equilibrium held = square.equilibrium();
+  held.hold(square.body(), square.deck(), 0.3);
+  held.remake(square.body(), square.deck());
+  const Equilibrium made(square.body(), square.deck(), {0.3});
+  EXPECT_EQ(held.held_load_factors(), made.held_load_factors());
+  EXPECT_EQ(held.stages().back().name, made.stages().back().name);
+  EXPECT_EQ(held.stages().back().dead, made.stages().back().dead);
+  EXPECT_EQ(held.stages().back().reference, made.stages().back().reference);
+}
+
 }  // namespace
 }  // namespace dda

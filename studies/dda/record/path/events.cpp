@@ -126,6 +126,8 @@ PathEvents::Station PathEvents::between(const Station& now, double share) const 
   return out;
 }
 
+void PathEvents::begin_stage(const Walker& walker) { before_ = station(walker, before_.step); }
+
 std::set<EventKind> PathEvents::add(const Point& point, const Walker& walker, bool is_last) {
   const Station now = station(walker, point.step);
   remember_sizes(now);
@@ -202,6 +204,7 @@ bool PathEvents::find_bifurcation(const Station& now, const Point& point, bool i
 
 void PathEvents::list_event(Json event, const Station& at) {
   event["step"] = at.step;
+  if (stage_ > 0) event["stage"] = stage_;
   event["load"] = at.values[0];
   event["load_factor"] = at.load_factor;
   event["dissipated_energy"] = at.dissipated;

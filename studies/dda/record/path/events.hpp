@@ -24,6 +24,10 @@ class PathEvents {
 
   /// Of a run that is continued the sizes of the quantities so far, which events are measured by.
   void remember_sizes(const CsvTable& curve);
+  /// The loads are others from here on: what they do is no extremum of what those before did.
+  void begin_stage(const Walker& walker);
+  /// Events have this number as their `stage` from here on; 0: they have none.
+  void number_stages(int number) { stage_ = number; }
   /// Adds what lies between the last point and this one, and tells what happens at it.
   std::set<EventKind> add(const Point& point, const Walker& walker, bool is_last);
   /// One object per event: kind, step, load, load_factor, dissipated_energy, gauges, …; in the order of the
@@ -52,6 +56,7 @@ class PathEvents {
 
   const Measures& measures_;
   Station before_;
+  int stage_ = 0;
   std::vector<double> largest_;  ///< magnitude of each quantity so far
   nlohmann::ordered_json list_;
 };

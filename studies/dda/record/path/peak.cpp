@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "continuation/path/path.hpp"
@@ -23,6 +25,14 @@ bool is_as_high(const Json& event, double peak) {
   return event["kind"] == "limit_point" && reaches(event["load"].get<double>(), peak);
 }
 
+/// The first row of the stage of a row, and the one behind its last.
+std::pair<std::ptrdiff_t, std::ptrdiff_t> rows_of_stage(const CsvTable& curve, std::size_t row) {
+  if (!curve.has(column::stage)) return {0, static_cast<std::ptrdiff_t>(curve.num_rows())};
+  const std::vector<double> stages = curve.numbers(column::stage);
+  const auto [first, last] = std::ranges::equal_range(stages, stages.at(row));
+  return {first - stages.begin(), last - stages.begin()};
+}
+
 Json limit_point(const Json& peak, double dissipated) {
   return {{"kind", "limit_point"},
           {"of", "load"},
@@ -39,10 +49,16 @@ Json limit_point(const Json& peak, double dissipated) {
 }  // namespace
 
 bool is_passed(const CsvTable& curve, std::size_t peak) {
-  const std::vector<double> loads = curve.numbers(column::load), works = curve.numbers(column::external_work);
-  const double highest = loads.at(peak);
+  const auto [begin, end] = rows_of_stage(curve, peak);
+  const auto part = [&, begin = begin, end = end](const std::string& name) {
+    const std::vector<double> all = curve.numbers(name);
+    return std::vector(all.begin() + begin, all.begin() + end);
+  };
+  const std::vector<double> loads = part(column::load), works = part(column::external_work);
+  const auto at = static_cast<std::ptrdiff_t>(peak) - begin;
+  const double highest = loads.at(static_cast<std::size_t>(at));
   const auto falls = [&](double load) { return !reaches(load, highest); };
-  if (std::any_of(loads.begin() + static_cast<std::ptrdiff_t>(peak), loads.end(), falls)) return true;
+  if (std::any_of(loads.begin() + at, loads.end(), falls)) return true;
   const auto first = std::ranges::find_if_not(loads, falls) - loads.begin();
   const double moved = works.back() - works[static_cast<std::size_t>(first)];
   return std::abs(moved) > turn_depth * std::abs(works.back());

@@ -6,8 +6,8 @@
 
 namespace dda {
 
-/// Whether the path went on from the row `peak` of the curve, its highest load: the load has fallen below it,
-/// or has stayed while the structure moved.
+/// Whether the path went on from the row `peak` of the curve, its highest load of a stage: the load has fallen below it,
+/// or has stayed while the structure moved, before the next stage.
 bool is_passed(const CsvTable& curve, std::size_t peak);
 
 /// The located events of a path with its peak among them.

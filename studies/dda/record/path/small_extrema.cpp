@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace dda {
@@ -21,6 +22,8 @@ double value_of(const Json& event, const std::string& quantity) {
 
 /// The extrema of one quantity along the path, between its ends.
 struct Course {
+  std::string quantity;
+  int stage = 0;                        ///< of a load, where several are followed
   std::vector<double> values;           ///< start, extrema, end
   std::vector<std::size_t> numbers{0};  ///< of the events; of the ends without meaning
 
@@ -57,12 +60,18 @@ void flatten(Course& course, double depth) {
   }
 }
 
-std::map<std::string, Course> courses_of(const Json& events) {
-  std::map<std::string, Course> out;
+/// By quantity, loads by stage.
+using Courses = std::map<std::pair<std::string, int>, Course>;
+
+Courses courses_of(const Json& events) {
+  Courses out;
   for (std::size_t i = 0; i < events.size(); ++i) {
     if (!is_extremum(events[i])) continue;
     const auto quantity = events[i]["of"].get<std::string>();
-    Course& course = out[quantity];
+    const int stage = quantity == "load" ? events[i].value("stage", 0) : 0;
+    Course& course = out[{quantity, stage}];
+    course.quantity = quantity;
+    course.stage = stage;
     if (course.values.empty()) course.values.push_back(0);
     course.values.push_back(value_of(events[i], quantity));
     course.numbers.push_back(i);
@@ -81,22 +90,25 @@ double value_at(const Measurement& at, const std::string& quantity, const std::v
 
 ListedEvents listed_events(const Json& events, const Measurement& start, const Measurement& end,
                            const std::vector<Column>& names) {
-  std::map<std::string, Course> courses = courses_of(events);
+  Courses courses = courses_of(events);
   double displacement = 0;  // of all gauges: one that hardly moves beside the others does not turn
-  for (auto& [quantity, course] : courses) {
-    course.values.front() = value_at(start, quantity, names);
-    course.values.push_back(value_at(end, quantity, names));
+  for (auto& [key, course] : courses) {
+    const std::string& quantity = course.quantity;
+    if (course.stage == 0) course.values.front() = value_at(start, quantity, names);
+    course.values.push_back(course.stage == 0 ? value_at(end, quantity, names) : 0);
     course.numbers.push_back(0);
     if (quantity != "load") displacement = std::max(displacement, largest_of(course.values));
   }
   std::vector<bool> is_listed(events.size());
   for (std::size_t i = 0; i < events.size(); ++i) is_listed[i] = !is_extremum(events[i]);
   Json small = {{"depth", listed_depth}};
-  for (auto& [quantity, course] : courses) {
+  for (auto& [key, course] : courses) {
+    const std::string& quantity = course.quantity;
     const std::size_t all = course.values.size();
     const std::vector<double> before_end(course.values.begin(), course.values.end() - 1);
     flatten(course, listed_depth * (quantity == "load" ? largest_of(before_end) : displacement));
-    if (course.values.size() < all) small[quantity] = all - course.values.size();
+    if (course.values.size() < all)
+      small[quantity] = small.value(quantity, std::size_t{0}) + all - course.values.size();
     for (std::size_t i = 1; i + 1 < course.numbers.size(); ++i) is_listed[course.numbers[i]] = true;
   }
   ListedEvents out{Json::array(), small.size() > 1 ? small : Json()};

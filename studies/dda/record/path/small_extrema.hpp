@@ -20,7 +20,7 @@ struct ListedEvents {
 
 /// Leaves out the limit points and turning points that single blocks make: as long as two extrema of a
 /// quantity that follow each other, or one and an end of the path, differ by less than that depth, those of
-/// the least difference are taken out. The largest stays. Other events stay. `names` are those of the values
+/// the least difference are taken out. Loads of one stage do not follow those of another. The largest stays. Other events stay. `names` are those of the values
 /// of a measurement.
 ListedEvents listed_events(const nlohmann::ordered_json& events, const Measurement& start,
                            const Measurement& end, const std::vector<Column>& names);

@@ -7,7 +7,9 @@ class Curve {
     this.summary = summary ?? {};
     this.log = log;
     this.steps = table.numbers(COLUMN.step) ?? Float64Array.from({length: table.numRows}, (_, i) => i);
-    this.kindOf = (row) => table.stability[row - 1] ?? STYLE.stability.length - 1;
+    const stages = this.summary.stages ? table.numbers(COLUMN.stage) : undefined;
+    const isApart = (row) => stages && stages[row] !== stages[row - 1];  // the load is another one from here on
+    this.kindOf = (row) => isApart(row) ? -1 : table.stability[row - 1] ?? STYLE.stability.length - 1;
   }
 
   rowOfStep(step) {

@@ -7,6 +7,7 @@ const COLUMN = {
   iterations: "newton_iterations",
   load: "load",
   loadFactor: "load_factor",
+  stage: "stage",
   work: "external_work",
   stored: "stored_energy",
   dissipated: "dissipated_energy",

@@ -332,6 +332,10 @@ RestartData restart_data(const Simulation& simulation, const RunMemory& memory, 
   put(out, "peak", memory.peak);
   put_all(out, "first_cracks", memory.first_cracks);
   put_all(out, "grown", memory.grown);
+  put_all(out, "stages", memory.stages);
+  auto& reasons = out.texts["stages.reason"] = {};
+  for (const HeldStage& stage : memory.stages) reasons.push_back(stage.reason);
+  out.numbers["held_load_factors"] = simulation.equilibrium().held_load_factors();
   if (memory.peak_state) put_state(out, "peak_state", *memory.peak_state);
   put(out, "run", memory);
   out.integers["factorisations"] = {memory.num_factorisations + num_factorisations(simulation)};
@@ -359,6 +363,11 @@ DeckFile deck_of(const RestartData& data, const fs::path& folder, const std::vec
 
 RunMemory restore(const RestartData& data, const fs::path& folder, Simulation& simulation) {
   simulation.walker().begin_stage(simulation.equilibrium().stages().size() - 1);
+  const Numbers& held = data.numbers.at("held_load_factors");
+  if (held.size() >= simulation.deck().followed_stages().size() ||
+      take<PathMemory>(data, "path").leg >= std::ssize(simulation.deck().legs()))
+    throw InputError(Position{folder.string()}, "the run has gone through more stages than there are now");
+  for (const double load_factor : held) simulation.hold_loads(load_factor);
   restore_structure(data, folder, simulation);
   restore_walker(data, simulation.walker());
   simulation.begin_path();
@@ -378,6 +387,9 @@ RunMemory restore(const RestartData& data, const fs::path& folder, Simulation& s
   out.num_factorisations = data.integers.at("factorisations").at(0) - num_factorisations(simulation);
   out.first_cracks = take_all<FirstCrack>(data, "first_cracks");
   out.grown = take_all<GrownSegment>(data, "grown");
+  out.stages = take_all<HeldStage>(data, "stages");
+  for (std::size_t i = 0; i < out.stages.size(); ++i)
+    out.stages[i].reason = data.texts.at("stages.reason").at(i);
   return out;
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "continuation/linear/strips/strip_part.hpp"
 #include "framework/files/whole_file.hpp"
 #include "framework/messages/provenance.hpp"
 #include "studies/dda/case/model_tables.hpp"
@@ -29,11 +28,13 @@ namespace fs = std::filesystem;
 /// What a run may lose when it is killed or the machine goes down; a shorter run is sooner repeated [s].
 constexpr double bearable_loss = 1.0;
 
-/// Whether the live loads have no resultant, couples or strains: then the load is the load factor.
+/// Whether the loads of some followed stage have no resultant, couples or strains: then its load is the load factor.
 bool acts_without_force(const Deck& deck) {
-  const auto stages = deck.loaded_stages();
-  return !stages.empty() && std::ranges::all_of(stages.back().loads, [](const LoadChoice& load) {
+  const auto has_no_force = [](const LoadChoice& load) {
     return load.name() == "moment" || load.name() == "initial_strain" || load.name() == "initial_stress";
+  };
+  return std::ranges::any_of(deck.followed_stages(), [&](std::size_t stage) {
+    return std::ranges::all_of(deck.stages[stage].loads, has_no_force);
   });
 }
 
@@ -51,18 +52,6 @@ ResultsTexts texts_of(const DeckFile& deck, const std::string& effective) {
   out["deck"] = deck.text;
   out["effective_deck"] = effective;
   return out;
-}
-
-nlohmann::ordered_json ranks_summary(Ranks& ranks) {
-  constexpr double bytes_per_mib = 1024 * 1024;
-  std::vector<double> memory = memory_by_rank(ranks);
-  for (double& bytes : memory) bytes /= bytes_per_mib;
-  const Traffic& traffic = ranks.traffic();
-  return {{"count", ranks.size()},
-          {"peak_memory_mib", memory},
-          {"exchanges", traffic.exchanges},
-          {"sent_mib", static_cast<double>(traffic.sent) / bytes_per_mib},
-          {"received_mib", static_cast<double>(traffic.received) / bytes_per_mib}};
 }
 
 /// Of the run that has never switched.
@@ -123,6 +112,8 @@ RunRecorder::RunRecorder(const RunFolder& folder, Simulation& simulation, const 
     log_.info(event, {{"step", memory_.last_step + 1}, {"text", text}});
   });
   simulation.when_grown([this] { store_peak(); }, [this](const Growth& growth) { follow(growth); });
+  simulation.when_held([this](const StageEnd& end) { end_stage(end); }, [this] { begin_stage(); });
+  events_.number_stages(stage_number());
   if (memory) {
     const std::vector<int> steps = results_.steps();
     last_stored_ = steps.empty() ? -1 : steps.back();
@@ -158,7 +149,17 @@ void RunRecorder::write_stiffness() const {
 }
 
 RecordedColumns RunRecorder::columns_of_parts() const {
-  return joined(interfaces_.columns(), indicator_.columns());
+  return joined(columns_of_stages(), joined(interfaces_.columns(), indicator_.columns()));
+}
+
+RecordedColumns RunRecorder::columns_of_stages() const {
+  if (stage_number() == 0) return {};
+  return {{{column::stage, ""}, [this](const RecordedStep&) { return std::int64_t{stage_number()}; }}};
+}
+
+int RunRecorder::stage_number() const {
+  if (simulation_.deck().followed_stages().size() < 2) return 0;
+  return static_cast<int>(simulation_.followed_stage()) + 1;
 }
 
 void RunRecorder::append_row(const Measurement& now, const Point& point) {
@@ -229,6 +230,8 @@ void RunRecorder::look_for_crawling() {
 /// The state of the highest load is held back until the load falls, so that only the peak itself is stored; or until a
 /// crack grows, whose new cuts would not be in equilibrium in it.
 void RunRecorder::keep_peak(const Point& point, const Measurement& now) {
+  const auto held = static_cast<int>(memory_.stages.size());
+  if (std::exchange(memory_.peak_stage, held) != held) memory_.peak = now;  // its first row
   if (point.is_highest) {
     memory_.peak = now;
     memory_.peak_state = here();
@@ -255,6 +258,30 @@ void RunRecorder::follow(const Growth& growth) {
   peak.history = growth.of_points(peak.history);
   for (std::vector<double>& mode : peak.modes) mode = indicator_.followed(mode, growth);
   if (!peak.state.multipliers.empty()) peak.state.multipliers = growth.of_points(peak.state.multipliers);
+}
+
+/// What it has stored is drawn and checked with its own loads.
+void RunRecorder::end_stage(const StageEnd& end) {
+  const auto scope = timings_.measure("output");
+  store_peak();
+  store_here();
+  memory_.peak_state.reset();
+  memory_.is_peak_stored = true;
+  const bool has_rows = memory_.peak_stage == static_cast<int>(memory_.stages.size());
+  memory_.stages.push_back({.number = stage_number(),
+                            .end = memory_.last_step,
+                            .load_factor = end.load_factor,
+                            .load = last_.load,
+                            .peak_step = has_rows ? memory_.peak.step : memory_.last_step,
+                            .peak_load = has_rows ? memory_.peak.load : 0,
+                            .reason = end.reason});
+}
+
+void RunRecorder::begin_stage() {
+  measures_ = measures_of(simulation_, columns_of_parts());
+  events_.begin_stage(simulation_.walker());
+  events_.number_stages(stage_number());
+  trace_.push_back(trace_point(simulation_.walker(), measures_));
 }
 
 void RunRecorder::store(const StoredState& at) {
@@ -341,7 +368,7 @@ nlohmann::ordered_json RunRecorder::finish(const Ending& ending) {
   if (const auto primary = folder_.file("primary") / "summary.json"; fs::exists(primary))
     out["without_switching"] = primary_summary(primary);
   out["peak_memory_mib"] = peak_memory_mib();
-  if (ranks_of_run()) out["ranks"] = ranks_summary(*ranks_of_run());
+  if (ranks_of_run()) out["ranks"] = to_json(*ranks_of_run());
   out["timings"] = to_json(timings_);
   out["profile"] = profile_of(timings_, simulation_);
   write_whole(folder_.file("summary.json"), out.dump(2) + "\n", durability());

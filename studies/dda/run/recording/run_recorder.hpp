@@ -52,6 +52,12 @@ class RunRecorder {
   void keep_peak(const Point& point, const Measurement& now);
   void store_peak();
   void follow(const Growth& growth);
+  void end_stage(const StageEnd& end);
+  void begin_stage();
+  /// Which stage a row belongs to, in decks that follow several.
+  RecordedColumns columns_of_stages() const;
+  /// Of the present one in the deck's `stages`, from 1; 0 where but one is followed.
+  int stage_number() const;
   void store(const StoredState& at);
   void store_here();
   void write_restart_file();

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "continuation/linear/matrix_quality.hpp"
+#include "continuation/linear/strips/strip_part.hpp"
 #include "framework/base/threads.hpp"
 #include "framework/messages/provenance.hpp"
 #include "framework/plugin/plugin.hpp"
@@ -35,6 +36,27 @@ void add_mesh_bias(const std::optional<ReferencePeak>& reference, double peak, J
   if (!reference) return;
   out["reference_peak"] = {{"load", reference->load}, {"text", reference->text}, {"at", reference->at}};
   out["mesh_bias"] = std::abs(peak) / reference->load - 1;
+}
+
+/// One after another, the last one as far as it has come; where there is but one the load factor says all.
+void add_stages(const Simulation& simulation, const RunMemory& memory, const Measurement& end, Json& out) {
+  const Deck& deck = simulation.deck();
+  if (deck.followed_stages().size() < 2) return;
+  const auto name = [&](int number) { return deck.stages[static_cast<std::size_t>(number) - 1].name; };
+  for (const HeldStage& stage : memory.stages)
+    out["stages"].push_back({{"number", stage.number},
+                             {"name", name(stage.number)},
+                             {"end", stage.end},
+                             {"load_factor", stage.load_factor},
+                             {"load", stage.load},
+                             {"reason", stage.reason},
+                             {"peak", {{"step", stage.peak_step}, {"load", stage.peak_load}}}});
+  const int number = static_cast<int>(simulation.followed_stage()) + 1;
+  out["stages"].push_back({{"number", number},
+                           {"name", name(number)},
+                           {"end", memory.last_step},
+                           {"load_factor", end.load_factor},
+                           {"load", end.load}});
 }
 
 Json units_of(const Units& units) { return {{"length", units.length}, {"force", units.force}}; }
@@ -90,6 +112,18 @@ Json to_json(const Timings& timings) {
   return out;
 }
 
+Json to_json(Ranks& ranks) {
+  constexpr double bytes_per_mib = 1024 * 1024;
+  std::vector<double> memory = memory_by_rank(ranks);
+  for (double& bytes : memory) bytes /= bytes_per_mib;
+  const Traffic& traffic = ranks.traffic();
+  return {{"count", ranks.size()},
+          {"peak_memory_mib", memory},
+          {"exchanges", traffic.exchanges},
+          {"sent_mib", static_cast<double>(traffic.sent) / bytes_per_mib},
+          {"received_mib", static_cast<double>(traffic.received) / bytes_per_mib}};
+}
+
 namespace {
 
 void add_effort(const Effort& effort, Json& out) {
@@ -132,6 +166,7 @@ Json summarise(const Simulation& simulation, const RunMemory& memory, const Meas
   }
   out["peak"] = peak_of(memory, measures);
   add_mesh_bias(simulation.deck().record.reference_peak, memory.peak.load, out);
+  add_stages(simulation, memory, end, out);
   out["external_work"] = end.work;
   out["stored_energy"] = end.stored;
   out["dissipated_energy"] = end.dissipated;

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "continuation/ranks/ranks.hpp"
 #include "studies/dda/case/simulation.hpp"
 #include "studies/dda/record/run_memory.hpp"
 
@@ -44,6 +45,9 @@ inline constexpr std::array<std::string_view, 17> numbers_of_summaries = {
 /// MatrixQuality of the intact stiffness, `start`, and of the tangent at the last accepted state, `end`.
 /// A condition beyond what can be estimated is null.
 nlohmann::ordered_json stiffness_quality(const Simulation& simulation);
+
+/// How many share the run, the memory of each, and what they have sent each other.
+nlohmann::ordered_json to_json(Ranks& ranks);
 
 /// Seconds by phase, `total` and `start_up`.
 nlohmann::ordered_json to_json(const Timings& timings);
