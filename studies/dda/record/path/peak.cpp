@@ -68,8 +68,15 @@ Json with_peak(Json events, const Json& peak, const CsvTable& curve) {
   const auto step = peak["step"].get<std::size_t>();
   const auto load = peak["load"].get<double>();
   if (step == 0 || !is_passed(curve, step)) return events;
-  if (std::ranges::any_of(events, [&](const Json& event) { return is_as_high(event, load); })) return events;
-  const Json found = limit_point(peak, curve.numbers(column::dissipated_energy).at(step));
+  const auto [begin, end] = rows_of_stage(curve, step);
+  const auto is_of_stage = [first = begin, last = end](const Json& event) {
+    const auto at = event["step"].get<std::ptrdiff_t>();
+    return first <= at && at < last;
+  };
+  if (std::ranges::any_of(events, [&](const Json& e) { return is_of_stage(e) && is_as_high(e, load); }))
+    return events;
+  Json found = limit_point(peak, curve.numbers(column::dissipated_energy).at(step));
+  if (curve.has(column::stage)) found["stage"] = static_cast<int>(curve.numbers(column::stage).at(step));
   const auto place = [](const Json& event) {
     return std::pair{event["step"].get<std::size_t>(), event["dissipated_energy"].get<double>()};
   };

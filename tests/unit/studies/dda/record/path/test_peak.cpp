@@ -74,5 +74,20 @@ TEST(PathPeak, StaysPassedWhenTheLoadComesBackToIt) {
   EXPECT_TRUE(is_passed(curve_of({{0, 0}, {8, 3}, {2, 3}, {8 * (1 - 1e-12), 3}}), 1));
 }
 
+/// Step 2 is the highest load of a second stage, whose loads are others than those of the first.
+TEST(PathPeak, IsThatOfItsStage) {
+  const test::Scratch scratch;
+  write_whole(scratch / "curve.csv",
+              "step,load,external_work,dissipated_energy,stage\n0,0,0,0,1\n1,9,1,0,1\n2,8,3,5,2\n3,4,4,9,2\n",
+              Flush::to_system);
+  const CsvTable curve = read_csv(scratch / "curve.csv");
+  EXPECT_TRUE(is_passed(curve, 2));
+  EXPECT_FALSE(is_passed(curve, 1)) << "what comes after belongs to the next";
+  const Json found = with_peak(Json::array({event("limit_point", 1, 9, 0)}), peak_at(2, 8), curve);
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[1]["step"], 2);
+  EXPECT_EQ(found[1]["stage"], 2);
+}
+
 }  // namespace
 }  // namespace dda

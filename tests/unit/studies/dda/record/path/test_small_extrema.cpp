@@ -52,6 +52,15 @@ TEST(SmallExtrema, GaugesAndOtherEventsHaveTheirOwn) {
   EXPECT_FALSE(found.small.contains("load"));
 }
 
+/// The loads of two stages are others, however alike: neither is small beside the other.
+TEST(SmallExtrema, StagesHaveTheirOwn) {
+  Json events{extremum(100, 1), extremum(50, 2), extremum(49.9, 2), extremum(100, 3)};
+  for (std::size_t i = 0; i < events.size(); ++i) events[i]["stage"] = i < 1 ? 1 : 2;
+  const ListedEvents found = listed_events(events, at(0, 0), at(10, 4), names);
+  EXPECT_EQ(loads(found.listed), (std::vector<double>{100, 100}));
+  EXPECT_EQ(found.small["load"], 2);
+}
+
 TEST(SmallExtrema, NoEventsNoCounts) {
   const ListedEvents found = listed_events(Json::array(), at(0, 0), at(1, 1), names);
   EXPECT_TRUE(found.listed.empty());
