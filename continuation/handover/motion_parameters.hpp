@@ -47,6 +47,7 @@ struct MeetingParameters {
   std::optional<double> friction;
   double restitution = 0;
   std::vector<PairParameters> pairs;
+  Position where;
 };
 
 /// The deck's `motion` section: what happens where the path has ended, or from the undeformed structure on.

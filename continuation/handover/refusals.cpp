@@ -93,7 +93,7 @@ void require_handover(const Body& body, const Equilibrium& equilibrium, const Mo
   Findings findings;
   if (!friction_of_others(equilibrium.interfaces(), parameters))
     findings.add(
-        where,
+        parameters.contact.where,
         "motion.contact.friction: no interface tells, or not all of them the same; give that of bodies "
         "which meet");
   if (parameters.time == 0 && !parameters.stops_at_rest)
