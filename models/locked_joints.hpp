@@ -16,9 +16,4 @@ namespace dda {
 /// thousandth of a side). Between blocks that are free to part, dry bricks in a course, nothing locks.
 std::vector<std::string> locked_joints(const Body& body, const InterfaceSet& interfaces);
 
-/// What may be behind steps that fail or lead nowhere: the end of such messages; "" where no joint locks.
-inline std::string what_locks(const InterfaceSet& interfaces) {
-  return interfaces.locked.empty() ? std::string{} : "; " + interfaces.locked.front();
-}
-
 }  // namespace dda

@@ -3,12 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "continuation/state/acceptance.hpp"
 #include "continuation/walk/energy.hpp"
-#include "models/locked_joints.hpp"
 
 namespace dda {
 namespace {
@@ -77,10 +75,6 @@ std::optional<Point> PathState::stop_early(Stop stop, std::string reason) {
     end_unsound(reason);
   else
     ending = {Ending::Kind::stopped_early, std::move(reason), stop};
-  constexpr std::array nowhere{Stop::dynamic,  Stop::limit_of_steps,  Stop::standstill,
-                               Stop::singular, Stop::next_initiation, Stop::no_next_equilibrium};
-  if (ending.stop && std::ranges::find(nowhere, *ending.stop) != nowhere.end())
-    ending.reason += what_locks(walker.system().equilibrium().interfaces());
   return {};
 }
 

@@ -11,7 +11,6 @@
 #include "continuation/ranks/ranks.hpp"
 #include "framework/base/memory.hpp"
 #include "framework/base/suggestion.hpp"
-#include "models/locked_joints.hpp"
 #include "studies/dda/case/motion_columns.hpp"
 
 namespace dda {
@@ -184,11 +183,15 @@ void Simulation::prepare() {
   notices_ = equilibrium_->interfaces().notices;
   if (front_) note_coarse_cracks();
   if (const std::size_t multipliers = equilibrium_->num_unknown_multipliers(); multipliers > 0)
-    if (const int redundant = num_redundant(equilibrium_->unperturbed()); redundant > 0)
+    if (const int redundant = num_redundant(equilibrium_->unperturbed()); redundant > 0) {
       notices_.push_back(fmt::format(
           "{} of {} Lagrange multipliers are redundant: their joints are tied more often than their "
           "blocks can move; the perturbation keeps them determined",
           redundant, multipliers));
+      hindrance_ = "; " + notices_.back() + "; take `treatment: consistent`";
+    }
+  if (const auto& locked = equilibrium_->interfaces().locked; !locked.empty())
+    hindrance_ = "; " + locked.front();
 }
 
 /// By the elastic solutions under the dead loads and under the reference load.
@@ -214,8 +217,7 @@ std::string Simulation::apply_dead_loads() {
   for (std::size_t stage = 0; stage + 1 < stages; ++stage) {
     walker_->begin_stage(stage);
     if (std::string why = apply_full_stage(*walker_); !why.empty())
-      return "stage '" + walker_->system().loading().name + "' cannot be carried: " + why +
-             what_locks(equilibrium_->interfaces());
+      return "stage '" + walker_->system().loading().name + "' cannot be carried: " + why + hindrance_;
   }
   walker_->begin_stage(stages - 1);
   return {};

@@ -55,6 +55,9 @@ class Simulation {
   const System& system() const { return *system_; }
   /// What was adapted to the scene or is worth knowing about it; complete after `prepare`.
   const std::vector<std::string>& notices() const { return notices_; }
+  /// What may be behind steps that fail or lead nowhere, joints that lock or are tied more often than blocks can move: the
+  /// end of the reasons of such stops; "" where nothing is.
+  const std::string& hindrance() const { return hindrance_; }
   const GaugeBook& gauges() const { return gauges_; }
   const Loading& loading() const { return equilibrium_->stages().back(); }
   /// Place in the deck's `stages` of the one whose loads are followed.
@@ -102,6 +105,7 @@ class Simulation {
   std::unique_ptr<Path> path_;
   GaugeBook gauges_;
   std::vector<std::string> notices_;
+  std::string hindrance_;
 };
 
 }  // namespace dda

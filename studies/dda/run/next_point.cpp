@@ -12,6 +12,13 @@ bool is_finite(const Candidate& at) {
                              [](double x) { return std::isfinite(x); });
 }
 
+/// Ends to which joints that lock may have led.
+bool leads_nowhere(Stop stop) {
+  constexpr std::array ends{Stop::dynamic,  Stop::limit_of_steps,  Stop::standstill,
+                            Stop::singular, Stop::next_initiation, Stop::no_next_equilibrium};
+  return std::ranges::find(ends, stop) != ends.end();
+}
+
 }  // namespace
 
 std::optional<Point> next_point(Simulation& simulation, RunRecorder* recorder, Ending& ending) {
@@ -19,6 +26,7 @@ std::optional<Point> next_point(Simulation& simulation, RunRecorder* recorder, E
   auto point = simulation.path().next();
   if (!point) {
     ending = simulation.path().ending();
+    if (ending.stop && leads_nowhere(*ending.stop)) ending.reason += simulation.hindrance();
     return {};
   }
   if (!is_finite(simulation.walker().here())) {
