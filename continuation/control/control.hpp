@@ -78,6 +78,16 @@ double next_new_crack(const Walker& walker);
 /// Along the leaving tangent to where the first joint begins to slide or to stick, opens or closes, while
 /// nothing cracks; infinite when none does. One that stands at such a corner counts as having passed it.
 double next_contact_change(const Walker& walker);
+
+/// That change: how far it is along the leaving tangent, and whose it is.
+struct ContactChange {
+  double amount = 0;
+  std::size_t point = 0;
+};
+std::optional<ContactChange> find_contact_change(const Walker& walker);
+/// The opening of its point prescribed, in the direction in which it goes there: it goes on whichever way the path leads
+/// after the change, and the control's quantity may not.
+Move contact_move(const Walker& walker, const ContactChange& change);
 /// Where the first of the loading points passes the next corner of its softening curve.
 double next_corner(const Walker& walker);
 

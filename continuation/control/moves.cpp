@@ -72,7 +72,7 @@ Move dissipation_move(const Walker& walker) {
   return {.kind = StepKind::dissipation, .equation = make_dissipation_equation(walker.system()), .rate = 1};
 }
 
-double next_contact_change(const Walker& walker) {
+std::optional<ContactChange> find_contact_change(const Walker& walker) {
   const System& system = walker.system();
   const LawValues laws = system.laws(walker.state());
   const std::vector<Vec2>& rates = walker.leaving().opening;
@@ -82,16 +82,32 @@ double next_contact_change(const Walker& walker) {
     widest = std::max(widest, laws.opening[p].norm());
   }
   constexpr double round_off = 1e-10;
-  double nearest = std::numeric_limits<double>::infinity();
+  std::optional<ContactChange> nearest;
   for (std::size_t p = 0; p < rates.size(); ++p) {
     const InterfacePoint& point = system.equilibrium().point(p);
     const auto contact = point.law->contact(system.history()[p], point.stiffness);
     if (!contact || rates[p].norm() <= round_off * fastest) continue;
     const ContactPiece piece = piece_at(*contact, laws.opening[p], system.history()[p].sliding);
     const auto end = end_of_piece(*contact, piece, laws.opening[p], rates[p]);
-    if (end && end->length * rates[p].norm() > round_off * widest) nearest = std::min(nearest, end->length);
+    const bool is_ahead = end && end->length * rates[p].norm() > round_off * widest;
+    if (is_ahead && (!nearest || end->length < nearest->amount)) nearest = {end->length, p};
   }
   return nearest;
+}
+
+double next_contact_change(const Walker& walker) {
+  const auto change = find_contact_change(walker);
+  return change ? change->amount : std::numeric_limits<double>::infinity();
+}
+
+Move contact_move(const Walker& walker, const ContactChange& change) {
+  const Vec2& rate = walker.leaving().opening[change.point];
+  const System& system = walker.system();
+  const Vec2 along = rate.normalized();
+  return {.kind = StepKind::corner,
+          .equation =
+              make_gauge_equation(system.equilibrium().opening_gauge(system.loading(), change.point, along)),
+          .rate = rate.norm()};
 }
 
 }  // namespace dda

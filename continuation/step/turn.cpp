@@ -37,4 +37,18 @@ std::optional<Point> land_on_turn(PathState& path, const Stride& stride, bool on
   return point;
 }
 
+std::optional<Point> land_on_contact_change(PathState& path, double amount) {
+  if (!path.walker.system().has_contacts()) return {};
+  const auto change = find_contact_change(path.walker);
+  if (!change || change->amount >= amount) return {};
+  constexpr double beyond = 1 + 1e-6;
+  const auto candidate = try_step(path, contact_move(path.walker, *change), beyond * change->amount);
+  if (!candidate || first_crossing(path, *candidate) || before_peak(path, *candidate) ||
+      is_coarse(path, *candidate))
+    return {};
+  if (path.cracks && share_to_strength(path, *candidate) < 1)
+    return land_on_strength(path, *candidate, StepKind::corner);
+  return keep(path, *candidate, StepKind::corner);
+}
+
 }  // namespace dda

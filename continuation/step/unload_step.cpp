@@ -33,6 +33,8 @@ std::optional<Point> unload_step(PathState& path) {
     const bool arrives = amount > (1 - 1e-9) * to_goal;
     if (arrives) amount = to_goal;
     const auto candidate = try_step(path, move, amount);
+    if (!candidate)
+      if (auto point = land_on_contact_change(path, amount)) return point;
     if (!candidate || refuse_jump(path, *candidate, to_string(move.kind))) continue;
     resize(path, *candidate, amount, move);
     Point point = keep(path, *candidate, move.kind);
