@@ -1,0 +1,68 @@
+"""Walls of mortar joints pushed forth and back until they are cracked through: what they bear then is the rocking load of rigid
+bodies, and the path goes on through every change of contact on its way.
+
+    test_mortar_walls.py        with PYTHONPATH=python, and DDA naming the program
+"""
+
+import tempfile
+import unittest
+from pathlib import Path
+
+import ddapath
+
+LENGTH, HEIGHT, BEAM, THICKNESS = 900, 960, 120, 110
+REACHED = HEIGHT + BEAM / 2  # of the push [mm]
+
+
+def wall(pressure, law="exponential_softening", points="vertices", young_modulus=8000):
+    mortar = {"type": law, "tensile_strength": 0.2, "fracture_energy": 0.02, "cohesion": 0.3, "friction_angle": 35,
+              "shear_fracture_energy": 0.2}
+    over = [[0, HEIGHT], [0, HEIGHT + BEAM]]
+    return {
+        "units": {"length": "mm", "force": "N"},
+        "scene": {"regions": [
+            {"name": "base", "material": "concrete", "undivided": True,
+             "vertices": [[-50, -100], [LENGTH + 50, -100], [LENGTH + 50, 0], [LENGTH, 0], [0, 0], [-50, 0]]},
+            {"name": "wall", "material": "brick", "vertices": [[0, 0], [LENGTH, 0], [LENGTH, HEIGHT], [0, HEIGHT]]},
+            {"name": "beam", "material": "concrete", "undivided": True,
+             "vertices": [[0, HEIGHT], [LENGTH, HEIGHT], [LENGTH, HEIGHT + BEAM], [0, HEIGHT + BEAM]]}],
+            "boundaries": {"bottom": [[-50, -100], [LENGTH + 50, -100]], "top": [[0, HEIGHT + BEAM], [LENGTH, HEIGHT + BEAM]]},
+            "subdivision": {"type": "bricks", "length": 225, "height": 120}},
+        "thickness": THICKNESS, "plane": "stress",
+        "materials": {"brick": {"type": "linear_elastic", "young_modulus": young_modulus, "poisson_ratio": 0.15},
+                      "concrete": {"type": "linear_elastic", "young_modulus": 30000, "poisson_ratio": 0.2}},
+        "interfaces": {name: {"between": ["brick", other], "points": points, "law": mortar}
+                       for name, other in (("joints", "brick"), ("ends", "concrete"))},
+        "supports": {"bottom": {"boundary": "bottom", "fix": "xy"}},
+        "stages": [{"name": "pressed", "loads": [{"type": "edge_traction", "boundary": "top", "pressure": pressure}]},
+                   {"name": "pushed", "loads": [{"type": "point_load", "over": over, "force": [1000, 0]}], "until": {"drift": 4}},
+                   {"name": "back", "until": {"drift": -3}, "unload": True}],
+        "gauges": {"drift": {"type": "displacement", "over": over, "direction": [1, 0]}},
+        "path": {"stop": {"load_below": 0}},
+    }
+
+
+class MortarWalls(unittest.TestCase):
+    def followed(self, **changes):
+        with tempfile.TemporaryDirectory() as folder:
+            run = ddapath.run(wall(**changes), folder=Path(folder) / "run", check=False)
+            self.assertEqual(run.summary["status"], "goal_reached", f"{changes}: {run.summary['reason']}")
+            return run.curve
+
+    def test_goes_on_to_where_it_rocks_the_other_way(self):
+        for changes in ({}, {"law": "linear_softening"}, {"young_modulus": 5000}, {"young_modulus": 20000}):
+            curve = self.followed(pressure=0.6, **changes)
+            rocks = 0.6 * LENGTH * THICKNESS * LENGTH / 2 / REACHED
+            self.assertAlmostEqual(curve["load"].iloc[-1] / rocks, -1, delta=1e-6, msg=changes)
+            self.assertGreater(curve["load"].max(), rocks)
+
+    def test_other_pressures_and_points(self):
+        for pressure in (0.15, 0.3, 0.45):
+            curve = self.followed(pressure=pressure)
+            rocks = pressure * LENGTH * THICKNESS * LENGTH / 2 / REACHED
+            self.assertLess(curve["load"].iloc[-1], -(1 - 1e-6) * rocks)
+        self.followed(pressure=0.6, points="gauss")
+
+
+if __name__ == "__main__":
+    unittest.main()
