@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <cmath>
+
 #include "continuation/control/control.hpp"
 
 namespace dda {
@@ -19,7 +22,18 @@ class LoadIncrements final : public Control {
   double prescribed_rate(const Tangent& along) const override { return along.load_factor; }
   bool sizes_steps() const override { return false; }
   LoadSolver* load_solver() override { return solver_.get(); }
-  std::string refusal(const Equilibrium& equilibrium) const override { return solver_->refusal(equilibrium); }
+  std::string refusal(const Equilibrium& equilibrium) const override {
+    const auto& points = equilibrium.interfaces().points;
+    const auto has_strength = [](const InterfacePoint& p) {
+      return std::isfinite(p.law->initial_kappa(p.stiffness));
+    };
+    if (std::ranges::any_of(points, &InterfacePoint::is_separate) &&
+        std::ranges::none_of(points, has_strength))
+      return "'load_increments' releases what is beyond its strength, and joints that only touch have none; "
+             "use "
+             "`staged`, which follows what slides and opens";
+    return solver_->refusal(equilibrium);
+  }
 
  private:
   double increment_;

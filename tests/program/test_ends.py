@@ -149,6 +149,8 @@ class Ends(unittest.TestCase):
                                 interfaces={"j": {"between": ["c", "c"],
                                                   "law": {"type": "mohr_coulomb", "tensile_strength": 3, "cohesion": 5, "friction_angle": 30}}})
             self.assertIn(f"{key}: control '{control}' does not heed it", said)
+        with self.assertRaisesRegex(ddapath.InputError, "joints that only touch have none"):
+            self.run_(BLOCKS, path={"control": "load_increments"})
         self.assertIn("unknown control 'dispalcement'; did you mean 'displacement'?",
                       self.refusal(path={"expected_to_stop": ["dispalcement"]}))
         self.assertIn("'defl' is to reach 0, where the path starts", self.refusal(path={"stop": {"gauges": {"defl": 0}}}))
