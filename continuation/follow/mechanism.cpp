@@ -94,6 +94,12 @@ bool moves_freely(const PathState& path) {
                           standing_load(path, path.load_of(path.walker.state()));
 }
 
+Move displacement_move(const PathState& path) {
+  return {.kind = StepKind::displacement,
+          .equation = make_gauge_equation(path.displacement),
+          .rate = path.displacement_rate(path.walker.leaving())};
+}
+
 void note_mechanism(PathState& path, Point& point, const State& before) {
   const double load = path.load_of(path.walker.state()), change = std::abs(load - path.load_of(before));
   const double along = std::abs(path.displacement_of(path.walker.state()) - path.displacement_of(before));

@@ -26,6 +26,9 @@ double standing_load(const PathState& path, double load);
 /// Whether the structure moves on by as much as makes a mechanism while its load stays.
 bool moves_freely(const PathState& path);
 
+/// Prescribes the displacement on which the load works, which goes on where the load does not.
+Move displacement_move(const PathState& path);
+
 /// Where the last step, from `before`, has moved the structure on by so much while its load stayed: it is a mechanism,
 /// at which the path ends unless a gauge value is wanted.
 void note_mechanism(PathState& path, Point& point, const State& before);

@@ -25,6 +25,14 @@ std::optional<Point> cracking_step(PathState& path, const Move& move) {
   return point;
 }
 
+/// The control's own; where a mechanism goes on while next to nothing is spent, by its displacement.
+Move cracking_move(PathState& path) {
+  Move own = path.control->next(path.walker);
+  const bool is_free = own.kind == StepKind::dissipation && path.control->may_be_rescued() &&
+                       path.walker.system().has_contacts() && moves_freely(path);
+  return is_free ? displacement_move(path) : own;
+}
+
 std::optional<Point> next_step(PathState& path) {
   if (path.leg().unloads) return unload_step(path);
   if (path.releases_at_once && path.control->load_increment() == 0 &&
@@ -39,7 +47,7 @@ std::optional<Point> next_step(PathState& path) {
   if (!cracked) return event_step(path);
   if (const auto obstacle = path.control->obstacle(path.walker.leaving()))
     return path.stop_early(obstacle->stop, obstacle->text);
-  const Move move = path.control->next(path.walker);
+  const Move move = cracking_move(path);
   const bool between_releases =
       path.releases_at_once && !path.walker.leaving().dissipates && std::isfinite(next_event(path.walker));
   if (!move.to_event && !between_releases) return cracking_step(path, move);

@@ -66,13 +66,11 @@ std::optional<Stopped> mechanism_beyond(PathState& path, const Move& move) {
   if (move.kind != StepKind::load || !path.walker.system().has_contacts()) return {};
   const double load = path.load_of(path.walker.state());
   const double along = mechanism_way * std::abs(path.displacement_of(path.walker.state()));
-  const double rate = path.displacement_rate(path.walker.leaving());
-  if (rate == 0 || along == 0) return {};
-  const Move by_displacement{
-      .kind = StepKind::displacement, .equation = make_gauge_equation(path.displacement), .rate = rate};
+  const Move by_displacement = displacement_move(path);
+  if (by_displacement.rate == 0 || along == 0) return {};
   for (const double multiple : {1.0, 10.0}) {
-    const auto beyond =
-        try_step(path, by_displacement, multiple * along / std::abs(rate), Thoroughness::full);
+    const auto beyond = try_step(path, by_displacement, multiple * along / std::abs(by_displacement.rate),
+                                 Thoroughness::full);
     if (!beyond || std::abs(path.load_of(beyond->state) - load) > standing_load(path, load)) continue;
     return Stopped{
         Stop::limit_point,

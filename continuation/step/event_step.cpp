@@ -31,7 +31,10 @@ std::optional<Point> approach(PathState& path, double amount) {
 
 std::optional<Point> event_step(PathState& path) {
   const double amount = amount_to_event(path);
-  if (!std::isfinite(amount)) return can_slide(path) ? sliding_step(path) : linear_step(path);
+  // Of a mechanism, along which no load grows, the next strength is not sought by the load.
+  const bool is_free = path.walker.here().dissipated > 0 && moves_freely(path);
+  if (!std::isfinite(amount) || (is_free && can_slide(path)))
+    return can_slide(path) ? sliding_step(path) : linear_step(path);
   path.control->obstacle(
       path.walker.leaving());  // fixes the direction of a prescribed gauge on the elastic branch
   if (auto point = land_ahead(path, amount)) return point;

@@ -17,10 +17,7 @@ namespace {
 Move sliding_move(PathState& path) {
   Move own = path.control->next(path.walker);
   const bool serves = !own.to_event && own.kind != StepKind::dissipation && own.rate != 0;
-  if (serves) return own;
-  return {.kind = StepKind::displacement,
-          .equation = make_gauge_equation(path.displacement),
-          .rate = path.displacement_rate(path.walker.leaving())};
+  return serves ? own : displacement_move(path);
 }
 
 /// Exactly to where the first joint begins to slide, or opens or closes.
