@@ -90,7 +90,10 @@ bool is_at_rest(const PathState& path) {
 /// Why a path ends whose control finds no next equilibrium.
 std::optional<Point> end_of_control(PathState& path, const Stride& stride) {
   if (const auto turned = turning_point(path)) return path.stop_early(turned->stop, turned->text);
-  if (const auto free = mechanism_beyond(path, stride.move)) return path.stop_early(free->stop, free->text);
+  if (const auto free = mechanism_beyond(path, stride.move)) {
+    path.unsound.reset();  // states that only weak springs would hold are beyond it
+    return path.stop_early(free->stop, free->text);
+  }
   constexpr double hardly_any = 1e-3;
   const double left = std::abs(path.load_of(path.walker.state())) / path.memory.peak_load;
   if (left < hardly_any)

@@ -38,7 +38,7 @@ std::optional<Point> land_on_turn(PathState& path, const Stride& stride, bool on
 }
 
 std::optional<Point> land_on_contact_change(PathState& path, double amount) {
-  if (!path.walker.system().has_contacts()) return {};
+  if (!path.walker.leaving().dissipates || !path.walker.system().has_contacts()) return {};
   const auto change = find_contact_change(path.walker);
   if (!change || change->amount >= amount) return {};
   constexpr double beyond = 1 + 1e-6;
@@ -48,7 +48,10 @@ std::optional<Point> land_on_contact_change(PathState& path, double amount) {
     return {};
   if (path.cracks && share_to_strength(path, *candidate) < 1)
     return land_on_strength(path, *candidate, StepKind::corner);
-  return keep(path, *candidate, StepKind::corner);
+  const BeyondChange passed{change->point, path.walker.leaving().opening[change->point].normalized()};
+  Point point = keep(path, *candidate, StepKind::corner);
+  path.walker.leave_beyond(passed);
+  return point;
 }
 
 }  // namespace dda

@@ -135,6 +135,14 @@ class RateProblem {
     found.keeps_equilibrium = keeps;
     return found;
   }
+  /// A direction that goes on beyond a change of contact; flags as it needs them.
+  std::optional<Tangent> solve_beyond(const Tangent& arriving, const BeyondChange& change) {
+    const std::vector<History> flags = system_.history();
+    beyond_ = change;
+    if (auto found = walked(arriving)) return std::move(found->tangent);
+    system_.set_history(flags);
+    return {};
+  }
   Tangent tangent() const {
     Tangent out = oriented(system_, state_, heading_);
     if (sense_ == Sense::loads && out.load_factor < 0) reverse(out);
@@ -166,7 +174,9 @@ class RateProblem {
       if (!ray) continue;
       set(ray->goes_on);
       Way found{tangent()};
-      if (found.tangent.d.empty() || !is_settled(found.tangent)) continue;
+      if (found.tangent.d.empty()) continue;
+      if (!goes_beyond(found.tangent) && !found.tangent.dissipates) reverse(found.tangent);
+      if (!is_settled(found.tangent) || !goes_beyond(found.tangent)) continue;
       found.leads_back = leads_back(system_, found.tangent);
       if (best && !is_better(found, *best, arriving)) continue;
       best = std::move(found);
@@ -174,6 +184,11 @@ class RateProblem {
     }
     if (best) system_.set_history(std::move(flags));
     return best;
+  }
+
+  /// True where nothing is asked for.
+  bool goes_beyond(const Tangent& found) const {
+    return !beyond_ || found.opening[beyond_->point].dot(beyond_->along) >= 0;
   }
 
   bool is_better(const Way& one, const Way& other, const Tangent& arriving) const {
@@ -288,6 +303,7 @@ class RateProblem {
   const State& state_;
   Sense sense_;
   std::optional<Heading> heading_;
+  std::optional<BeyondChange> beyond_;
   std::vector<Flag> flags_;
   std::vector<Vec2> gradients_;
 };
@@ -308,6 +324,11 @@ Tangent arriving_tangent(System& system, const State& state, const std::optional
 Tangent leaving_tangent(System& system, const State& state, Tangent arriving,
                         const std::optional<Heading>& heading) {
   return RateProblem(system, state, RateProblem::Sense::dissipates, heading).solve(std::move(arriving));
+}
+
+std::optional<Tangent> tangent_beyond(System& system, const State& state, const Tangent& arriving,
+                                      const BeyondChange& change) {
+  return RateProblem(system, state, RateProblem::Sense::dissipates).solve_beyond(arriving, change);
 }
 
 Tangent starting_tangent(System& system, const State& state) {

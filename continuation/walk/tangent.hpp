@@ -57,6 +57,18 @@ Tangent arriving_tangent(System& system, const State& state, const std::optional
 Tangent leaving_tangent(System& system, const State& state, Tangent arriving,
                         const std::optional<Heading>& heading = {});
 
+/// A point a hair beyond a change of contact, and the way on which its opening got there.
+struct BeyondChange {
+  std::size_t point = 0;
+  Vec2 along = Vec2::Zero();
+};
+
+/// The direction in which the path goes on from there, `along` · q̇ ≥ 0, when it seems to lead straight back: with the
+/// joint as it is now others unload or stick. Orients what spends nothing by that, and sets the history's flags; nothing,
+/// and nothing changed, where there is no such direction.
+std::optional<Tangent> tangent_beyond(System& system, const State& state, const Tangent& arriving,
+                                      const BeyondChange& change);
+
 /// The direction in which a stage begins, its load growing: what the stages before have cracked goes on only
 /// where that load drives it, and nothing is followed backwards because it spends energy.
 Tangent starting_tangent(System& system, const State& state);

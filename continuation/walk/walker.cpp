@@ -148,6 +148,16 @@ void Walker::unload() {
   leaving_ = arriving_tangent(system_, here_.state, heading_);
 }
 
+void Walker::leave_beyond(const BeyondChange& change) {
+  if (leaving_.d.empty() || leaving_.opening[change.point].dot(change.along) >= 0) return;
+  std::vector<History> flags = system_.history();
+  system_.set_history(here_.history);
+  if (auto found = tangent_beyond(system_, here_.state, here_.arriving, change))
+    leaving_ = *std::move(found);
+  else
+    system_.set_history(std::move(flags));
+}
+
 void Walker::turn_to(Tangent leaving, std::vector<History> flags) {
   system_.set_history(std::move(flags));
   leaving_ = std::move(leaving);

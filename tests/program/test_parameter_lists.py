@@ -130,7 +130,7 @@ class Lists(unittest.TestCase):
         self.assertIn("did you mean 'LOCA/Stepper/Max Steps'", refused.stderr)
         for parameters, settings, words in (
                 ({"LOCA/Step Size/Aggressiveness": 0.5}, (), "only `sizing: iterations` has one"),
-                ({"LOCA/Step Size/Max Step Size": 1.0}, ("path.control=event",), "have no size"),
+                ({"LOCA/Step Size/Max Step Size": 1.0}, ("path.control=event",), "does not heed it"),
                 ({"LOCA/Stepper/Max Steps": 0}, (), "steps"),
                 ({"LOCA/Stepper/Max Steps": "many"}, (), "steps")):
             refused = self.run_deck("run", "--parameters", self.write(parameters), settings=settings)

@@ -43,12 +43,12 @@ class ParaViewState(unittest.TestCase):
     def test_opens_the_run_beside_it(self):
         with tempfile.TemporaryDirectory() as scratch:
             run = ddapath.run(ROOT / "tests/program/beam.yaml", {"path.stop.after_steps": 6}, folder=Path(scratch) / "ma'de")
+            last = run.curve.iloc[-1]
             moved = run.folder.rename(Path(scratch) / "moved")
             simple, (blocks, joints) = opened(moved / "paraview_state.py")
             self.assertEqual(blocks.files, [str(moved / "run.xdmf")])
             self.assertEqual((blocks.GridStatus, joints.GridStatus), (["blocks", "blocks[1]"], ["interfaces", "interfaces[1]"]))
             told = simple.PythonAnnotation.call_args.kwargs["Expression"]
-            last = run.curve.iloc[-1]
             self.assertEqual(eval(told, {"time_value": 6.0}),
                              f"step 6: load factor {last['load_factor']:.5g}, load {last['load']:.5g}")
             self.assertEqual(eval(told, {"time_value": 99.0}), "")
