@@ -81,7 +81,8 @@ double next_contact_change(const Walker& walker);
 
 /// That change: how far it is along the leaving tangent, and whose it is.
 struct ContactChange {
-  double amount = 0;
+  double amount = 0;  ///< to it
+  double beyond = 0;  ///< a hair more: 1e-9 of the widest opening
   std::size_t point = 0;
 };
 std::optional<ContactChange> find_contact_change(const Walker& walker);

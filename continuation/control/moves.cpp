@@ -81,7 +81,7 @@ std::optional<ContactChange> find_contact_change(const Walker& walker) {
     fastest = std::max(fastest, rates[p].norm());
     widest = std::max(widest, laws.opening[p].norm());
   }
-  constexpr double round_off = 1e-10;
+  constexpr double round_off = 1e-10, hair = 1e-9;
   std::optional<ContactChange> nearest;
   for (std::size_t p = 0; p < rates.size(); ++p) {
     const InterfacePoint& point = system.equilibrium().point(p);
@@ -90,7 +90,8 @@ std::optional<ContactChange> find_contact_change(const Walker& walker) {
     const ContactPiece piece = piece_at(*contact, laws.opening[p], system.history()[p].sliding);
     const auto end = end_of_piece(*contact, piece, laws.opening[p], rates[p]);
     const bool is_ahead = end && end->length * rates[p].norm() > round_off * widest;
-    if (is_ahead && (!nearest || end->length < nearest->amount)) nearest = {end->length, p};
+    if (is_ahead && (!nearest || end->length < nearest->amount))
+      nearest = {end->length, end->length + hair * widest / rates[p].norm(), p};
   }
   return nearest;
 }

@@ -41,8 +41,7 @@ std::optional<Point> land_on_contact_change(PathState& path, double amount) {
   if (!path.walker.leaving().dissipates || !path.walker.system().has_contacts()) return {};
   const auto change = find_contact_change(path.walker);
   if (!change || change->amount >= amount) return {};
-  constexpr double beyond = 1 + 1e-6;
-  const auto candidate = try_step(path, contact_move(path.walker, *change), beyond * change->amount);
+  const auto candidate = try_step(path, contact_move(path.walker, *change), change->beyond);
   if (!candidate || first_crossing(path, *candidate) || before_peak(path, *candidate) ||
       is_coarse(path, *candidate))
     return {};
