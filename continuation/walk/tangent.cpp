@@ -136,10 +136,10 @@ class RateProblem {
     return found;
   }
   /// A direction that goes on beyond a change of contact; flags as it needs them.
-  std::optional<Tangent> solve_beyond(const Tangent& arriving, const BeyondChange& change) {
+  std::optional<Tangent> solve_beyond(const BeyondChange& change) {
     const std::vector<History> flags = system_.history();
     beyond_ = change;
-    if (auto found = walked(arriving)) return std::move(found->tangent);
+    if (auto found = walked(change.arriving)) return std::move(found->tangent);
     system_.set_history(flags);
     return {};
   }
@@ -174,9 +174,7 @@ class RateProblem {
       if (!ray) continue;
       set(ray->goes_on);
       Way found{tangent()};
-      if (found.tangent.d.empty()) continue;
-      if (!goes_beyond(found.tangent) && !found.tangent.dissipates) reverse(found.tangent);
-      if (!is_settled(found.tangent) || !goes_beyond(found.tangent)) continue;
+      if (found.tangent.d.empty() || !is_settled(found.tangent) || !goes_beyond(found.tangent)) continue;
       found.leads_back = leads_back(system_, found.tangent);
       if (best && !is_better(found, *best, arriving)) continue;
       best = std::move(found);
@@ -186,9 +184,9 @@ class RateProblem {
     return best;
   }
 
-  /// True where nothing is asked for.
+  /// True where nothing is asked for; what spends nothing may lead either way.
   bool goes_beyond(const Tangent& found) const {
-    return !beyond_ || found.opening[beyond_->point].dot(beyond_->along) >= 0;
+    return !beyond_ || !found.dissipates || found.opening[beyond_->point].dot(beyond_->along) >= 0;
   }
 
   bool is_better(const Way& one, const Way& other, const Tangent& arriving) const {
@@ -326,9 +324,9 @@ Tangent leaving_tangent(System& system, const State& state, Tangent arriving,
   return RateProblem(system, state, RateProblem::Sense::dissipates, heading).solve(std::move(arriving));
 }
 
-std::optional<Tangent> tangent_beyond(System& system, const State& state, const Tangent& arriving,
-                                      const BeyondChange& change) {
-  return RateProblem(system, state, RateProblem::Sense::dissipates).solve_beyond(arriving, change);
+std::optional<Tangent> tangent_beyond(System& system, const State& state,
+                                      const std::optional<Heading>& heading, const BeyondChange& change) {
+  return RateProblem(system, state, RateProblem::Sense::dissipates, heading).solve_beyond(change);
 }
 
 Tangent starting_tangent(System& system, const State& state) {

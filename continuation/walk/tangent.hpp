@@ -61,13 +61,14 @@ Tangent leaving_tangent(System& system, const State& state, Tangent arriving,
 struct BeyondChange {
   std::size_t point = 0;
   Vec2 along = Vec2::Zero();
+  Tangent arriving = {};  ///< of the equilibrium there
 };
 
-/// The direction in which the path goes on from there, `along` · q̇ ≥ 0, when it seems to lead straight back: with the
-/// joint as it is now others unload or stick. Orients what spends nothing by that, and sets the history's flags; nothing,
-/// and nothing changed, where there is no such direction.
-std::optional<Tangent> tangent_beyond(System& system, const State& state, const Tangent& arriving,
-                                      const BeyondChange& change);
+/// The direction in which the path goes on from there when it seems to lead straight back: with the joint as it is now
+/// others unload or stick. Where cracks grow along it, `along` · q̇ ≥ 0; where none does it is as `heading` says. Sets the
+/// history's flags; nothing, and nothing changed, where there is no such direction.
+std::optional<Tangent> tangent_beyond(System& system, const State& state,
+                                      const std::optional<Heading>& heading, const BeyondChange& change);
 
 /// The direction in which a stage begins, its load growing: what the stages before have cracked goes on only
 /// where that load drives it, and nothing is followed backwards because it spends energy.

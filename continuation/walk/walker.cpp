@@ -148,11 +148,12 @@ void Walker::unload() {
   leaving_ = arriving_tangent(system_, here_.state, heading_);
 }
 
-void Walker::leave_beyond(const BeyondChange& change) {
-  if (leaving_.d.empty() || leaving_.opening[change.point].dot(change.along) >= 0) return;
+void Walker::leave_beyond(BeyondChange change) {
+  if (!leaving_.dissipates || leaving_.opening[change.point].dot(change.along) >= 0) return;
+  change.arriving = here_.arriving;
   std::vector<History> flags = system_.history();
   system_.set_history(here_.history);
-  if (auto found = tangent_beyond(system_, here_.state, here_.arriving, change))
+  if (auto found = tangent_beyond(system_, here_.state, heading_, change))
     leaving_ = *std::move(found);
   else
     system_.set_history(std::move(flags));

@@ -124,7 +124,7 @@ class Walker {
   /// Leaves the damage surfaces: from here on nothing loads or slides until it is reached again.
   void unload();
   /// Leaves a change of contact by what goes on beyond it, if the tangent would lead straight back.
-  void leave_beyond(const BeyondChange& change);
+  void leave_beyond(BeyondChange change);
   /// Goes on by another tangent, with the history's flags that belong to it.
   void turn_to(Tangent leaving, std::vector<History> flags);
 
