@@ -28,6 +28,7 @@ struct Stride {
   double beyond =
       0;  ///< what the try would have been long, had it not ended at a strength; 0 when it has not
   std::string why = {};  ///< it has been shortened last
+  int cuts = 0;          ///< how often it has failed
   int refinements = 0;   ///< how often for the peak, a turn or the balance of energy
   int looks = 0;         ///< and to look between its ends
   double looked_at = 0;
@@ -85,7 +86,7 @@ std::optional<Point> snap(PathState& path, const Candidate& beyond, Stride& stri
 /// last traction, so that the tangent there tells which cracks go on and which unload.
 std::optional<Point> land_on_turn(PathState& path, const Stride& stride, bool on_new_cracks);
 
-/// Where a step of this length along which cracks grow fails because a joint begins to slide or to stick, opens or closes on
+/// Where a step of this length along which cracks grow, cut before, fails because a joint begins to slide or to stick, opens or closes on
 /// the way, after which the path may turn: lands a hair beyond the first such change, so that the tangent there tells which joints go on.
 std::optional<Point> land_on_contact_change(PathState& path, double amount);
 
