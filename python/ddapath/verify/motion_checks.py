@@ -1,7 +1,7 @@
 """Checks of a motion: its energy book, that nothing is inside of anything else, and that rest is rest.
 
-Integrators that hold bodies apart by penalties alone promise no such thing: how deep bodies overlap is measured and told, beside
-a bound that refuses nothing.
+Integrators that hold bodies apart by penalties alone promise no such thing: how deep bodies overlap, and what impact gives back,
+is measured and told, beside a bound that refuses nothing.
 """
 import math
 
@@ -42,11 +42,11 @@ def spent_never_falls(curve):
     return worst_of("motion: what is spent never falls", found, ROUNDING)
 
 
-def impact_gives_nothing_back(curve):
+def impact_gives_nothing_back(curve, bound):
     """Impact and damping take energy; where they fall integration has made some, and all falls together are bounded."""
     falls = -np.diff(curve["impact_and_damping"]).clip(max=0)
     at = int(np.argmax(falls)) + 2 if len(falls) else 0
-    return worst_of("motion: impact gives nothing back", [(falls.sum() / scale_of(curve), f"mostly step {at}")], GIVEN_BACK)
+    return worst_of("motion: impact gives nothing back", [(falls.sum() / scale_of(curve), f"mostly step {at}")], bound)
 
 
 def rest(curve, summary):
@@ -131,5 +131,6 @@ def all_checks(run):
     curve = motion.curve
     out = [finite(curve)] if len(curve) else []
     if len(curve):
-        out += [*books(curve), spent_never_falls(curve), impact_gives_nothing_back(curve), *rest(curve, summary)]
+        out += [*books(curve), spent_never_falls(curve), impact_gives_nothing_back(curve, math.inf if has_penalties_alone(run) else GIVEN_BACK),
+                *rest(curve, summary)]
     return [*out, overlaps(motion) if has_penalties_alone(run) else nothing_crosses(motion, offset_of(run))]
