@@ -61,9 +61,28 @@ class ModelPicture {
       if (is_new)
         add_key(KeyEntry::Kind::line, at->second,
                 equilibrium_.interfaces().names[static_cast<std::size_t>(point.interface)]);
-      const Vec2 half = 0.5 * point.weight / body_.thickness * Vec2(-point.normal.y(), point.normal.x());
-      drawing_.strokes.push_back({.start = point.x - half, .end = point.x + half, .colour = at->second});
+      const Vec2 along = point.weight / body_.thickness * Vec2(-point.normal.y(), point.normal.x());
+      const double reach =
+          is_at_end(point) ? 1 : 0.5;  // what a point at a corner stands for lies to one side of it
+      drawing_.strokes.push_back({.start = on_side(point, point.x - reach * along),
+                                  .end = on_side(point, point.x + reach * along),
+                                  .colour = at->second});
     }
+  }
+
+  bool is_at_end(const InterfacePoint& point) const {
+    if (point.cut) return false;
+    const Side& side = body_.assembly.sides[point.side];
+    constexpr double near = 1e-6;
+    const double length = (side.end - side.start).norm();
+    return std::min((point.x - side.start).norm(), (point.x - side.end).norm()) < near * length;
+  }
+  /// The nearest place on the side of a point.
+  Vec2 on_side(const InterfacePoint& point, const Vec2& x) const {
+    if (point.cut) return x;
+    const Side& side = body_.assembly.sides[point.side];
+    const Vec2 along = side.end - side.start;
+    return side.start + std::clamp((x - side.start).dot(along) / along.squaredNorm(), 0.0, 1.0) * along;
   }
 
   void add_symbols(const Functional& of, svg::Symbol symbol) {
