@@ -30,8 +30,7 @@ class LoadIncrements final : public Control {
     if (std::ranges::any_of(points, &InterfacePoint::is_separate) &&
         std::ranges::none_of(points, has_strength))
       return "'load_increments' releases what is beyond its strength, and joints that only touch have none; "
-             "use "
-             "`staged`, which follows what slides and opens";
+             "use `staged`, which follows what slides and opens";
     return solver_->refusal(equilibrium);
   }
 

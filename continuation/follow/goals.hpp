@@ -23,8 +23,8 @@ double share_of_goals(const PathState& path);
 /// its own; and where a crack through blocks is stuck, which would make all that comes after too strong.
 void settle(PathState& path);
 
-/// Begins the leg with loads of its own that is due, and those after it that are, but not while a release goes on. The equilibrium at which they begin belongs
-/// to the loads before: it is recorded first.
+/// Begins the leg with loads of its own that is due, and those after it that are, but not while a release goes on. The
+/// equilibrium at which they begin belongs to the loads before: it is recorded first.
 void begin_stages(PathState& path);
 
 /// Ends the path where nothing changes any more.

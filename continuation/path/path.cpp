@@ -14,28 +14,36 @@ namespace {
 /// Leaves a step that somebody does not want to wait for.
 struct BrokenOff {};
 
-/// What a step changes before it accepts anything, to be put back. The point before the last stays where it is: only an
-/// accepted step replaces it.
+/// What a step changes before it accepts anything, to be put back. The point before the last stays where it is, and so
+/// does the history but for its flags: only an accepted step replaces them.
 class BeforeStep {
  public:
-  explicit BeforeStep(PathState& path)
-      : effort_(path.walker.effort()), history_(path.walker.system().history()) {
+  explicit BeforeStep(PathState& path) : effort_(path.walker.effort()) {
     auto point = std::exchange(path.memory.before, {});
     memory_ = path.memory;
     path.memory.before = std::move(point);
+    for (const History& h : path.walker.system().history()) {
+      loading_.push_back(h.loading);
+      sliding_.push_back(h.sliding);
+    }
   }
   void put_back(PathState& path) {
     memory_.before = std::move(path.memory.before);
     path.memory = std::move(memory_);
     path.walker.effort() = effort_;
-    path.walker.system().set_history(std::move(history_));
+    std::vector<History> history = path.walker.here().history;
+    for (std::size_t p = 0; p < history.size(); ++p) {
+      history[p].loading = loading_[p];
+      history[p].sliding = sliding_[p];
+    }
+    path.walker.system().set_history(std::move(history));
     path.walker.system().set_multipliers(path.walker.state().multipliers);
   }
 
  private:
   PathMemory memory_;
   Effort effort_;
-  std::vector<History> history_;
+  std::vector<bool> loading_, sliding_;
 };
 
 }  // namespace
@@ -74,7 +82,8 @@ void Path::interrupt_when(std::function<bool()> asked) {
 }
 
 std::optional<Point> Path::take() {
-  accepted_before_ = state_.cracks ? -1 : state_.walker.effort().accepted;
+  if (state_.cracks || !interrupted_) return take_step(state_);
+  accepted_before_ = state_.walker.effort().accepted;
   BeforeStep before(state_);
   try {
     return take_step(state_);

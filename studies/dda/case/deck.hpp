@@ -62,7 +62,7 @@ struct Deck : ModelParameters {
   std::optional<MotionParameters> motion;
   RecordParameters record;
   std::optional<Node>
-      sweep;  ///< of a file that describes many runs, see studies/dda/sweep/sweep.hpp; none in one run
+      sweep;  ///< of a file that describes many runs, see studies/dda/sweep/description/sweep.hpp; none in one run
 
   /// Without loads there is nothing to follow, only a motion.
   bool has_path() const { return !stages.empty(); }

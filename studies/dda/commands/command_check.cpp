@@ -13,7 +13,7 @@
 #include "studies/dda/record/warnings/bearings.hpp"
 #include "studies/dda/record/warnings/coarse_zones.hpp"
 #include "studies/dda/record/warnings/unlikely_numbers.hpp"
-#include "studies/dda/sweep/sweep.hpp"
+#include "studies/dda/sweep/description/sweep.hpp"
 
 namespace dda {
 namespace {

@@ -6,7 +6,7 @@
 #include "studies/dda/run/one_rank.hpp"
 #include "studies/dda/run/recording/profile.hpp"
 #include "studies/dda/run/recording/summary.hpp"
-#include "studies/dda/sweep/sweep.hpp"
+#include "studies/dda/sweep/description/sweep.hpp"
 
 namespace dda {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "studies/dda/run/run.hpp"
-#include "studies/dda/sweep/sweep.hpp"
+#include "studies/dda/sweep/description/sweep.hpp"
 
 namespace dda {
 

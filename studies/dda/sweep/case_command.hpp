@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "studies/dda/sweep/sweep.hpp"
+#include "studies/dda/sweep/description/sweep.hpp"
 
 namespace dda {
 

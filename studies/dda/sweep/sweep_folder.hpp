@@ -8,7 +8,7 @@
 
 #include "framework/deck/schema.hpp"
 #include "framework/files/run/run_folder.hpp"
-#include "studies/dda/sweep/sweep.hpp"
+#include "studies/dda/sweep/description/sweep.hpp"
 
 namespace dda {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "studies/dda/sweep/sweep.hpp"
+#include "studies/dda/sweep/description/sweep.hpp"
 #include "unit/framework/files/scratch.hpp"
 
 namespace dda::test {

@@ -1,4 +1,4 @@
-#include "studies/dda/sweep/sweep_decks.hpp"
+#include "studies/dda/sweep/description/sweep_decks.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "studies/dda/sweep/derived_columns.hpp"
+#include "studies/dda/sweep/description/derived_columns.hpp"
 
 #include <fmt/format.h>
 
@@ -119,8 +119,9 @@ std::vector<DerivedColumn> read_derived_columns(const Node& columns, Findings& f
     }
     const auto& taken = numbers_of_summaries;
     if (!is_name(entry.key) || std::ranges::find(taken, entry.key) != taken.end()) {
-      findings.add(entry.where, fmt::format("columns.{}: a name is of letters, digits and _, and none of the summary's",
-                                            entry.key));
+      findings.add(entry.where,
+                   fmt::format("columns.{}: a name is of letters, digits and _, and none of the summary's",
+                               entry.key));
       continue;
     }
     const Undotted read = undotted(entry.value.text);

@@ -1,4 +1,4 @@
-#include "studies/dda/sweep/sweep.hpp"
+#include "studies/dda/sweep/description/sweep.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include "framework/deck/changes/settings.hpp"
 #include "framework/deck/dimension_of.hpp"
 #include "studies/dda/case/written_deck.hpp"
-#include "studies/dda/sweep/sweep_decks.hpp"
+#include "studies/dda/sweep/description/sweep_decks.hpp"
 
 namespace dda {
 namespace {

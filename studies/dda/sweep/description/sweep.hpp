@@ -6,7 +6,7 @@
 
 #include "framework/deck/changes/axes.hpp"
 #include "framework/deck/units.hpp"
-#include "studies/dda/sweep/derived_columns.hpp"
+#include "studies/dda/sweep/description/derived_columns.hpp"
 
 namespace dda {
 
