@@ -41,8 +41,9 @@ std::optional<Candidate> tried(PathState& path, Stride& stride, Thoroughness tho
 Outcome after_failure(PathState& path, Stride& stride, bool is_cut) {
   if (path.load_of(path.walker.ahead(stride.amount / path.parameters.step.cut)) <= 0)
     if (auto point = rupture(path)) return {std::move(point)};
-  if (auto point = land_on_turn(path, stride, is_cut)) return {std::move(point)};
-  if (stride.cuts++ > 0)
+  const bool is_again = stride.cuts++ > 0;
+  if (auto point = land_on_turn(path, stride, is_cut || is_again)) return {std::move(point)};
+  if (is_again)
     if (auto point = land_on_contact_change(path, stride.amount)) return {std::move(point)};
   stride.amount *= path.parameters.step.cut;
   return {};

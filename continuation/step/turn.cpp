@@ -4,33 +4,50 @@
 
 #include "continuation/follow/judge.hpp"
 #include "continuation/follow/landings.hpp"
+#include "continuation/follow/pace.hpp"
 #include "continuation/follow/trial.hpp"
 #include "continuation/step/rungs.hpp"
 
 namespace dda {
+namespace {
+
+/// Whether what the control prescribes goes on to a place; of one that prescribes no gauge it is told by nothing.
+bool goes_on(const PathState& path, const Candidate& candidate) {
+  const auto gauge = path.control->held_in_release();
+  if (!gauge) return true;
+  const double change = candidate.state.value(*gauge) - path.walker.value(*gauge);
+  return change * path.walker.leaving().rate(*gauge) > 0;
+}
+
+/// Whether a place may be landed on: nothing that a step ends at or looks for lies before it.
+bool is_next(const PathState& path, const Candidate& candidate) {
+  return goes_on(path, candidate) && !first_crossing(path, candidate) && !before_peak(path, candidate) &&
+         !is_coarse(path, candidate);
+}
+
+}  // namespace
 
 std::optional<Point> land_on_turn(PathState& path, const Stride& stride, bool on_new_cracks) {
-  if (!path.walker.leaving().dissipates || !path.control->may_be_rescued()) return {};
   const std::array<std::pair<double, Initiation>, 2> turns{
       {{next_corner(path.walker), Initiation::corner},
        {on_new_cracks ? next_new_crack(path.walker) : std::numeric_limits<double>::infinity(),
         Initiation::new_one}}};
   const auto& [amount, kind] = std::ranges::min(turns, {}, [](const auto& turn) { return turn.first; });
-  if (!(amount < 2 * stride.amount)) return {};
+  // Two points could hand the crack to and fro for ever; a corner of its curve a point passes once.
+  const double progress = kind == Initiation::new_one ? 1e-6 : 0;
+  if (!(amount < 2 * stride.amount) || amount <= progress * stride.amount) return {};
   const Move landing{.kind = kind == Initiation::corner ? StepKind::corner : StepKind::initiation,
                      .equation = make_event_equation(path.walker.system(), kind),
                      .rate = 1,
                      .to_event = true};
   const auto candidate = try_step(path, landing, amount);
-  if (!candidate || first_crossing(path, *candidate) || before_peak(path, *candidate) ||
-      is_coarse(path, *candidate))
-    return {};
+  if (!candidate || !is_next(path, *candidate)) return {};
   if (path.cracks && share_to_strength(path, *candidate) < 1)
     return land_on_strength(path, *candidate, landing.kind);
-  constexpr double progress = 1e-6;  // without it two points would hand the crack to and fro for ever
   const double quantum = path.memory.last_quantum;
-  if (candidate->dissipated - path.walker.here().dissipated <= progress * quantum) return {};
-  path.memory.step = std::max(path.memory.step, amount);
+  const double spent = candidate->dissipated - path.walker.here().dissipated;
+  if (path.walker.leaving().dissipates && !(spent > progress * quantum)) return {};
+  path.memory.step = std::max(path.memory.step, amount * unit_of(path, stride.move));
   path.memory.step_kind = stride.move.kind;
   Point point = keep(path, *candidate, landing.kind);
   path.memory.last_quantum = std::max(path.memory.last_quantum, quantum);
@@ -42,9 +59,7 @@ std::optional<Point> land_on_contact_change(PathState& path, double amount) {
   const auto change = find_contact_change(path.walker);
   if (!change || change->amount >= amount) return {};
   const auto candidate = try_step(path, contact_move(path.walker, *change), change->beyond);
-  if (!candidate || first_crossing(path, *candidate) || before_peak(path, *candidate) ||
-      is_coarse(path, *candidate))
-    return {};
+  if (!candidate || !is_next(path, *candidate)) return {};
   if (path.cracks && share_to_strength(path, *candidate) < 1)
     return land_on_strength(path, *candidate, StepKind::corner);
   const BeyondChange passed{change->point, path.walker.leaving().opening[change->point].normalized()};

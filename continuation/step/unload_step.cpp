@@ -33,14 +33,17 @@ std::optional<Point> unload_step(PathState& path) {
     const bool arrives = amount > (1 - 1e-9) * to_goal;
     if (arrives) amount = to_goal;
     const auto candidate = try_step(path, move, amount);
-    if (!candidate)
+    if (!candidate) {
+      if (auto point = land_on_turn(path, {.move = move, .amount = amount}, true)) return point;
       if (auto point = land_on_contact_change(path, amount)) return point;
+    }
     if (!candidate || refuse_jump(path, *candidate, to_string(move.kind))) continue;
     resize(path, *candidate, amount, move);
     Point point = keep(path, *candidate, move.kind);
     if (arrives) point.landed.push_back(fmt::format("{}={:g}", goal.name, goal.value));
     return point;
   }
+  if (path.walker.leaving().dissipates) return controlled_step(path, dissipation_move(path.walker));
   return path.stop_early(Stop::unloading, "unloading found no next equilibrium: " + path.refusal);
 }
 

@@ -90,8 +90,10 @@ Tangent oriented(System& system, const State& state, const std::optional<Heading
 
 /// Whether a direction just found leads back: energy is spent while the load falls off a structure that is
 /// stable under it, which could bear more. What had slid or cracked under the load slides back without it.
-bool leads_back(System& system, const Tangent& along) {
-  return along.dissipates && along.load_factor < 0 && negative_eigenvalues(system).of_stiffness == 0;
+/// Under a heading it is what that is to bring forward that goes back.
+bool leads_back(System& system, const Tangent& along, const std::optional<Heading>& heading) {
+  const double forward = heading ? heading->sign * along.rate(heading->gauge) : along.load_factor;
+  return along.dissipates && forward < 0 && negative_eigenvalues(system).of_stiffness == 0;
 }
 
 /// A flag of a point that stands on its damage surface or at its limit of friction.
@@ -125,7 +127,7 @@ class RateProblem {
   Tangent solve(Tangent arriving) {
     Tangent found = pruned(arriving);
     if (found.d.empty()) return found;
-    const bool keeps = is_settled(found), turns = leads_back(system_, found);
+    const bool keeps = is_settled(found), turns = leads_back(system_, found, heading_);
     if (keeps && !turns) return found;
     const std::vector<History> flags = system_.history();
     const auto other = walked(arriving);
@@ -175,7 +177,7 @@ class RateProblem {
       set(ray->goes_on);
       Way found{tangent()};
       if (found.tangent.d.empty() || !is_settled(found.tangent) || !goes_beyond(found.tangent)) continue;
-      found.leads_back = leads_back(system_, found.tangent);
+      found.leads_back = leads_back(system_, found.tangent, heading_);
       if (best && !is_better(found, *best, arriving)) continue;
       best = std::move(found);
       flags = system_.history();

@@ -87,16 +87,17 @@ DamageLaw::Equivalent DamageLaw::equivalent(const Vec2& q, double k) const {
   const Trial at = trial(q);
   Equivalent out{at.opening, at.mixity, at.opening_gradient, at.mixity_gradient};
   const double kappa0 = initial_kappa(k);
-  if (at.opening <= kappa0 || !has_modes() || at.mixity == 0) return out;
+  if (at.opening < kappa0 * (1 - on_surface) || !has_modes() || at.mixity == 0) return out;
+  // κ has a corner at κ0: what stands on the surface within rounding goes on beyond it.
   const double ratio = energy_ratio(at.mixity), ratio_slope = energy_ratio_slope(at.mixity);
-  const double omega = shape_->at_trial_opening(at.opening, ratio * scale_, kappa0);
+  const double omega = shape_->at_trial_opening(std::max(at.opening, kappa0), ratio * scale_, kappa0);
   if (shape_->value(omega) <= 0) {
     out.kappa = at.opening / ratio;
     out.gradient = (at.opening_gradient - out.kappa * ratio_slope * at.mixity_gradient) / ratio;
     return out;
   }
   const double mode_one = shape_->at_same_compliance(omega, ratio);
-  out.kappa = scale_ * mode_one + kappa0 * shape_->value(mode_one);
+  if (at.opening > kappa0) out.kappa = scale_ * mode_one + kappa0 * shape_->value(mode_one);
   const double rise = ratio * scale_ + kappa0 * shape_->slope(omega);
   const Vec2 omega_gradient =
       (at.opening_gradient - scale_ * omega * ratio_slope * at.mixity_gradient) / rise;

@@ -146,6 +146,30 @@ TEST_P(LawContract, FlagsChooseTheSideOfTheSurface) {
   EXPECT_GE(surfaces, random_law(GetParam(), random_, true).law->can_crack() ? 50 : 0);
 }
 
+/// Events end on a strength but for rounding, on either side of it: a crack leaves it by the same tangent.
+TEST_P(LawContract, LoadingTangentIsTheSameOnBothSidesOfAStrength) {
+  int strengths = 0;
+  for (int draw = 0; draw < cases * draws; ++draw) {
+    const LawCase at = next_case();
+    const double kappa = at.law->initial_kappa(at.k);
+    Vec2 q = random_.point(1.5 * at.first);
+    if (!std::isfinite(kappa) || at.law->releases_at_once()) continue;
+    double low = 0, high = 100;
+    while (high - low > 1e-15 * high)
+      (at.opening(0.5 * (low + high) * q, {}) > kappa ? high : low) = 0.5 * (low + high);
+    if (high == 100) continue;  // pressed: no strength on this ray
+    ++strengths;
+    q *= high;
+    const History on{.loading = true};
+    constexpr double rounding = 1e-12;
+    const Mat2 below = at.law->respond((1 - rounding) * q, on, at.k).tangent;
+    const Mat2 above = at.law->respond((1 + rounding) * q, on, at.k).tangent;
+    EXPECT_LT((below - above).norm(), 1e-6 * at.stiff()) << "q " << q.transpose() / at.first << "\n"
+                                                         << at.text();
+  }
+  EXPECT_GE(strengths, random_law(GetParam(), random_, true).law->steepest_slope() > 0 ? 50 : 0);
+}
+
 /// Where friction is exhausted the gradient points to where the joint goes on sliding.
 TEST_P(LawContract, SlipGradientPointsToMoreSliding) {
   int sliding = 0;

@@ -4,6 +4,7 @@ bodies, and the path goes on through every change of contact on its way.
     test_mortar_walls.py        with PYTHONPATH=python, and DDA naming the program
 """
 
+import random
 import tempfile
 import unittest
 from pathlib import Path
@@ -42,10 +43,25 @@ def wall(pressure, law="exponential_softening", points="vertices", young_modulus
     }
 
 
+def random_wall(seed, controls=("staged", "staged", "staged", "displacement", "arc_length")):
+    """Another pressure, law, size of bricks and control for each seed."""
+    draw = random.Random(seed).choice
+    deck = wall(draw([.1, .2, .3, .45, .6, .8]), draw(["linear_softening", "exponential_softening"]), draw(["vertices", "gauss"]),
+                draw([3000, 8000, 15000]))
+    mortar = deck["interfaces"]["joints"]["law"]
+    mortar.update(tensile_strength=draw([.1, .2, .4]), fracture_energy=draw([.005, .02, .05]), cohesion=draw([.2, .4, .8]),
+                  friction_angle=draw([25, 35, 45]), shear_fracture_energy=draw([.05, .2, .5]))
+    if mortar["cohesion"] < mortar["tensile_strength"]:
+        mortar["cohesion"] = 2 * mortar["tensile_strength"]
+    deck["scene"]["subdivision"].update(length=draw([225, 300, 450]), height=draw([120, 160, 240]))
+    deck["path"]["control"] = draw(list(controls))
+    return deck
+
+
 class MortarWalls(unittest.TestCase):
-    def followed(self, **changes):
+    def followed(self, deck=None, **changes):
         with tempfile.TemporaryDirectory() as folder:
-            run = ddapath.run(wall(**changes), folder=Path(folder) / "run", check=False)
+            run = ddapath.run(deck or wall(**changes), folder=Path(folder) / "run", check=False)
             self.assertEqual(run.summary["status"], "goal_reached", f"{changes}: {run.summary['reason']}")
             return run.curve
 
@@ -62,6 +78,23 @@ class MortarWalls(unittest.TestCase):
             rocks = pressure * LENGTH * THICKNESS * LENGTH / 2 / REACHED
             self.assertLess(curve["load"].iloc[-1], -(1 - 1e-6) * rocks)
         self.followed(pressure=0.6, points="gauss")
+
+    def test_unloads_through_places_where_the_drift_turns_and_cracks_that_go_on(self):
+        for seed in (109, 123, 127, 134):
+            with self.subTest(seed):
+                self.followed(random_wall(seed))
+        for seed, control in ((501, "arc_length"), (506, "arc_length"), (510, "arc_length"), (525, "arc_length"),
+                              (533, "arc_length"), (651, "staged"), (659, "staged"), (702, "staged"), (824, "displacement")):
+            with self.subTest(seed):
+                self.followed(random_wall(seed, [control]))
+
+    def test_a_displacement_is_followed_up_to_where_it_snaps_back(self):
+        """A crack that begins in mixed mode leaves its strength by the tangent beyond it, whichever side rounding ended on."""
+        for seed, farthest in ((814, 0.34407), (828, 0.23156)):  # largest drift before it goes back, by `staged`
+            with tempfile.TemporaryDirectory() as folder:
+                run = ddapath.run(random_wall(seed, ["displacement"]), folder=Path(folder) / "run", check=False)
+                self.assertIn("snaps back", run.summary["reason"])
+                self.assertAlmostEqual(run.curve["drift"].max() / farthest, 1, delta=5e-3)
 
 
 if __name__ == "__main__":
