@@ -42,7 +42,9 @@ class EventOnly final : public Control {
 
 Schema<NoParameters> event_schema() {
   return Schema<NoParameters>(
-      "From initiation to initiation with frozen damage (sequentially linear); energy jumps are booked.");
+      "From initiation to initiation with frozen damage (sequentially linear): the κ of one point grows by "
+      "8 % at a time, ahead of its opening. What is spent ahead is booked as negative `jump_energy`, some "
+      "percent of the dissipated energy while cracks grow.");
 }
 
 }  // namespace

@@ -14,20 +14,28 @@
 namespace dda {
 namespace {
 
-/// How many joints slide and how many are apart, and how far the last step has moved them.
+/// How many joints have slid in the last step and how many are apart, and how far it has moved them.
 struct ContactMotion {
-  int slide = 0, open = 0;
+  std::ptrdiff_t slide = 0, open = 0;
   double slip = 0, parting = 0;  ///< largest [L]
-
-  /// One that slides along a stair parts at the stair's risers by as much.
-  bool slides() const { return slide > 0 && slip > 0.5 * parting; }
 };
+
+/// Whether what moves slides: friction spends what the load does, or, where that does nothing, joints slide as far as
+/// others part; a stair parts at its risers as it slides.
+bool slides(const PathState& path, const Departure& before, const ContactMotion& moving) {
+  const double load = std::abs(path.load_of(path.walker.state()));
+  if (load <= path.smallest_load()) return moving.slide > 0 && moving.slip > 0.5 * moving.parting;
+  const double along =
+      std::abs(path.displacement_of(path.walker.state()) - path.displacement_of(before.state));
+  return path.walker.here().dissipated - before.dissipated > 0.5 * load * along;
+}
 
 ContactMotion contact_motion(const Walker& walker, const State& before) {
   const System& system = walker.system();
   const LawValues laws = system.laws(walker.state());
   const std::vector<Vec2> from = system.laws(before).opening;
   ContactMotion out;
+  std::vector<double> slips;
   for (std::size_t p = 0; p < laws.opening.size(); ++p) {
     const InterfacePoint& point = system.equilibrium().point(p);
     const History& h = system.history()[p];
@@ -39,10 +47,12 @@ ContactMotion contact_motion(const Walker& walker, const State& before) {
       ++out.open;
       out.parting = std::max(out.parting, std::abs(moved.x()));
     } else if (piece != ContactPiece::stuck) {
-      ++out.slide;
-      out.slip = std::max(out.slip, std::abs(moved.y()));
+      slips.push_back(std::abs(moved.y()));
+      out.slip = std::max(out.slip, slips.back());
     }
   }
+  constexpr double noticeable = 0.01;  // what stands at its limit without moving is a matter of rounding
+  out.slide = std::ranges::count_if(slips, [&](double slip) { return slip > noticeable * out.slip; });
   return out;
 }
 
@@ -100,16 +110,16 @@ Move displacement_move(const PathState& path) {
           .rate = path.displacement_rate(path.walker.leaving())};
 }
 
-void note_mechanism(PathState& path, Point& point, const State& before) {
-  const double load = path.load_of(path.walker.state()), change = std::abs(load - path.load_of(before));
-  const double along = std::abs(path.displacement_of(path.walker.state()) - path.displacement_of(before));
-  if (change > standing_load(path, load) || along < mechanism_way * std::abs(path.displacement_of(before)))
-    return;
-  const ContactMotion moving = contact_motion(path.walker, before);
+void note_mechanism(PathState& path, Point& point, const Departure& before) {
+  const double load = path.load_of(path.walker.state()), from = path.displacement_of(before.state);
+  const double change = std::abs(load - path.load_of(before.state));
+  const double along = std::abs(path.displacement_of(path.walker.state()) - from);
+  if (change > standing_load(path, load) || along < mechanism_way * std::abs(from)) return;
+  const ContactMotion moving = contact_motion(path.walker, before.state);
   const double factor = std::abs(load) > path.smallest_load() ? path.walker.state().load_factor : 0;
   const std::string text =
       fmt::format("{} as a mechanism at a load factor of {:.9g}: {} points slide, {} are open",
-                  moving.slides() ? "slides" : "turns", factor, moving.slide, moving.open);
+                  slides(path, before, moving) ? "slides" : "turns", factor, moving.slide, moving.open);
   if (!std::exchange(path.memory.is_mechanism, true)) {
     path.report("mechanism", text);
     point.landed.emplace_back("mechanism");

@@ -29,8 +29,16 @@ bool moves_freely(const PathState& path);
 /// Prescribes the displacement on which the load works, which goes on where the load does not.
 Move displacement_move(const PathState& path);
 
+/// Where a step has begun.
+struct Departure {
+  State state;
+  double dissipated = 0;  ///< [FL]
+
+  explicit Departure(const Walker& walker) : state(walker.state()), dissipated(walker.here().dissipated) {}
+};
+
 /// Where the last step, from `before`, has moved the structure on by so much while its load stayed: it is a mechanism,
 /// at which the path ends unless a gauge value is wanted.
-void note_mechanism(PathState& path, Point& point, const State& before);
+void note_mechanism(PathState& path, Point& point, const Departure& before);
 
 }  // namespace dda

@@ -16,7 +16,7 @@ namespace {
 
 /// Under the control; where all that has cracked slides on under the load that friction bears, a mechanism.
 std::optional<Point> cracking_step(PathState& path, const Move& move) {
-  const State before = path.walker.state();
+  const Departure before(path.walker);
   auto point = controlled_step(path, move);
   constexpr double carried = 1e-3;
   if (point && path.walker.system().has_contacts() &&

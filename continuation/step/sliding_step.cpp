@@ -70,7 +70,7 @@ std::optional<Point> sliding_step(PathState& path) {
     path.memory.step = amount * unit_of(path, move);
     path.memory.step_kind = move.kind;
   }
-  const State before = path.walker.state();
+  const Departure before(path.walker);
   auto point = controlled_step(path, move);
   if (point) {
     path.memory.has_slid = path.memory.has_slid || std::isfinite(change);
