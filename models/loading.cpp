@@ -95,7 +95,8 @@ class StageMaker {
 
   void add_reactions(Loading& out, const Vector& driven_reference) {
     for (const Spring& spring : supports_)
-      out.reactions[spring.reaction].add(-spring.stiffness, spring.displacement);
+      if (!spring.reaction.empty())
+        out.reactions[spring.reaction].add(-spring.stiffness, spring.displacement);
     for (std::size_t i = 0; i < programme_.driven.size(); ++i) {
       const Spring& spring = programme_.driven[i];
       const Functional force = driven_reaction(spring, driven_so_far_[i], driven_reference[i]);

@@ -53,6 +53,7 @@ void check_support(const SupportParameters& p, const Position& where, Findings& 
   if (p.direction && p.direction->norm() == 0) findings.add(where, "`direction` must not be zero");
   if (p.at && p.fix == Fix::normal)
     findings.add(where, "`fix: normal` needs a `boundary` or a patch (`over`)");
+  if (!p.over && p.fix == Fix::straight) findings.add(where, "`fix: straight` needs a patch (`over`)");
 }
 
 Kind<SupportParameters> support_kind() {
@@ -76,8 +77,11 @@ Kind<SupportParameters> support_kind() {
                {"y", Fix::y},
                {"xy", Fix::xy},
                {"normal", Fix::normal},
-               {"rotation", Fix::rotation}},
-              {.text = "What is held; or give `direction`."})
+               {"rotation", Fix::rotation},
+               {"straight", Fix::straight}},
+              {.text = "What is held; or give `direction`. `straight`, of a patch: it stays straight but may "
+                       "move and turn, as under a stiff plate on a hinge; beside what holds or loads its "
+                       "mean. Nothing is borne by it in sum."})
       .point("direction", &P::direction,
              {.dimension = dimension::none, .text = "A direction that is held, any length."})
       .number("stiffness", &P::stiffness,

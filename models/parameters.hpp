@@ -35,7 +35,7 @@ struct InterfaceParameters {
 };
 
 /// What a support holds.
-enum class Fix { x, y, xy, normal, rotation };
+enum class Fix { x, y, xy, normal, rotation, straight };
 
 /// An entry of `supports`: stiff springs at a point, at the mean of a patch, or along a named boundary.
 struct SupportParameters : Place {

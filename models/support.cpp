@@ -25,6 +25,7 @@ Directions directions(const SupportParameters& p, const Vec2& normal) {
     case Fix::normal:
       return {{"", normal}};
     case Fix::rotation:
+    case Fix::straight:
       break;
   }
   return {};
@@ -58,13 +59,16 @@ class SupportMaker {
   }
 
   /// One spring on the mean of the patch: its force is an even traction. That on the rotation is as stiff as
-  /// springs p̄/L along the patch, ∫ p̄/L s² ds = p̄ L²/12.
+  /// springs p̄/L along the patch, ∫ p̄/L s² ds = p̄ L²/12; those of what is to stay straight are such springs.
   void add_over(const std::string& name, const SupportParameters& p, double stiffness) {
     const auto points = patch_points(body_, p, p.where);
     const double length =
         (locate(body_.assembly, p.over->back()) - locate(body_.assembly, p.over->front())).norm();
     if (p.fix == Fix::rotation)
       out_.push_back({name, rotation_over(body_, p, p.where), stiffness * length * length / 12});
+    if (p.fix == Fix::straight)
+      for (auto& [departure, part] : departures_over(body_, p, p.where))
+        out_.push_back({"", std::move(departure), stiffness * part / length});
     for (const auto& [suffix, direction] : directions(p, points.front().normal))
       out_.push_back({name + suffix, displacement_at(body_, p, direction, p.where), stiffness});
   }

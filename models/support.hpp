@@ -10,7 +10,7 @@ namespace dda {
 
 /// A stiff spring to a fixed boundary: energy ½ p̄ (l · u)². Source: Pearce et al. (2000), eqs 10-15.
 struct Spring {
-  std::string reaction;     ///< name under which its force is summed
+  std::string reaction;     ///< name under which its force is summed; "" when nothing is borne in sum
   Functional displacement;  ///< l · u [L]
   double stiffness = 0;     ///< p̄ [F/L]
 };

@@ -14,11 +14,16 @@ Vec2 own_stiffness(const InterfacePoint& point) {
   return point.physical_stiffness / point.stiffness * point.trial_stiffness();
 }
 
-/// D + ε (P − D) at every point.
+/// D + ε (S − D) at every point: S is P, but of stiffer joints no more than some times what the blocks beside have, so
+/// that what slides does so as freely whatever the treatment.
 std::vector<Mat2> with_residual(std::vector<Mat2> tangents, const Equilibrium& equilibrium) {
-  constexpr double residual_share = 1e-7;
-  for (std::size_t p = 0; p < tangents.size(); ++p)
-    tangents[p] += residual_share * (Mat2(equilibrium.point(p).trial_stiffness().asDiagonal()) - tangents[p]);
+  constexpr double residual_share = 1e-7, most = 10;
+  for (std::size_t p = 0; p < tangents.size(); ++p) {
+    const InterfacePoint& point = equilibrium.point(p);
+    const double of_trial = std::min(1.0, most * point.spring_unit / point.stiffness);
+    const Mat2 left = (of_trial * point.trial_stiffness()).asDiagonal();
+    tangents[p] += residual_share * (left - tangents[p]);
+  }
   return tangents;
 }
 

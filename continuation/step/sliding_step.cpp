@@ -33,9 +33,10 @@ std::optional<Point> first_slip(PathState& path, double change) {
   return point;
 }
 
-/// No contact changes any more: up to the full reference load, unless contacts have changed on the way.
+/// No contact changes any more: up to the full reference load, unless something has happened on the path.
 std::optional<Point> linear_for_good(PathState& path) {
-  if (path.memory.has_slid || path.walker.here().dissipated > 0)
+  const bool has_begun = path.walker.state().load_factor != 0;
+  if (path.memory.has_slid || (has_begun && path.walker.here().dissipated > 0))
     return path.end(
         Ending::Kind::goal_reached,
         fmt::format("no joint cracks, slides, opens or closes any more beyond a load factor of {:g}",

@@ -172,6 +172,28 @@ Functional rotation_over(const Body& body, const Place& place, const Position& w
   return mean.sum();
 }
 
+std::vector<PartOfPatch> departures_over(const Body& body, const Place& place, const Position& where) {
+  const auto points = patch_points(body, place, where);
+  constexpr std::size_t most = 400;
+  if (points.size() > most)
+    throw InputError(where,
+                     fmt::format("`fix: straight` ties each of the {} points of the patch to all others; "
+                                 "at most {}: take larger blocks there",
+                                 points.size(), most));
+  const Line line = line_of(body.assembly, place);
+  const Vec2 t = line.tangent(), normal(-t.y(), t.x()), middle = (line.from + line.to) / 2;
+  const auto along = [&](const BoundaryPoint& point) { return t.dot(point.x - middle) / line.length(); };
+  std::vector<PartOfPatch> out;
+  for (const BoundaryPoint& one : points) {
+    PatchSum departure(body);
+    departure.add(1, one, normal);
+    for (const BoundaryPoint& other : points)
+      departure.add(-other.length / line.length() * (1 + 12 * along(one) * along(other)), other, normal);
+    out.emplace_back(departure.sum(), one.length);
+  }
+  return out;
+}
+
 std::vector<BoundaryPoint> boundary_points(const Body& body, const std::string& name, const Position& where) {
   const int index = boundary_index(body.assembly, name, where);
   std::vector<BoundaryPoint> points;

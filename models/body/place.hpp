@@ -37,6 +37,16 @@ Functional displacement_at(const Body& body, const Place& place, const Vec2& dir
 /// Mean rotation of the patch, that of the straight line closest to n·u: 12/L³ ∫ s n·u ds, s from its middle.
 Functional rotation_over(const Body& body, const Place& place, const Position& where);
 
+/// A functional with the length of the patch that it stands for [L].
+using PartOfPatch = std::pair<Functional, double>;
+
+/// By how much each point of a patch departs from the straight line closest to n·u [L]:
+///
+///     dᵢ = n·uᵢ − ū − sᵢ θ̄,     Σ Lᵢ dᵢ = Σ Lᵢ sᵢ dᵢ = 0
+///
+/// with its mean and its mean rotation. Each knows of all blocks there. Throws InputError beyond 400 points.
+std::vector<PartOfPatch> departures_over(const Body& body, const Place& place, const Position& where);
+
 /// A point on the boundary with its share of the length; two Gauss points per straight piece.
 struct BoundaryPoint {
   BlockId block;

@@ -66,6 +66,7 @@ void add_numbers(py::class_<AcceptedPoint, PointPointer>& type) {
       .def_property_readonly(
           "control", [](const P& p) { return p.point().step == 0 ? "start" : to_string(p.point().kind); })
       .def_property_readonly("landed", [](const P& p) { return p.point().landed; })
+      .def_property_readonly("stage", &P::stage)
       .def_property_readonly("load_factor", [](const P& p) { return p.state().state.load_factor; })
       .def_property_readonly("load", &P::load)
       .def_property_readonly("gauges", [](const P& p) { return dictionary(p.gauges()); })

@@ -11,6 +11,7 @@ AcceptedPoint::AcceptedPoint(std::shared_ptr<const Followed> followed, Point poi
     : followed_(std::move(followed)),
       point_(std::move(point)),
       at_(followed_->run().simulation().walker().here()),
+      stage_(followed_->run().simulation().followed_stage() + 1),
       num_blocks_(followed_->equilibrium().num_blocks()) {
   const Simulation& simulation = followed_->run().simulation();
   load_ = at_.state.value(simulation.path().load_gauge());

@@ -45,6 +45,8 @@ class AcceptedPoint {
 
   const Point& point() const { return point_; }
   const Candidate& state() const { return at_; }
+  /// Number in the deck, from 1, of the stage whose loads the load factor multiplies.
+  std::size_t stage() const { return stage_; }
   double load() const { return load_; }
   const std::vector<std::pair<std::string, double>>& gauges() const { return gauges_; }
   const std::vector<std::pair<std::string, double>>& reactions() const { return reactions_; }
@@ -65,7 +67,7 @@ class AcceptedPoint {
   std::shared_ptr<const Followed> followed_;
   Point point_;
   Candidate at_;
-  std::size_t num_blocks_;
+  std::size_t stage_, num_blocks_;
   double load_;
   std::vector<std::pair<std::string, double>> gauges_, reactions_;
   mutable std::unique_ptr<const Fields::Interface> interface_;

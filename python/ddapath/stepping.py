@@ -50,6 +50,7 @@ class Point:
     """An accepted equilibrium of a path; it stays what it is when the path goes on. Numbers are in the deck's units.
 
     step, control        its number from 1 on, and by what the step was taken: a value of curve.csv's column `control`
+    stage                number in the deck of the stage whose loads λ multiplies
     load_factor, load    λ and the load gauge
     gauges, reactions    dictionaries by name
     dissipated_energy, stored_energy, external_work
@@ -90,7 +91,7 @@ def _delegated(name):
     return property(lambda self: getattr(self._core, name))
 
 
-for _name in ("step", "control", "landed", "load_factor", "load", "gauges", "reactions", "dissipated_energy", "stored_energy",
+for _name in ("step", "control", "landed", "stage", "load_factor", "load", "gauges", "reactions", "dissipated_energy", "stored_energy",
               "external_work", "iterations", "relative_residual", "negative_eigenvalues", "negative_under_control",
               "displacements", "unknowns", "openings", "jumps", "tractions", "damage", "outlines"):
     setattr(Point, _name, _delegated(_name))

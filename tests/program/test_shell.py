@@ -148,6 +148,12 @@ class Manual(unittest.TestCase):
         for library in ("Trilinos", "gmsh", "GEOS", "HDF5", "CHOLMOD", "MUMPS", "OpenBLAS", "Eigen", "fmt", "nlohmann-json", "libyaml", "CLI11"):
             self.assertRegex(said, rf"{library} \d+\.\d")
 
+    def test_explains_a_member_by_its_name_alone(self):
+        self.assertIn("load body_force: A force per volume", dda("explain", "body_force").stdout)
+        both = dda("explain", "penalty").stdout
+        for line in ("contact penalty: ", "treatment penalty: "):
+            self.assertIn(line, both)
+
     def test_find(self):
         done = dda("explain", "--find", "friction")
         self.assertEqual(done.returncode, 0)

@@ -46,6 +46,17 @@ class Following(Scratch):
             for name in SAME:
                 self.assertEqual([getattr(point, name) for point in points], curve[name].tolist(), name)
 
+    def test_points_know_their_stage(self):
+        deck = ddapath.read_deck(DECK)
+        one = deck["stages"][-1]
+        deck["stages"] = [{**one, "name": "half", "until": {"load_factor": 100}}, {**one, "name": "on"}]
+        settings = {"path.stop.after_steps": 4}
+        theirs = ddapath.run(deck, settings, folder=self.folder / "run").curve
+        points = list(ddapath.follow(deck, settings))
+        self.assertEqual([point.stage for point in points], theirs["stage"].tolist()[1:])
+        self.assertEqual({point.stage for point in points}, {1, 2})
+        self.assertEqual({point.stage for point in ddapath.follow(DECK, settings)}, {len(ddapath.read_deck(DECK)["stages"])})
+
     def test_a_folder_is_that_of_the_program(self):
         path = ddapath.follow(DECK, SHORT, folder=self.folder / "run")
         count = sum(1 for _ in path)

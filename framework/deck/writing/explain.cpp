@@ -123,7 +123,8 @@ std::string overview(const SchemaBase& deck) {
   for (const Parameter& parameter : deck.parameters()) sections.emplace_back(parameter.name, parameter.text);
   for (const FamilyBase* family : all_families()) families.emplace_back(family->name(), family->text());
   return deck.text() + "\n\nSections of a deck:\n" + table(sections) + "\nFamilies:\n" + table(families) +
-         "\nMore: dda explain SECTION, dda explain FAMILY, dda explain FAMILY/NAME\n";
+         "\nMore: dda explain SECTION, dda explain FAMILY, dda explain NAME, of a member of whatever "
+         "family\n";
 }
 
 }  // namespace
@@ -138,10 +139,14 @@ std::string explain(const SchemaBase& deck, const std::string& path, const Units
   const bool is_member = family && parts.size() > 1 && family->find(parts[1]);
   if (is_section && !is_member) return in_schema(deck, std::move(parts), units);
   if (family) return in_family(*family, Parts(parts.begin() + 1, parts.end()), units);
+  std::string members;  // of whatever family
   std::vector<std::string> names;
-  for (const FamilyBase* known : all_families()) names.push_back(known->name());
-  find_parameter(deck, parts[0], names);
-  return {};
+  for (const FamilyBase* known : all_families()) {
+    if (known->find(parts[0])) members += (members.empty() ? "" : "\n") + in_family(*known, parts, units);
+    names.push_back(known->name());
+  }
+  if (members.empty()) find_parameter(deck, parts[0], names);
+  return members;
 }
 
 }  // namespace dda

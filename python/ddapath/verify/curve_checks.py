@@ -189,7 +189,9 @@ def of_steps(reason, curve, deck):
 
 
 def of_full_load(reason, curve, deck):
-    """"nothing can crack": true where no law can crack, slide or open, and the load is applied."""
+    """"nothing can crack": true where no law can crack, slide or open, and the load is applied; "no joint slides": where it is."""
+    if "it is applied in full" in reason:
+        return abs(curve["load_factor"].iloc[-1] - 1), "load factor"
     if "nothing can crack" not in reason:
         return None
     changing = sorted({law_type(entry) for entry in deck.get("interfaces", {}).values()} - {"bonded", "elastic"})

@@ -211,13 +211,33 @@ void Simulation::begin_cracks() {
   look_up();
 }
 
+namespace {
+
+/// What may help where bodies that only touch carry no load; "" where they turn about their corners.
+std::string hint_on_turning(const InterfaceSet& set) {
+  const auto turns_inside = [&](const InterfacePoint& point) {
+    return point.is_separate() && point.interface >= 0 &&
+           std::ranges::find(set.gauss_names, set.names[static_cast<std::size_t>(point.interface)]) !=
+               set.gauss_names.end();
+  };
+  const auto point = std::ranges::find_if(set.points, turns_inside);
+  if (point == set.points.end()) return "";
+  return fmt::format(
+      "; the sides of '{}' turn about Gauss points, 0.21 of their length inside their corners, and may carry "
+      "it about the corners: `points: vertices`",
+      set.names[static_cast<std::size_t>(point->interface)]);
+}
+
+}  // namespace
+
 std::string Simulation::apply_dead_loads() {
   const auto scope = timings_.measure("dead loads");
   const std::size_t stages = equilibrium_->stages().size();
   for (std::size_t stage = 0; stage + 1 < stages; ++stage) {
     walker_->begin_stage(stage);
     if (std::string why = apply_full_stage(*walker_); !why.empty())
-      return "stage '" + walker_->system().loading().name + "' cannot be carried: " + why + hindrance_;
+      return "stage '" + walker_->system().loading().name + "' cannot be carried: " + why + hindrance_ +
+             hint_on_turning(equilibrium_->interfaces());
   }
   walker_->begin_stage(stages - 1);
   return {};

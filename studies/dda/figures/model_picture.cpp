@@ -97,13 +97,25 @@ class ModelPicture {
 
   void add_supports() {
     for (const Spring& spring : equilibrium_.supports())
-      add_symbols(spring.displacement, {.mark = Mark::held, .colour = svg::black, .name = spring.reaction});
+      if (!spring.reaction.empty())
+        add_symbols(spring.displacement, {.mark = Mark::held, .colour = svg::black, .name = spring.reaction});
     for (const Spring& spring : equilibrium_.driven_springs())
       add_symbols(spring.displacement,
                   {.mark = Mark::held, .colour = svg::vermilion, .name = spring.reaction});
     if (!equilibrium_.supports().empty()) add_key(KeyEntry::Kind::held, svg::black, "held");
+    add_plates();
     if (!equilibrium_.driven_springs().empty())
       add_key(KeyEntry::Kind::held, svg::vermilion, "displacement prescribed");
+  }
+
+  void add_plates() {
+    const auto before = drawing_.strokes.size();
+    for (const auto& [name, support] : simulation_.deck().supports)
+      if (support.fix == Fix::straight)
+        drawing_.strokes.push_back({.start = locate(body_.assembly, support.over->front()),
+                                    .end = locate(body_.assembly, support.over->back()),
+                                    .colour = svg::black});
+    if (drawing_.strokes.size() > before) add_key(KeyEntry::Kind::line, svg::black, "kept straight");
   }
 
   /// The forces of each stage in a colour of its own.

@@ -11,7 +11,6 @@
 #include "studies/dda/figures/paraview_state.hpp"
 #include "studies/dda/figures/pictures.hpp"
 #include "studies/dda/figures/stability_pictures.hpp"
-#include "studies/dda/record/path/peak.hpp"
 #include "studies/dda/record/stability_record.hpp"
 #include "studies/dda/record/warnings/coarse_zones.hpp"
 #include "studies/dda/record/warnings/turning_contacts.hpp"
@@ -352,7 +351,7 @@ nlohmann::ordered_json RunRecorder::finish(const Ending& ending) {
   }
   log_.info("ended", {{"status", status_of(ending)}, {"reason", ending.reason}});
   const CsvTable curve = read_csv(folder_.file("curve.csv"));
-  memory_.events = with_peak(passed_events(memory_.events), peak_of(memory_, measures_), curve);
+  memory_.events = events_with_peaks(memory_, measures_, curve);
   nlohmann::ordered_json out = summarise(simulation_, memory_, measures_, ending);
   out["stability"] = stability_counts(curve);
   out["interfaces"] = interfaces_.summary(fields_, here());

@@ -9,6 +9,9 @@
 #include "framework/base/threads.hpp"
 #include "framework/messages/provenance.hpp"
 #include "framework/plugin/plugin.hpp"
+#include "studies/dda/record/column_names.hpp"
+#include "studies/dda/record/path/events.hpp"
+#include "studies/dda/record/path/peak.hpp"
 #include "studies/dda/record/path/small_extrema.hpp"
 
 namespace dda {
@@ -97,6 +100,20 @@ Json peak_of(const RunMemory& memory, const Measures& measures) {
   Json out{{"step", peak.step}, {"load_factor", peak.load_factor}, {"load", peak.load}};
   out["gauges"] = gauges_at(peak, measures);
   return out;
+}
+
+Json events_with_peaks(const RunMemory& memory, const Measures& measures, const CsvTable& curve) {
+  const Json last = peak_of(memory, measures);
+  Json out = passed_events(memory.events);
+  for (const auto& stage : memory.stages) {
+    const auto at = static_cast<std::size_t>(stage.peak_step);
+    Json peak = last;
+    peak["step"] = stage.peak_step;
+    for (const char* name : {column::load_factor, column::load}) peak[name] = curve.numbers(name).at(at);
+    for (auto& [name, value] : peak["gauges"].items()) value = curve.numbers(name).at(at);
+    out = with_peak(std::move(out), peak, curve);
+  }
+  return with_peak(std::move(out), last, curve);
 }
 
 Json stiffness_quality(const Simulation& simulation) {

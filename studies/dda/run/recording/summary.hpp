@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "continuation/ranks/ranks.hpp"
+#include "framework/files/curve_table.hpp"
 #include "studies/dda/case/simulation.hpp"
 #include "studies/dda/record/run_memory.hpp"
 
@@ -25,6 +26,10 @@ double energy_balance_error(const Measurement& start, const Measurement& end, do
 
 /// Step, load factor, load and gauges of the largest load.
 nlohmann::ordered_json peak_of(const RunMemory& memory, const Measures& measures);
+
+/// The events that the path has passed, with the peak of each of its stages among them (record/path/peak.hpp).
+nlohmann::ordered_json events_with_peaks(const RunMemory& memory, const Measures& measures,
+                                         const CsvTable& curve);
 
 /// Adds what computed a run: `version`, and `plugins` where there were any.
 void add_program(nlohmann::ordered_json& summary);
