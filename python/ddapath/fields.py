@@ -102,9 +102,10 @@ class CutBlocks:
 class Fields:
     """The fields of one stored step.
 
-    step, load_factor; numbers: whatever else the step has as attributes; mesh: see Mesh; cut: see CutBlocks.
-    blocks        a row per block: region, area, x, y of the centroid; strain, stress; means over the block of what is
-                  given at its vertices, such as the displacement
+    step, load_factor; numbers: whatever else the step has as attributes, of a path load, energies, gauges and reactions, of
+    a motion time, energies and gauges; mesh: see Mesh; cut: see CutBlocks.
+    blocks        a row per block: region, area, x, y of the centroid; strain, stress, principal stresses in the plane; means
+                  over the block of what is given at its vertices, such as the displacement
     vertices      a row per vertex of a block, index (block, vertex): x, y undeformed, displacement
     points        a row per crackable interface point: x, y, normal n and tangential s components of opening, jump and
                   traction, damage

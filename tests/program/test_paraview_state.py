@@ -18,7 +18,7 @@ ROOT = Path(__file__).resolve().parents[2]
 def opened(script):
     """The stand-in after it has run the script; its reader knows the grids of two steps."""
     simple = MagicMock()
-    simple.__all__ = ["XDMFReader", "Calculator", "Show", "ColorBy", "GetScalarBar", "GetColorTransferFunction", "LoadPalette",
+    simple.__all__ = ["XDMFReader", "Show", "ColorBy", "GetScalarBar", "GetColorTransferFunction", "LoadPalette",
                       "GetActiveViewOrCreate", "WarpByVector", "Threshold", "GetAnimationScene", "PythonAnnotation", "Render"]
     readers = []
 

@@ -51,6 +51,8 @@ class Finished(Folder):
         self.assertIn(4, run.steps)
         fields = run.fields(4)
         self.assertEqual(fields.load_factor, run.curve["load_factor"][4])
+        for name in ("load", "cmod", "right", "dissipated_energy"):
+            self.assertEqual(fields.numbers[name], run.curve[name][4])
         self.assertEqual(len(fields.blocks), run.summary["blocks"])
         self.assertEqual(len(fields.points), run.summary["crackable_points"])
         self.assertAlmostEqual(fields.blocks["area"].sum(), 300 * 100, places=6)
@@ -62,7 +64,7 @@ class Finished(Folder):
         self.assertEqual(self.read().fields().step, self.read().steps[-1])
 
     def test_a_step_that_is_not_stored(self):
-        with self.assertRaisesRegex(ddapath.NothingStored, "step 3 are not stored; those of 4, 8"):
+        with self.assertRaisesRegex(ddapath.NothingStored, "step 3 are not stored; those of 0, 4, 8"):
             self.read().fields(3)
 
 

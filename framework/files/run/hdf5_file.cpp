@@ -110,6 +110,12 @@ Handle open_array(hid_t file, const std::string& name) {
   return Handle(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose, name);
 }
 
+/// Of an array's numbers those of one column.
+void select_column(const Handle& space, std::size_t rows, std::size_t column) {
+  const std::array<hsize_t, 2> start = {0, column}, count = {rows, 1};
+  checked(H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr), "column");
+}
+
 std::size_t size_of(hid_t set, const std::string& name) {
   const Handle space(H5Dget_space(set), H5Sclose, name);
   return static_cast<std::size_t>(checked(H5Sget_simple_extent_npoints(space), name));
@@ -189,6 +195,22 @@ void Hdf5File::write(const std::string& name, const std::vector<std::string>& te
   std::vector<const char*> pointers;
   for (const std::string& text : texts) pointers.push_back(text.c_str());
   write_array(id_, name, text_type(), {pointers.data(), space_of(texts.size(), 1)});
+}
+
+void Hdf5File::write_view(const std::string& name, std::size_t width,
+                          const std::vector<ViewedColumn>& columns) {
+  const Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, name);
+  const std::size_t rows = num_rows(columns.at(0).array);
+  for (const auto& [array, column, as] : columns) {
+    const Handle set = open_array(id_, array);
+    const Handle from(H5Dget_space(set), H5Sclose, array), to = space_of(rows * width, width);
+    select_column(from, rows, column);
+    select_column(to, rows, as);
+    checked(H5Pset_virtual(properties, to, ".", array.c_str(), from), name);
+  }
+  const Handle links = making_groups(), space = space_of(rows * width, width);
+  const Handle set(H5Dcreate2(id_, name.c_str(), H5T_NATIVE_DOUBLE, space, links, properties, H5P_DEFAULT),
+                   H5Dclose, name);
 }
 
 void Hdf5File::make_group(const std::string& name) {
@@ -278,6 +300,19 @@ std::string Hdf5File::text_attribute(const std::string& object, const std::strin
 
 bool Hdf5File::has_attribute(const std::string& object, const std::string& name) const {
   return H5Aexists_by_name(id_, object.c_str(), name.c_str(), H5P_DEFAULT) > 0;
+}
+
+std::vector<std::string> Hdf5File::attributes(const std::string& object) const {
+  std::vector<std::string> names;
+  const auto keep = [](hid_t, const char* name, const H5A_info_t*, void* result) -> herr_t {
+    static_cast<std::vector<std::string>*>(result)->emplace_back(name);
+    return 0;
+  };
+  hsize_t from = 0;
+  checked(
+      H5Aiterate_by_name(id_, object.c_str(), H5_INDEX_NAME, H5_ITER_INC, &from, keep, &names, H5P_DEFAULT),
+      object);
+  return names;
 }
 
 std::string Hdf5File::bytes() const {

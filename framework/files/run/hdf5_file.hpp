@@ -16,6 +16,12 @@ class Hdf5Error : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A column of an array and which of a view it is; see Hdf5File::write_view.
+struct ViewedColumn {
+  std::string array;
+  std::size_t column = 0, as = 0;
+};
+
 /// An open HDF5 file: named arrays, texts and attributes; groups on the way to a name are made as needed.
 ///
 /// Arrays have `width` columns; width 1 makes them one-dimensional. Every method throws Hdf5Error.
@@ -34,6 +40,9 @@ class Hdf5File {
   void write(const std::string& name, std::span<const double> values, std::size_t width = 1);
   void write(const std::string& name, std::span<const std::int64_t> values, std::size_t width = 1);
   void write(const std::string& name, const std::vector<std::string>& texts);
+  /// An array of numbers of `width` columns, each a column of another array of this file or 0: no copy, whatever reads it reads
+  /// those (a virtual dataset, HDF5 1.10). They have as many rows, at least one.
+  void write_view(const std::string& name, std::size_t width, const std::vector<ViewedColumn>& columns);
   void make_group(const std::string& name);
 
   std::vector<double> numbers(const std::string& name) const;
@@ -52,6 +61,8 @@ class Hdf5File {
   std::int64_t integer_attribute(const std::string& object, const std::string& name) const;
   std::string text_attribute(const std::string& object, const std::string& name) const;
   bool has_attribute(const std::string& object, const std::string& name) const;
+  /// Names in alphabetical order.
+  std::vector<std::string> attributes(const std::string& object) const;
 
   /// The whole file as bytes, sealed with its checksum.
   std::string bytes() const;

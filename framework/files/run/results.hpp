@@ -14,18 +14,21 @@ namespace dda {
 
 /// The fields of a run in its folder: the mesh and, for each stored step, a file of its own.
 ///
-///     fields/mesh.h5     /mesh/vertices [n,3]  /mesh/offsets [blocks+1]  /mesh/mixed  /mesh/region
+///     fields/mesh.h5     /mesh/vertices [n,3]  /mesh/offsets [blocks+1]  /mesh/mixed  /mesh/region  /mesh/region_names
 ///                        /mesh/segments [m,2]  /mesh/segment_ends [2m,3]
 ///                        /model/<name>         what the run can be checked from, see ResultsTable
 ///                        /provenance/<name>    texts
 ///     fields/000034.h5   /displacement [n,3]   a dataset per field, its unit as attribute;
 ///                        /segments/damage [m]  those of segments; step, time and numbers at the root
 ///     and where cracks cut blocks at that step
-///                        /parts/vertices [k,3]  /parts/offsets [parts+1]  /parts/mixed  /parts/block
+///                        /parts/vertices [k,3]  /parts/offsets [parts+1]  /parts/mixed  /parts/block  /parts/region
 ///                        /parts/whole          /mesh/mixed, each cut block shrunk to its first vertex
 ///                        /cracks/lines [c,2]  /cracks/ends [2c,3]        pieces of cracks
 ///                        /parts/stress, /cracks/damage, …                fields of either
 ///                        /<name>               tables, see CutBlocks
+///     for ParaView, whose readers take no part of an array, views that hold no numbers themselves
+///                        /stress_tensor [n,9]  of tensors "xx yy xy" and "xx yy 2xy"; of these /strain_xy is half the 2xy
+///                        /segments/opening_n [m]  /segments/opening_s [m]                 of "n s"
 ///
 /// A file appears whole, through a renaming, and is never written to again: readers need no lock. Behind its
 /// bytes stands their checksum (seal.hpp), without which none of them is opened.
@@ -50,9 +53,10 @@ struct ResultsTable {
 
 /// The geometry that fields are given on, and the model's tables; written once.
 struct ResultsMesh {
-  std::vector<std::vector<Vec2>> blocks;      ///< outline of every block, reference position [L]
-  std::vector<int> block_region;              ///< one number per block, or empty
-  std::vector<std::array<Vec2, 2>> segments;  ///< interface segments, reference position [L]; may be empty
+  std::vector<std::vector<Vec2>> blocks;       ///< outline of every block, reference position [L]
+  std::vector<int> block_region;               ///< one number per block, or empty
+  std::vector<std::string> region_names = {};  ///< by these numbers; may be empty
+  std::vector<std::array<Vec2, 2>> segments;   ///< interface segments, reference position [L]; may be empty
   std::string length_unit;
   std::vector<ResultsTable> model = {};
 };
@@ -80,6 +84,15 @@ struct StoredField {
 
 /// The dataset of a field in the file of its step.
 std::string dataset_of(const std::string& field, FieldPlace place);
+
+/// Labels of fields of which there are views.
+inline constexpr const char *normal_and_sliding = "n s", *stress_labels = "xx yy xy",
+                            *strain_labels = "xx yy 2xy";
+inline bool is_tensor(const std::string& labels) {
+  return labels == stress_labels || labels == strain_labels;
+}
+/// The view of a tensor: all nine components, those out of the plane 0.
+inline std::string tensor_of(const std::string& name) { return name + "_tensor"; }
 
 /// What cracks have made of the blocks at a step. Empty where none is cut.
 struct CutBlocks {

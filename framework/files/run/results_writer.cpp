@@ -81,14 +81,17 @@ void write_mesh(Hdf5File& file, const ResultsMesh& mesh) {
   write_lines(file, "/mesh/segments", "/mesh/segment_ends", mesh.segments);
   const std::vector<std::int64_t> region(mesh.block_region.begin(), mesh.block_region.end());
   if (!region.empty()) file.write("/mesh/region", region);
+  if (!mesh.region_names.empty()) file.write("/mesh/region_names", mesh.region_names);
   file.set_attribute("/mesh/vertices", "unit", mesh.length_unit);
   file.set_attribute("/mesh/segment_ends", "unit", mesh.length_unit);
   for (const ResultsTable& table : mesh.model) write_table(file, "/model", table);
 }
 
 XdmfSizes sizes_of(const Hdf5File& file) {
-  return {file.num_rows("/mesh/offsets") - 1, file.num_rows("/mesh/vertices"), file.num_rows("/mesh/mixed"),
-          file.num_rows("/mesh/segments"), file.has("/mesh/region")};
+  XdmfSizes out{file.num_rows("/mesh/offsets") - 1, file.num_rows("/mesh/vertices"),
+                file.num_rows("/mesh/mixed"), file.num_rows("/mesh/segments"), file.has("/mesh/region")};
+  if (file.has("/mesh/region_names")) out.regions = file.texts("/mesh/region_names");
+  return out;
 }
 
 XdmfCuts cuts_of(const Hdf5File& file) {
@@ -114,12 +117,33 @@ std::vector<double> padded(const StoredField& field) {
   return values;
 }
 
+/// See results.hpp.
+void write_views(Hdf5File& file, const StoredField& field) {
+  const std::string dataset = dataset_of(field.name, field.place);
+  if (field.labels == normal_and_sliding) {
+    file.write_view(dataset + "_n", 1, {{dataset, 0, 0}});
+    file.write_view(dataset + "_s", 1, {{dataset, 1, 0}});
+  }
+  if (!is_tensor(field.labels)) return;
+  ViewedColumn shear{dataset, 2};
+  if (field.labels == strain_labels) {
+    shear = {dataset + "_xy", 0};
+    std::vector<double> half;
+    for (std::size_t i = 2; i < field.values.size(); i += 3) half.push_back(field.values[i] / 2);
+    file.write(shear.array, half);
+  }
+  file.write_view(
+      tensor_of(dataset), 9,
+      {{dataset, 0, 0}, {shear.array, shear.column, 1}, {shear.array, shear.column, 3}, {dataset, 1, 4}});
+}
+
 void write_field(Hdf5File& file, const StoredField& field) {
   const std::string dataset = dataset_of(field.name, field.place);
   file.write(dataset, padded(field), static_cast<std::size_t>(entry_of(field).components));
   file.set_attribute(dataset, "unit", field.unit);
   file.set_attribute(dataset, "components", field.labels);
   file.set_attribute(dataset, "place", static_cast<std::int64_t>(field.place));
+  if (!field.values.empty()) write_views(file, field);
 }
 
 void write_cut(Hdf5File& file, const CutBlocks& cut, const std::vector<std::int64_t>& offsets) {
@@ -130,6 +154,14 @@ void write_cut(Hdf5File& file, const CutBlocks& cut, const std::vector<std::int6
   }
   if (!cut.pieces.empty()) write_lines(file, "/cracks/lines", "/cracks/ends", cut.pieces);
   for (const ResultsTable& table : cut.tables) write_table(file, "", table);
+}
+
+/// Of the parts those of their blocks.
+void write_regions(Hdf5File& file, const CutBlocks& cut, const std::vector<std::int64_t>& regions) {
+  if (cut.parts.empty() || regions.empty()) return;
+  std::vector<std::int64_t> of_parts;
+  for (const std::size_t block : cut.part_block) of_parts.push_back(regions[block]);
+  file.write("/parts/region", of_parts);
 }
 
 void write_step(Hdf5File& file, const Snapshot& snapshot) {
@@ -172,6 +204,8 @@ XdmfStep read_step(const Hdf5File& file) {
   XdmfStep step{
       static_cast<int>(file.integer_attribute("/", "step")), file.number_attribute("/", "time"), {}};
   step.cuts = cuts_of(file);
+  for (const std::string& name : file.attributes("/"))
+    if (name != "step" && name != "time") step.numbers[name] = file.number_attribute("/", name);
   for (const std::string group : {"", "/segments", "/parts", "/cracks"})
     for (const std::string& name : file.members(group.empty() ? "/" : group))
       if (const std::string dataset = group + "/" + name; file.has_attribute(dataset, "place"))
@@ -208,8 +242,7 @@ ResultsWriter::ResultsWriter(const fs::path& folder, const ResultsMesh& mesh, co
   write_file(folder / mesh_file, [&](Hdf5File& file) {
     write_mesh(file, mesh);
     for (const auto& [name, text] : provenance) file.write("/provenance/" + name, std::vector{text});
-    sizes_ = sizes_of(file);
-    offsets_ = file.integers("/mesh/offsets");
+    read_mesh(file);
   });
   write_xdmf();
 }
@@ -217,13 +250,17 @@ ResultsWriter::ResultsWriter(const fs::path& folder, const ResultsMesh& mesh, co
 ResultsWriter ResultsWriter::resume(const fs::path& folder, int last_step) {
   ResultsWriter result(folder);
   make_room(folder / fields_folder, last_step);
-  result.sizes_ = read_again(folder / mesh_file, sizes_of);
-  result.offsets_ =
-      read_again(folder / mesh_file, [](const Hdf5File& file) { return file.integers("/mesh/offsets"); });
+  read_again(folder / mesh_file, [&](const Hdf5File& file) { result.read_mesh(file); });
   for (const int step : stored_steps(folder))
     result.steps_.push_back(read_again(folder / step_file(step), read_step));
   result.write_xdmf();
   return result;
+}
+
+void ResultsWriter::read_mesh(const Hdf5File& file) {
+  sizes_ = sizes_of(file);
+  offsets_ = file.integers("/mesh/offsets");
+  if (sizes_.has_region) regions_ = file.integers("/mesh/region");
 }
 
 void ResultsWriter::check(const Snapshot& snapshot, const XdmfCuts& cuts) const {
@@ -240,9 +277,10 @@ void ResultsWriter::check(const Snapshot& snapshot, const XdmfCuts& cuts) const 
 }
 
 void ResultsWriter::store(const Snapshot& snapshot) {
-  XdmfStep entry{snapshot.step, snapshot.time, {}};
+  XdmfStep entry{snapshot.step, snapshot.time, {}, {}, snapshot.numbers};
   write_file(folder_ / step_file(snapshot.step), [&](Hdf5File& file) {
     write_cut(file, snapshot.cut, offsets_);
+    write_regions(file, snapshot.cut, regions_);
     entry.cuts = cuts_of(file);
     check(snapshot, entry.cuts);
     write_step(file, snapshot);

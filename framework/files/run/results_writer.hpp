@@ -7,6 +7,8 @@
 
 namespace dda {
 
+class Hdf5File;
+
 /// Writes `fields/` (see results.hpp) and `run.xdmf`, which ParaView and h5py can read while the run goes on.
 ///
 /// A kill or a full disk leaves the steps stored before whole; run.xdmf is renewed whole after each store.
@@ -25,12 +27,14 @@ class ResultsWriter {
 
  private:
   explicit ResultsWriter(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  void read_mesh(const Hdf5File& file);
   void write_xdmf() const;
   void check(const Snapshot& snapshot, const XdmfCuts& cuts) const;
 
   std::filesystem::path folder_;
   XdmfSizes sizes_;
   std::vector<std::int64_t> offsets_;  ///< of the blocks' vertices
+  std::vector<std::int64_t> regions_;  ///< of the blocks, or empty
   std::vector<XdmfStep> steps_;
 };
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "framework/files/number_text.hpp"
 
 namespace dda {
@@ -55,13 +57,6 @@ class Writer {
     return fmt::format("{}:{}", step_file(entry.step), dataset);
   }
 
-  std::string of_field(const XdmfStep& entry, const XdmfField& field) const {
-    const std::size_t rows = num_places(sizes_, entry.cuts, field.place);
-    return item(of_step(entry, dataset_of(field.name, field.place)),
-                field.components == 1 ? std::to_string(rows) : fmt::format("{} {}", rows, field.components),
-                "Float");
-  }
-
   static std::string points(const std::string& place, std::size_t count) {
     return fmt::format("          <Geometry GeometryType=\"XYZ\">{}</Geometry>\n",
                        item(place, fmt::format("{} 3", count), "Float"));
@@ -83,8 +78,8 @@ class Writer {
     const std::string topology =
         entry.cuts.parts > 0 ? polygons(of_step(entry, "/parts/whole"), sizes_.blocks, entry.cuts.whole)
                              : polygons(of_mesh("mixed"), sizes_.blocks, sizes_.mixed);
-    return grid("blocks", topology + points(of_mesh("vertices"), sizes_.vertices) + region() +
-                              fields(entry, FieldPlace::block, FieldPlace::block_vertex));
+    return grid("blocks", topology + points(of_mesh("vertices"), sizes_.vertices) + numbers(entry) +
+                              region() + fields(entry, FieldPlace::block, FieldPlace::block_vertex));
   }
 
   std::string segments(const XdmfStep& entry) const {
@@ -95,10 +90,12 @@ class Writer {
 
   std::string parts(const XdmfStep& entry) const {
     const XdmfCuts& cuts = entry.cuts;
-    return grid("parts", polygons(of_step(entry, "/parts/mixed"), cuts.parts, cuts.mixed) +
-                             points(of_step(entry, "/parts/vertices"), cuts.vertices) +
-                             number("block", of_step(entry, "/parts/block"), cuts.parts) +
-                             fields(entry, FieldPlace::part, FieldPlace::part_vertex));
+    return grid("parts",
+                polygons(of_step(entry, "/parts/mixed"), cuts.parts, cuts.mixed) +
+                    points(of_step(entry, "/parts/vertices"), cuts.vertices) +
+                    number("block", of_step(entry, "/parts/block"), cuts.parts) +
+                    (sizes_.has_region ? number("region", of_step(entry, "/parts/region"), cuts.parts) : "") +
+                    fields(entry, FieldPlace::part, FieldPlace::part_vertex));
   }
 
   std::string cracks(const XdmfStep& entry) const {
@@ -125,38 +122,57 @@ class Writer {
     return sizes_.has_region ? number("region", of_mesh("region"), sizes_.blocks) : "";
   }
 
+  /// One for the whole grid. Xdmf2 reads "nan" as garbage.
+  static std::string field_data(const std::string& name, double value) {
+    if (!std::isfinite(value)) return "";
+    return fmt::format(
+        "          <Attribute Name=\"{}\" AttributeType=\"Scalar\" Center=\"Grid\"><DataItem Format=\"XML\" "
+        "NumberType=\"Float\" Precision=\"8\" Dimensions=\"1\">{}</DataItem></Attribute>\n",
+        escaped(name), shortest(value));
+  }
+
+  std::string numbers(const XdmfStep& entry) const {
+    std::string text;
+    for (const auto& [name, value] : entry.numbers) text += field_data(name, value);
+    for (std::size_t i = 0; i < sizes_.regions.size(); ++i)
+      text += field_data(fmt::format("region {}: {}", i, sizes_.regions[i]), static_cast<double>(i));
+    return text;
+  }
+
   std::string fields(const XdmfStep& entry, FieldPlace cell, FieldPlace node) const {
     std::string text;
     for (const XdmfField& field : entry.fields) {
       if (field.place != cell && field.place != node) continue;
-      const std::string numbers = of_field(entry, field);
-      text += field.labels == "n s" ? normal_and_sliding(field, numbers, num_places(sizes_, entry.cuts, cell))
-                                    : attribute(field, numbers, field.place == node);
+      // Not one vector: its magnitude would call a slip an opening.
+      if (field.labels == normal_and_sliding)
+        for (const char* component : {"_n", "_s"})
+          text += attribute(entry, {field.name + component, field.place, 1}, field.name + component);
+      else if (is_tensor(field.labels))
+        text += attribute(entry, {field.name, field.place, 9}, tensor_of(field.name));
+      else
+        text += attribute(entry, field, field.name);
     }
     return text;
   }
 
-  static std::string attribute(const XdmfField& field, const std::string& numbers, bool on_nodes) {
+  std::string attribute(const XdmfStep& entry, const XdmfField& field, const std::string& dataset) const {
+    const std::size_t rows = num_places(sizes_, entry.cuts, field.place);
+    const std::string extent =
+        field.components == 1 ? std::to_string(rows) : fmt::format("{} {}", rows, field.components);
     return fmt::format("          <Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"{}\">{}</Attribute>\n",
-                       escaped(field.name), kind(field.components), on_nodes ? "Node" : "Cell", numbers);
+                       escaped(field.name), kind(field.components),
+                       is_on_nodes(field.place) ? "Node" : "Cell",
+                       item(of_step(entry, dataset_of(dataset, field.place)), extent, "Float"));
   }
 
-  /// Two numbers, not one vector: its magnitude would call a slip an opening.
-  static std::string normal_and_sliding(const XdmfField& field, const std::string& numbers,
-                                        std::size_t rows) {
-    std::string text;
-    for (int component = 0; component < 2; ++component)
-      text += fmt::format(
-          "          <Attribute Name=\"{}_{}\" AttributeType=\"Scalar\" Center=\"Cell\"><DataItem "
-          "ItemType=\"HyperSlab\" Dimensions=\"{} 1\"><DataItem Dimensions=\"3 2\" Format=\"XML\">0 {} 1 1 "
-          "{} 1"
-          "</DataItem>{}</DataItem></Attribute>\n",
-          escaped(field.name), component == 0 ? "n" : "s", rows, component, rows, numbers);
-    return text;
+  static bool is_on_nodes(FieldPlace place) {
+    return place == FieldPlace::block_vertex || place == FieldPlace::segment_end ||
+           place == FieldPlace::part_vertex || place == FieldPlace::crack_end;
   }
 
   static const char* kind(int components) {
     if (components == 1) return "Scalar";
+    if (components == 9) return "Tensor";
     return components == 3 ? "Vector" : "Matrix";
   }
 

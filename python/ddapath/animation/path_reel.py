@@ -76,9 +76,8 @@ class PathReel:
         return self._curve[deflection_of(self._run)].to_numpy(dtype=float), self._curve["load"].to_numpy(dtype=float)
 
     def step_near(self, place):
-        """The stored step nearest to a place along the curve; 0, the undeformed structure, before them."""
-        steps = np.concatenate([[0], self._steps])
-        return int(steps[np.argmin(np.abs(steps - place))])
+        """The stored step nearest to a place along the curve."""
+        return int(self._steps[np.argmin(np.abs(self._steps - place))])
 
     def begin(self, stage):
         stage.clear()
@@ -113,16 +112,15 @@ class PathReel:
         stage.moves(*self._blocks)
 
     def draw(self, axes, step):
-        """The Blocks of a stored step, with its cracks; of step 0 those of the first, undeformed."""
-        fields = self._fields(step or self._steps[0])
+        """The Blocks of a stored step, with its cracks."""
+        fields = self._fields(step)
         region = fields.polygon_regions
         held = self._is_held(region)
         blocks = Blocks(axes, fills(names_of(region, materials_of(self._run)), held), held)
-        polygons = fields.polygons(self.scale if step else 0)
+        polygons = fields.polygons(self.scale)
         blocks.show(polygons)
         blocks.hold(polygons)
-        if step:
-            blocks.show_cracks(*cracked(fields, self.scale))
+        blocks.show_cracks(*cracked(fields, self.scale))
         return blocks
 
     def _is_held(self, region):

@@ -70,12 +70,11 @@ Schema<Detail> detail_schema() {
 Schema<RecordParameters> record_schema() {
   using P = RecordParameters;
   return Schema<P>("What is kept beside the curve.")
-      .integer(
-          "fields_every", &P::fields_every,
-          {.fallback = 10,
-           .bounds = at_least(0),
-           .text =
-               "Fields are stored every so many steps (0 = never), and always at landings, peak and end."})
+      .integer("fields_every", &P::fields_every,
+               {.fallback = 10,
+                .bounds = at_least(0),
+                .text = "Fields are stored every so many steps (0 = never), and always at start, landings, "
+                        "peak and end."})
       .map("at", &P::at, list_of(number_kind({}, {})),
            {.fallback = {{}}, .text = "Gauge values on which steps land exactly and fields are stored."})
       .text("folder", &P::folder, {.fallback = "", .text = "Run folder; runs/<name of the deck> if empty."})

@@ -11,6 +11,7 @@ inline constexpr const char* stage = "stage";
 inline constexpr const char* load = "load";
 inline constexpr const char* load_factor = "load_factor";
 inline constexpr const char* dissipated_energy = "dissipated_energy";
+inline constexpr const char* stored_energy = "stored_energy";
 inline constexpr const char* external_work = "external_work";
 inline constexpr const char* current_stiffness = "current_stiffness";
 inline constexpr const char* negative_eigenvalues = "negative_eigenvalues";

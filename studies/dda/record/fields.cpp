@@ -44,6 +44,19 @@ std::vector<double> flat(std::span<const Vec2> from) {
   return out;
 }
 
+/// The larger and the smaller one.
+std::array<StoredField, 2> principal(const StoredField& stress) {
+  std::array<StoredField, 2> out{StoredField{"principal_stress_1", stress.unit, stress.place, 1, {}, ""},
+                                 StoredField{"principal_stress_2", stress.unit, stress.place, 1, {}, ""}};
+  for (std::size_t i = 0; i + 2 < stress.values.size(); i += 3) {
+    const double xx = stress.values[i], yy = stress.values[i + 1], xy = stress.values[i + 2];
+    const double mean = (xx + yy) / 2, radius = std::hypot((xx - yy) / 2, xy);
+    out[0].values.push_back(mean + radius);
+    out[1].values.push_back(mean - radius);
+  }
+  return out;
+}
+
 /// Of the parts what their blocks have.
 StoredField of_parts(const StoredField& of_blocks, const std::vector<std::size_t>& block) {
   StoredField out = of_blocks;
@@ -59,6 +72,13 @@ StoredField of_parts(const StoredField& of_blocks, const std::vector<std::size_t
 
 }  // namespace
 
+std::vector<std::string> region_names(const Assembly& assembly) {
+  std::vector<std::string> out;
+  for (const auto& [name, material] : assembly.regions)
+    out.push_back(name == material ? name : fmt::format("{} ({})", name, material));
+  return out;
+}
+
 Fields::Fields(const Body& body, const ModelParameters& model, const Equilibrium& equilibrium,
                const Units& units)
     : body_(body),
@@ -68,7 +88,11 @@ Fields::Fields(const Body& body, const ModelParameters& model, const Equilibrium
       segments_(pieces_of_sides(body.assembly, equilibrium)) {}
 
 ResultsMesh Fields::mesh() const {
-  ResultsMesh out{.blocks = {}, .block_region = {}, .segments = segments_, .length_unit = units_.length};
+  ResultsMesh out{.blocks = {},
+                  .block_region = {},
+                  .region_names = region_names(body_.assembly),
+                  .segments = segments_,
+                  .length_unit = units_.length};
   for (const Block& block : body_.assembly.blocks) {
     out.blocks.push_back(outline(BlockId{out.blocks.size()}));
     out.block_region.push_back(block.region);
@@ -233,7 +257,8 @@ void Fields::add_blocks(const State& state, Snapshot& out) const {
     add_gradients(state, out);
     out.fields.push_back(stress_at_vertices(stress, state));
   }
-  for (StoredField* field : {&strain, &stress}) {
+  auto [larger, smaller] = principal(stress);
+  for (StoredField* field : {&strain, &stress, &larger, &smaller}) {
     if (!out.cut.parts.empty()) out.fields.push_back(of_parts(*field, out.cut.part_block));
     out.fields.push_back(std::move(*field));
   }

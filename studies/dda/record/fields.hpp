@@ -20,12 +20,16 @@ struct StoredState {
   std::vector<std::vector<double>> modes = {};  ///< shapes φ, where they were computed
 };
 
+/// Of the regions, by number; where the material of one is called otherwise it stands behind in brackets.
+std::vector<std::string> region_names(const Assembly& assembly);
+
 /// Turns a state into the fields that a run stores.
 ///
 ///     blocks     displacement (vertices), strain ε, stress C ε + σ0(λ), of blocks of second order the means of both, and
-///                the gradient of ε and σ at the vertices
+///                the gradient of ε and σ at the vertices; principal stresses in the plane
+///                σ_1, σ_2 = (σ_xx + σ_yy)/2 ± √(((σ_xx − σ_yy)/2)² + σ_xy²)
 ///     modes      φ_1, φ_2, … as displacements (vertices), the largest of each 1
-///     parts      of blocks that cracks have cut: displacement (vertices), modes, strain and stress of their block
+///     parts      of blocks that cracks have cut: displacement (vertices), modes, strain and stresses of their block
 ///     points     jump g = [u] (n, s),  opening w = q − P⁻¹ t,  traction t,  damage,
 ///                the strength's factor where some interface has a random field
 ///

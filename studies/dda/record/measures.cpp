@@ -38,7 +38,7 @@ RecordedColumns Measures::path_columns() const {
           {{"control", ""}, [](At at) { return at.now.control; }},
           {{"newton_iterations", ""}, [](At at) { return std::int64_t{at.now.newton_iterations}; }},
           {{column::dissipated_energy, energy_unit_}, [](At at) { return at.now.dissipated; }},
-          {{"stored_energy", energy_unit_}, [](At at) { return at.now.stored; }},
+          {{column::stored_energy, energy_unit_}, [](At at) { return at.now.stored; }},
           {{column::external_work, energy_unit_}, [](At at) { return at.now.work; }},
           {{column::load, load_unit_}, [](At at) { return at.now.load; }}};
 }
@@ -47,6 +47,16 @@ RecordedColumns Measures::columns() const {
   RecordedColumns out = path_columns();
   for (std::size_t i = 0; i < names_.size(); ++i)
     out.push_back({names_[i], [i](const RecordedStep& at) { return at.now.values[i]; }});
+  return out;
+}
+
+std::map<std::string, double> Measures::numbers(const Measurement& of) const {
+  std::map<std::string, double> out{{column::dissipated_energy, of.dissipated},
+                                    {column::stored_energy, of.stored},
+                                    {column::external_work, of.work},
+                                    {column::load, of.load}};
+  for (std::size_t i = 0; i < names_.size(); ++i)
+    out.emplace(names_[i].name == "time" ? "gauge_time" : names_[i].name, of.values[i]);
   return out;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,10 @@ class Measures {
   RecordedColumns columns() const;
   Measurement measure(const Walker& walker, int step, const std::string& control,
                       int newton_iterations) const;
+
+  /// By name, but for step and load factor: what stored fields have beside them. A gauge `time`, which they have too, is
+  /// gauge_time.
+  std::map<std::string, double> numbers(const Measurement& of) const;
 
   /// Names and units in the order of Measurement::values; gauges stand first.
   const std::vector<Column>& names() const { return names_; }

@@ -15,10 +15,6 @@ def grids(*kinds):
     return reader
 
 
-def calculated(source, name, function):
-    return Calculator(registrationName=name, Input=source, AttributeType="Cell Data", ResultArrayName=name, Function=function)
-
-
 def coloured(source, array, title, **shown):
     display = Show(source, view)
     for name, value in shown.items():
@@ -35,10 +31,7 @@ LoadPalette(paletteName="WhiteBackground")
 view = GetActiveViewOrCreate("RenderView")
 view.InteractionMode, view.OrientationAxesVisibility = "2D", 0
 blocks = grids("blocks", "parts")
-mean, radius = "0.5*(stress_X+stress_Y)", "sqrt(0.25*(stress_X-stress_Y)^2+stress_Z^2)"
-first = calculated(blocks, "principal_stress_1", f"{mean}+{radius}")
-second = calculated(first, "principal_stress_2", f"{mean}-{radius}")
-moved = WarpByVector(registrationName="blocks, moved", Input=second, Vectors=["POINTS", "displacement"], ScaleFactor=SCALE)
+moved = WarpByVector(registrationName="blocks, moved", Input=blocks, Vectors=["POINTS", "displacement"], ScaleFactor=SCALE)
 cracks = WarpByVector(registrationName="joints, moved", Input=grids("interfaces", "cracks"), Vectors=["POINTS", "displacement"],
                       ScaleFactor=SCALE)
 cracked = Threshold(registrationName="cracks", Input=cracks, Scalars=["CELLS", "damage"], LowerThreshold=1e-12, UpperThreshold=1)

@@ -18,6 +18,7 @@
 #include "framework/messages/progress.hpp"
 #include "framework/messages/provenance.hpp"
 #include "studies/dda/case/motion_columns.hpp"
+#include "studies/dda/record/fields.hpp"
 #include "studies/dda/run/motion/motion_restart.hpp"
 
 namespace dda {
@@ -146,7 +147,11 @@ class MotionRecorder {
   }
 
   static ResultsMesh mesh(const Moved& moved) {
-    ResultsMesh out{.blocks = {}, .block_region = {}, .segments = {}, .length_unit = moved.deck.units.length};
+    ResultsMesh out{.blocks = {},
+                    .block_region = {},
+                    .region_names = region_names(moved.pieces.body().assembly),
+                    .segments = {},
+                    .length_unit = moved.deck.units.length};
     for (const Block& block : moved.blocks()) {
       out.blocks.push_back(block.outline.vertices);
       out.block_region.push_back(block.region);
@@ -178,9 +183,20 @@ class MotionRecorder {
     }
     results_.store({.step = at_.steps,
                     .time = motion_.time(),
-                    .numbers = {{"time_of_motion", motion_.time()}},
+                    .numbers = numbers(),
                     .fields = {std::move(moved), std::move(velocity), std::move(angle)}});
     at_.stored = at_.steps;
+  }
+
+  /// What stored fields have beside them: gauges and energies.
+  std::map<std::string, double> numbers() const {
+    const MotionLedger& ledger = motion_.ledger();
+    std::map<std::string, double> out{{"time_of_motion", motion_.time()}, {work, ledger.external},
+                                      {kinetic, ledger.kinetic},          {stored, ledger.stored.sum()},
+                                      {friction, ledger.friction},        {fracture, ledger.fracture},
+                                      {damping, ledger.damping},          {numerical, ledger.numerical}};
+    for (const NamedGauge& gauge : moved_.gauges()) out.emplace(gauge.name, value(gauge.functional));
+    return out;
   }
 
   svg::Drawing picture() const {

@@ -20,9 +20,8 @@
 #include "studies/dda/run/recording/summary.hpp"
 
 namespace dda {
-namespace {
-
 namespace fs = std::filesystem;
+namespace {
 
 /// What a run may lose when it is killed or the machine goes down; a shorter run is sooner repeated [s].
 constexpr double bearable_loss = 1.0;
@@ -134,7 +133,7 @@ void RunRecorder::start() {
   Point point;
   simulation_.path().judge(point);
   append_row(last_, point);
-  if (simulation_.deck().record.eigenvalues.count > 0) store_here();
+  store_here();
   if (simulation_.deck().record.stiffness) memory_.stiffness = stiffness_record(simulation_);
 }
 
@@ -242,7 +241,7 @@ void RunRecorder::keep_peak(const Point& point, const Measurement& now) {
 
 void RunRecorder::store_peak() {
   if (!memory_.peak_state || memory_.is_peak_stored) return;
-  store(*memory_.peak_state);
+  store(*memory_.peak_state, memory_.peak);
   memory_.is_peak_stored = true;
 }
 
@@ -283,14 +282,17 @@ void RunRecorder::begin_stage() {
   trace_.push_back(trace_point(simulation_.walker(), measures_));
 }
 
-void RunRecorder::store(const StoredState& at) {
+void RunRecorder::store(const StoredState& at, const Measurement& measured) {
   if (at.step <= last_stored_) return;
   const auto scope = timings_.measure("fields");
-  results_.store(fields_.snapshot(at));
+  Snapshot snapshot = fields_.snapshot(at);
+  snapshot.numbers.merge(measures_.numbers(measured));
+  if (stage_number() > 0) snapshot.numbers[column::stage] = stage_number();
+  results_.store(snapshot);
   last_stored_ = at.step;
 }
 
-void RunRecorder::store_here() { store(here()); }
+void RunRecorder::store_here() { store(here(), last_); }
 
 void RunRecorder::write_restart_file() {
   const auto scope = timings_.measure("restart file");

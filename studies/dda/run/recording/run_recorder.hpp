@@ -21,7 +21,7 @@ namespace dda {
 /// Writes everything that a run folder holds while a path is followed.
 ///
 /// Every accepted step is a row of curve.csv and a line of log.jsonl; fields and the restart file follow at
-/// landings, at the peak, every record.fields_every steps and at the end. summary.json comes last: a folder
+/// landings, at the peak, every record.fields_every steps and at the end; fields at the start as well. summary.json comes last: a folder
 /// without it does not hold a whole result. Throws OutputError.
 class RunRecorder {
  public:
@@ -58,7 +58,8 @@ class RunRecorder {
   RecordedColumns columns_of_stages() const;
   /// Of the present one in the deck's `stages`, from 1; 0 where but one is followed.
   int stage_number() const;
-  void store(const StoredState& at);
+  /// Its fields and, beside them, its numbers.
+  void store(const StoredState& at, const Measurement& measured);
   void store_here();
   void write_restart_file();
   void write_stiffness() const;

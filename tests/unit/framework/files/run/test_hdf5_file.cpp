@@ -38,6 +38,27 @@ TEST(Hdf5File, KeepsArraysTextsAndAttributes) {
   EXPECT_FALSE(copy.has("/none/x"));
 }
 
+TEST(Hdf5File, ViewsAreColumnsOfOtherArraysOrZero) {
+  Hdf5File file = Hdf5File::in_memory();
+  file.write("/a/x", std::vector<double>{1, 2, 3, 4, 5, 6}, 3);
+  file.write("/y", std::vector<double>{7, 8});
+  file.write_view("/a/both", 4, {{"/a/x", 2, 0}, {"/y", 0, 1}, {"/a/x", 0, 3}});
+  file.write_view("/middle", 1, {{"/a/x", 1, 0}});
+  const Hdf5File copy = Hdf5File::from_bytes(file.bytes());
+  EXPECT_THAT(copy.numbers("/a/both"), ElementsAre(3, 7, 0, 1, 6, 8, 0, 4));
+  EXPECT_EQ(copy.num_rows("/a/both"), 2u);
+  EXPECT_THAT(copy.numbers("/middle"), ElementsAre(2, 5));
+}
+
+TEST(Hdf5File, NamesItsAttributes) {
+  Hdf5File file = small_file();
+  file.set_attribute("/", "time", 0.5);
+  file.set_attribute("/", "load [kN]", 1.5);
+  file.set_attribute("/a", "of a group", 1.0);
+  EXPECT_THAT(Hdf5File::from_bytes(file.bytes()).attributes("/"), ElementsAre("load [kN]", "time"));
+  EXPECT_THAT(file.attributes("/a/x"), IsEmpty());
+}
+
 TEST(Hdf5File, SaysWhatIsMissing) {
   const Hdf5File file = Hdf5File::from_bytes(Hdf5File::in_memory().bytes());
   EXPECT_THROW(file.numbers("/x"), Hdf5Error);

@@ -20,6 +20,7 @@ ResultsMesh small_mesh() {
   ResultsMesh mesh;
   mesh.blocks = {{{0, 0}, {1, 0}, {1, 1}}, {{1, 0}, {2, 0}, {2, 1}, {1, 1}}};
   mesh.block_region = {0, 1};
+  mesh.region_names = {"left", "right (concrete)"};
   mesh.segments = {{Vec2{1, 0}, Vec2{1, 1}}};
   mesh.length_unit = "mm";
   return mesh;
@@ -56,6 +57,7 @@ TEST(ResultsWriter, WritesTheMeshOnce) {
   EXPECT_EQ(file.num_rows("/mesh/vertices"), 7u);
   EXPECT_EQ(file.numbers("/mesh/vertices")[3 * 4], 2.0);
   EXPECT_EQ(file.text_attribute("/mesh/vertices", "unit"), "mm");
+  EXPECT_THAT(file.texts("/mesh/region_names"), ElementsAre("left", "right (concrete)"));
   EXPECT_THAT(file.texts("/provenance/version"), ElementsAre("0.1"));
 }
 
@@ -92,6 +94,24 @@ TEST(ResultsWriter, StoresFieldsStepByStep) {
   EXPECT_EQ(file.numbers("/displacement").size(), 21u) << "two components are stored as three";
 }
 
+/// Symmetric, of shear strains half of 2xy; normal and sliding components each by itself.
+TEST(ResultsWriter, ShowsTensorsAndComponents) {
+  const Scratch scratch;
+  Snapshot here = snapshot(3);
+  here.fields.push_back({"strain", "", FieldPlace::block, 3, {1, 2, 3, 4, 5, 6}, "xx yy 2xy"});
+  here.fields.push_back({"opening", "mm", FieldPlace::segment, 2, {0.1, -0.2}, "n s"});
+  ResultsWriter(scratch.path(), small_mesh(), {}).store(here);
+  const Hdf5File file = reading(scratch, "fields/000003.h5");
+  EXPECT_THAT(file.numbers("/stress_tensor"),
+              ElementsAre(3, 3, 0, 3, 2, 0, 0, 0, 0, 4, 6, 0, 6, 5, 0, 0, 0, 0));
+  EXPECT_THAT(file.numbers("/strain_tensor"),
+              ElementsAre(1, 1.5, 0, 1.5, 2, 0, 0, 0, 0, 4, 3, 0, 3, 5, 0, 0, 0, 0));
+  EXPECT_THAT(file.numbers("/segments/opening_n"), ElementsAre(0.1));
+  EXPECT_THAT(file.numbers("/segments/opening_s"), ElementsAre(-0.2));
+  EXPECT_FALSE(file.has_attribute("/stress_tensor", "place")) << "no field of its own";
+  EXPECT_THAT(test::content(scratch / "run.xdmf"), HasSubstr("fields/000003.h5:/strain_tensor"));
+}
+
 /// The square cut in two, with a piece of a crack between its parts.
 Snapshot cut_snapshot(int step) {
   Snapshot out = snapshot(step);
@@ -111,6 +131,7 @@ TEST(ResultsWriter, StoresWhatCracksHaveCut) {
   results.store(cut_snapshot(34));
   const Hdf5File file = reading(scratch, "fields/000034.h5");
   EXPECT_THAT(file.integers("/parts/block"), ElementsAre(1, 1));
+  EXPECT_THAT(file.integers("/parts/region"), ElementsAre(1, 1));
   EXPECT_THAT(file.integers("/parts/mixed"), ElementsAre(3, 4, 0, 1, 2, 3, 3, 4, 4, 5, 6, 7));
   EXPECT_THAT(file.integers("/parts/whole"), ElementsAre(3, 3, 0, 1, 2, 3, 3, 3, 3, 3))
       << "the triangle as it is, of the square its first vertex";
@@ -185,6 +206,8 @@ TEST(ResultsWriter, AResumedRunDescribesItselfAsTheUninterrupted) {
   const std::string text = test::content(scratch / "run.xdmf");
   EXPECT_EQ(text.size(), test::content(other / "run.xdmf").size());
   EXPECT_THAT(text, HasSubstr("fields/000002.h5:/segments/damage"));
+  EXPECT_THAT(text, HasSubstr("Name=\"load_factor\" AttributeType=\"Scalar\" Center=\"Grid\""));
+  EXPECT_THAT(text, HasSubstr("Name=\"region 1: right (concrete)\""));
 }
 
 TEST(ResultsWriter, ResumeNeedsWholeFiles) {

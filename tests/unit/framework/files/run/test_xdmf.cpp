@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <limits>
 #include <regex>
 #include <stack>
 
@@ -55,10 +56,46 @@ TEST(Xdmf, NormalAndSlidingComponentsAreNamed) {
       xdmf_text({2, 7, 11, 4, true}, {{1, 0.5, {{"opening", FieldPlace::segment, 3, "n s"}}}});
   EXPECT_TRUE(is_balanced(text));
   EXPECT_THAT(text, HasSubstr("Name=\"opening_n\" AttributeType=\"Scalar\""));
-  EXPECT_THAT(text, HasSubstr("Format=\"XML\">0 0 1 1 4 1</DataItem>"));
+  EXPECT_THAT(text, HasSubstr("Dimensions=\"4\">fields/000001.h5:/segments/opening_n</DataItem>"));
   EXPECT_THAT(text, HasSubstr("Name=\"opening_s\" AttributeType=\"Scalar\""));
-  EXPECT_THAT(text, HasSubstr("Format=\"XML\">0 1 1 1 4 1</DataItem>"));
+  EXPECT_THAT(text, HasSubstr("Dimensions=\"4\">fields/000001.h5:/segments/opening_s</DataItem>"));
   EXPECT_THAT(text, Not(HasSubstr("\"Vector\"")));
+  EXPECT_THAT(text, Not(HasSubstr("HyperSlab"))) << "Xdmf3 takes none";
+}
+
+TEST(Xdmf, StressesAndStrainsAreTensors) {
+  const std::string text =
+      xdmf_text(sizes, {{1,
+                         0.5,
+                         {{"stress", FieldPlace::block, 3, "xx yy xy"},
+                          {"strain", FieldPlace::block, 3, "xx yy 2xy"},
+                          {"stress_at_vertices", FieldPlace::block_vertex, 3, "xx yy xy"}}}});
+  EXPECT_THAT(text, HasSubstr("Name=\"stress\" AttributeType=\"Tensor\" Center=\"Cell\""));
+  EXPECT_THAT(text, HasSubstr("Dimensions=\"2 9\">fields/000001.h5:/stress_tensor</DataItem>"));
+  EXPECT_THAT(text, HasSubstr("Dimensions=\"2 9\">fields/000001.h5:/strain_tensor</DataItem>"));
+  EXPECT_THAT(text, HasSubstr("Name=\"stress_at_vertices\" AttributeType=\"Tensor\" Center=\"Node\""));
+  EXPECT_THAT(text, HasSubstr("Dimensions=\"7 9\">fields/000001.h5:/stress_at_vertices_tensor</DataItem>"));
+}
+
+TEST(Xdmf, NumbersOfAStepAndNamesOfRegionsAreFieldData) {
+  XdmfSizes named = sizes;
+  named.regions = {"beam (concrete)", "a & b"};
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const std::string text =
+      xdmf_text(named, {{1, 1, {}, {}, {{"load_factor", 0.1}, {"<u>", -2}, {"none", none}}},
+                        {2, 2, {}, {}, {{"load_factor", 0.2}}}});
+  EXPECT_TRUE(is_balanced(text));
+  const auto field_data = [](const std::string& name, const std::string& value) {
+    return "Name=\"" + name +
+           "\" AttributeType=\"Scalar\" Center=\"Grid\"><DataItem Format=\"XML\" NumberType=\"Float\" " +
+           "Precision=\"8\" Dimensions=\"1\">" + value + "</DataItem>";
+  };
+  EXPECT_THAT(text, HasSubstr(field_data("load_factor", "0.1")));
+  EXPECT_THAT(text, HasSubstr(field_data("load_factor", "0.2")));
+  EXPECT_THAT(text, HasSubstr(field_data("&lt;u>", "-2")));
+  EXPECT_THAT(text, HasSubstr(field_data("region 0: beam (concrete)", "0")));
+  EXPECT_THAT(text, HasSubstr(field_data("region 1: a &amp; b", "1")));
+  EXPECT_THAT(text, Not(HasSubstr("nan"))) << "Xdmf2 reads it as garbage";
 }
 
 TEST(Xdmf, NoInterfaceGridWithoutSegments) {
@@ -89,7 +126,8 @@ TEST(Xdmf, CutBlocksAndCracksAreGridsOfTheirOwn) {
   EXPECT_THAT(text, HasSubstr("<Grid Name=\"cracks\" GridType=\"Uniform\">"));
   EXPECT_THAT(text, HasSubstr("NodesPerElement=\"2\" NumberOfElements=\"4\""));
   EXPECT_THAT(text, HasSubstr("Dimensions=\"8 3\">fields/000002.h5:/cracks/ends"));
-  EXPECT_THAT(text, HasSubstr("Format=\"XML\">0 0 1 1 4 1</DataItem>"));
+  EXPECT_THAT(text, HasSubstr("Dimensions=\"4\">fields/000002.h5:/cracks/opening_n</DataItem>"));
+  EXPECT_THAT(text, HasSubstr("Dimensions=\"2\">fields/000002.h5:/parts/region</DataItem>"));
   EXPECT_THAT(text, Not(HasSubstr("fields/000001.h5:/parts")));
 }
 
