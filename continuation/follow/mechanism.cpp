@@ -10,6 +10,7 @@
 #include "continuation/contact/contact_piece.hpp"
 #include "continuation/follow/goals.hpp"
 #include "continuation/follow/landings.hpp"
+#include "continuation/state/residual_stiffness.hpp"
 
 namespace dda {
 namespace {
@@ -97,11 +98,18 @@ double standing_load(const PathState& path, double load) {
   return std::max(same * std::abs(load), path.smallest_load());
 }
 
+double load_rate(const PathState& path) {
+  const Tangent& leaving = path.walker.leaving();
+  const double moved = path.displacement_rate(leaving), rate = leaving.rate(path.load);
+  if (moved == 0 || !path.walker.system().joins_by_contact()) return rate;
+  return rate - residual_power(path.walker.system().equilibrium(), leaving.opening) / moved;
+}
+
 bool moves_freely(const PathState& path) {
   const double moved = std::abs(path.displacement_rate(path.walker.leaving())),
                along = mechanism_way * std::abs(path.displacement_of(path.walker.state()));
-  return moved > 0 && std::abs(path.walker.leaving().rate(path.load)) * along / moved <=
-                          standing_load(path, path.load_of(path.walker.state()));
+  return moved > 0 &&
+         std::abs(load_rate(path)) * along / moved <= standing_load(path, path.load_of(path.walker.state()));
 }
 
 Move displacement_move(const PathState& path) {

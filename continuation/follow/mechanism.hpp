@@ -23,6 +23,10 @@ bool can_slide(const PathState& path);
 /// By how much a load may change that stays.
 double standing_load(const PathState& path, double load);
 
+/// Rate of the load along the leaving tangent without what the residual stiffness of free joints takes: of a mechanism
+/// only that is in it.
+double load_rate(const PathState& path);
+
 /// Whether the structure moves on by as much as makes a mechanism while its load stays.
 bool moves_freely(const PathState& path);
 

@@ -16,11 +16,11 @@ namespace {
 
 /// Under the control; where all that has cracked slides on under the load that friction bears, a mechanism.
 std::optional<Point> cracking_step(PathState& path, const Move& move) {
+  if (!path.walker.system().has_contacts()) return controlled_step(path, move);
   const Departure before(path.walker);
   auto point = controlled_step(path, move);
   constexpr double carried = 1e-3;
-  if (point && path.walker.system().has_contacts() &&
-      path.load_of(path.walker.state()) > carried * path.memory.peak_load)
+  if (point && path.load_of(path.walker.state()) > carried * path.memory.peak_load)
     note_mechanism(path, *point, before);
   return point;
 }

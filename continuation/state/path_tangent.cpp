@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "continuation/state/residual_stiffness.hpp"
 #include "continuation/state/system.hpp"
 #include "models/stiffness_parts.hpp"
 
@@ -14,16 +15,11 @@ Vec2 own_stiffness(const InterfacePoint& point) {
   return point.physical_stiffness / point.stiffness * point.trial_stiffness();
 }
 
-/// D + ε (S − D) at every point: S is P, but of stiffer joints no more than some times what the blocks beside have, so
-/// that what slides does so as freely whatever the treatment.
+/// D (1 − ε) + ε S at every point (residual_stiffness.hpp).
 std::vector<Mat2> with_residual(std::vector<Mat2> tangents, const Equilibrium& equilibrium) {
-  constexpr double residual_share = 1e-7, most = 10;
-  for (std::size_t p = 0; p < tangents.size(); ++p) {
-    const InterfacePoint& point = equilibrium.point(p);
-    const double of_trial = std::min(1.0, most * point.spring_unit / point.stiffness);
-    const Mat2 left = (of_trial * point.trial_stiffness()).asDiagonal();
-    tangents[p] += residual_share * (left - tangents[p]);
-  }
+  for (std::size_t p = 0; p < tangents.size(); ++p)
+    tangents[p] =
+        (1 - residual_share) * tangents[p] + Mat2(residual_stiffness(equilibrium.point(p)).asDiagonal());
   return tangents;
 }
 

@@ -4,14 +4,13 @@
 """
 
 import copy
-import tempfile
 import unittest
-from pathlib import Path
 
 import numpy as np
 
 import ddapath
 from ddapath.verify import verify
+from program_case import ProgramCase
 
 LEFT, TOP = [[0, 0], [80, 0]], [[180, 100], [260, 100]]
 
@@ -37,11 +36,10 @@ def with_plates(deck, **patches):
     return out
 
 
-class Plates(unittest.TestCase):
-    def run_(self, deck):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        return ddapath.run(deck, folder=Path(folder.name) / "run")
+class Plates(ProgramCase):
+    def bare_and_plated(self, deck):
+        plates = with_plates(deck, left=LEFT, top=TOP)
+        return ddapath.run(deck, folder=self.folder / "bare"), ddapath.run(plates, folder=self.folder / "plated")
 
     def departures(self, run, name):
         """Of the means of the four quarters of a patch from the straight line closest to them."""
@@ -50,7 +48,7 @@ class Plates(unittest.TestCase):
         return np.abs(means - np.polyval(np.polyfit(place, means, 1), place)).max()
 
     def test_they_stay_straight_and_turn(self):
-        bare, plated = self.run_(PAD), self.run_(with_plates(PAD, left=LEFT, top=TOP))
+        bare, plated = self.bare_and_plated(PAD)
         for name in ("left", "top"):
             self.assertGreater(self.departures(bare, name), 1e-3)
             self.assertLess(self.departures(plated, name), 2e-3 * self.departures(bare, name), name)
@@ -65,7 +63,7 @@ class Plates(unittest.TestCase):
         even["supports"] = {"left": {"boundary": "end", "fix": "x"}, "corner": {"at": [0, 0], "fix": "y"}}
         even["scene"]["boundaries"] = {"end": [[0, 0], [0, 100]], "other": [[400, 0], [400, 100]]}
         even["stages"] = [{"loads": [{"type": "edge_traction", "boundary": "other", "pressure": 1}]}]
-        bare, plated = self.run_(even), self.run_(with_plates(even, left=LEFT, top=TOP))
+        bare, plated = self.bare_and_plated(even)
         for name in bare.curve:
             if name.startswith(("left ", "top ")):
                 self.assertAlmostEqual(plated.curve[name].iloc[-1], bare.curve[name].iloc[-1], delta=1e-9, msg=name)
@@ -74,7 +72,7 @@ class Plates(unittest.TestCase):
         deck = copy.deepcopy(PAD)
         deck["supports"]["plate"] = {"at": [0, 0], "fix": "straight"}
         with self.assertRaisesRegex(ddapath.InputError, "`fix: straight` needs a patch"):
-            self.run_(deck)
+            ddapath.run(deck, folder=self.folder / "run")
 
 
 if __name__ == "__main__":
