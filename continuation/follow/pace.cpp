@@ -66,14 +66,14 @@ double sliding_amount(const PathState& path) {
 }
 
 double bounded(const PathState& path, const Move& move, double amount) {
-  const double rate = std::abs(load_rate(path));
+  const double load_rate = std::abs(path.walker.leaving().rate(path.load));
   const double displacement_rate_now = std::abs(path.displacement_rate(path.walker.leaving()));
   const double load_size_now = load_size(path.memory, path.parameters);
   const bool only_slides = !path.walker.leaving().dissipates && can_slide(path);
   const double of_load =
       only_slides ? 1.5 : 1;  // steps of contacts alone are exact but for the order of changes
-  if (rate > 0 && load_size_now > 0)
-    amount = std::min(amount, of_load * path.parameters.step.largest * load_size_now / rate);
+  if (load_rate > 0 && load_size_now > 0)
+    amount = std::min(amount, of_load * path.parameters.step.largest * load_size_now / load_rate);
   constexpr double of_displacement = 5;  // displacement may grow by half in one step of the default size
   if (displacement_rate_now > 0 && path.memory.largest_displacement > 0)
     amount = std::min(amount, of_displacement * path.parameters.step.largest *
@@ -88,9 +88,8 @@ namespace {
 /// By how much the next step may grow for what this one has strayed from its tangent.
 double growth_by_deviation(const PathState& path, const Candidate& candidate, double amount) {
   const State predicted = path.walker.ahead(amount);
-  const double gained = candidate.state.value(path.load) - path.walker.value(path.load);
   const double load =
-      std::abs(amount * load_rate(path) - gained) /
+      std::abs(path.load_of(predicted) - path.load_of(candidate.state)) /
       std::max(load_size(path.memory, path.parameters), std::abs(path.load_of(candidate.state)));
   const double displacement =
       std::abs(path.displacement_of(predicted) - path.displacement_of(candidate.state)) /

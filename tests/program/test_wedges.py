@@ -73,7 +73,7 @@ class Wedges(ProgramCase):
             run = self.run_(case)
             self.assertEqual(run.summary["status"], "goal_reached", f"{treatment}: {run.summary['reason']}")
             self.assertAlmostEqual(run.curve["load"].iloc[-1] / slides, 1, delta=1e-7, msg=treatment)
-            self.assertLess(len(run.curve), 60, treatment)
+            self.assertLess(len(run.curve), 150, treatment)
 
     def test_a_flat_arch_bears_any_load(self):
         for treatment in TREATMENTS:
