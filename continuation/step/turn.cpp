@@ -11,6 +11,10 @@
 namespace dda {
 namespace {
 
+/// Share of a step from which on a place is landed on: beyond nearer ones a shorter step may lead, and two points could
+/// hand a crack or a contact to and fro for ever.
+constexpr double near = 0.01;
+
 /// Whether what the control prescribes goes on to a place; of one that prescribes no gauge it is told by nothing.
 bool goes_on(const PathState& path, const Candidate& candidate) {
   const auto gauge = path.control->held_in_release();
@@ -33,9 +37,8 @@ std::optional<Point> land_on_turn(PathState& path, const Stride& stride, bool on
        {on_new_cracks ? next_new_crack(path.walker) : std::numeric_limits<double>::infinity(),
         Initiation::new_one}}};
   const auto& [amount, kind] = std::ranges::min(turns, {}, [](const auto& turn) { return turn.first; });
-  // Two points could hand the crack to and fro for ever; a corner of its curve a point passes once.
-  const double progress = kind == Initiation::new_one ? 1e-6 : 0;
-  if (!(amount < 2 * stride.amount) || amount <= progress * stride.amount) return {};
+  const bool is_passed_once = kind == Initiation::corner;  // by the point whose curve has it
+  if (!(amount < 2 * stride.amount) || (!is_passed_once && amount < near * stride.amount)) return {};
   const Move landing{.kind = kind == Initiation::corner ? StepKind::corner : StepKind::initiation,
                      .equation = make_event_equation(path.walker.system(), kind),
                      .rate = 1,
@@ -44,7 +47,7 @@ std::optional<Point> land_on_turn(PathState& path, const Stride& stride, bool on
   if (!candidate || !is_next(path, *candidate)) return {};
   if (path.cracks && share_to_strength(path, *candidate) < 1)
     return land_on_strength(path, *candidate, landing.kind);
-  const double quantum = path.memory.last_quantum;
+  const double quantum = path.memory.last_quantum, progress = is_passed_once ? 0 : 1e-6;
   const double spent = candidate->dissipated - path.walker.here().dissipated;
   if (path.walker.leaving().dissipates && !(spent > progress * quantum)) return {};
   path.memory.step = std::max(path.memory.step, amount * unit_of(path, stride.move));
@@ -57,7 +60,6 @@ std::optional<Point> land_on_turn(PathState& path, const Stride& stride, bool on
 std::optional<Point> land_on_contact_change(PathState& path, double amount) {
   if (!path.walker.leaving().dissipates || !path.walker.system().has_contacts()) return {};
   const auto change = find_contact_change(path.walker);
-  constexpr double near = 0.01;  // of the step: beyond nearer changes a shorter one may lead
   if (!change || change->amount >= amount || change->amount < near * amount) return {};
   const auto candidate = try_step(path, contact_move(path.walker, *change), change->beyond);
   if (!candidate || !is_next(path, *candidate)) return {};
