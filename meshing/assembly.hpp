@@ -21,11 +21,13 @@ struct Block {
 ///
 /// Walks counter-clockwise along the outline of `first`: s = (end − start)/length is the tangent and
 /// n = (s_y, −s_x) the normal, outward of `first`. A side of a block that touches two neighbours (a T-joint)
-/// gives two pieces.
+/// gives two pieces. On a plane of symmetry `second` is `first`: what lies behind is the block's mirror image.
 struct Side {
   BlockId first, second;
   Vec2 start, end;
   std::optional<int> curve;  ///< index into Assembly::curves when the piece lies on a named interface
+
+  bool is_mirror() const { return first == second; }
 };
 
 /// A straight piece of the outer boundary, counter-clockwise along its block.

@@ -99,13 +99,13 @@ void add_stress_energy(BlockMatrix& matrix, const InterfacePoint& point) {
   add_stress_energy(matrix, point, 1);
 }
 
-Equilibrium::Equilibrium(const Body& body, const ModelParameters& model,
-                         std::vector<double> held_load_factors)
+Equilibrium::Equilibrium(const Body& body, const ModelParameters& model, StageHistory history)
     : num_blocks_(body.assembly.num_blocks()),
       num_jumps_(body.num_jumps()),
       num_cuts_(body.cracks ? body.cracks->cuts().size() : 0),
       intact_(0, {}),
-      held_load_factors_(std::move(held_load_factors)) {
+      history_(std::move(history)),
+      num_dead_stages_(model.num_dead_stages()) {
   Findings findings;
   for (const BlockId id : body.second_order.blocks) {
     const Moments& moments = body.block(id).moments;
@@ -115,13 +115,19 @@ Equilibrium::Equilibrium(const Body& body, const ModelParameters& model,
   set_ = make_interface_points(body, model, findings);
   num_unknown_multipliers_ = 2 * static_cast<std::size_t>(std::ranges::count(set_.points, Multiplier::unknown,
                                                                              &InterfacePoint::multiplier));
-  supports_ = make_supports(body, model, findings);
+  all_supports_ = make_supports(body, model, findings);
   const LoadProgramme programme = make_loads(body, model, findings);
   driven_ = programme.driven;
+  added_ = dda::added_springs(all_supports_, model, findings);
+  removed_ = programme.removed(all_supports_);
+  if (!model.stages.empty()) check_supports(body, model, findings);
+  for (std::size_t i = 0; i < history_.rest.size(); ++i)
+    all_supports_[added_[i].spring].rest = history_.rest[i];
+  supports_ = supports_after(history_.rest.size(), history_.borne.size());
   std::vector<Spring> springs = supports_;
   springs.insert(springs.end(), driven_.begin(), driven_.end());
-  if (!model.stages.empty()) check_rigid_motions(body, springs, model.where, findings);
-  StageLoadings made = make_stages({body, model, set_, supports_, held_load_factors_}, programme, findings);
+  StageLoadings made =
+      make_stages({body, model, set_, all_supports_, supports_, removed_, history_}, programme, findings);
   stages_ = std::move(made.begun);
   later_stages_ = std::move(made.later);
   findings.throw_if_any();
@@ -139,17 +145,17 @@ void Equilibrium::fit_stages() {
 
 void Equilibrium::hold(const Body& body, const ModelParameters& model, double load_factor) {
   assert(!later_stages_.empty());
-  held_load_factors_.push_back(load_factor);
+  history_.held_load_factors.push_back(load_factor);
   Findings none;
-  StageLoadings made =
-      make_stages({body, model, set_, supports_, held_load_factors_}, make_loads(body, model, none), none);
+  StageLoadings made = make_stages({body, model, set_, all_supports_, supports_, removed_, history_},
+                                   make_loads(body, model, none), none);
   std::ranges::move(made.begun, stages_.begin());
   later_stages_ = std::move(made.later);
   fit_stages();
 }
 
 bool Equilibrium::remake(const Body& body, const ModelParameters& model) {
-  Equilibrium made(body, model, held_load_factors_);
+  Equilibrium made(body, model, history_);
   const bool is_same = are_same(intact_, made.intact_, num_block_nodes());
   std::ranges::move(made.stages_, stages_.begin());
   made.stages_ = std::move(stages_);
@@ -288,8 +294,8 @@ double Equilibrium::passive_energy(std::span<const double> d) const {
   });
   twice += 2 * gradient_energy(d);
   for (const Spring& spring : supports_) {
-    const double u = spring.displacement.value(d, 0);
-    twice += spring.stiffness * u * u;
+    const double force = spring.force(d);
+    twice += force * force / spring.stiffness;
   }
   twice += parallel_sum(set_.points.size(), parts_at_once,
                         [&](std::size_t p) { return twice_passive_energy(p, d); });

@@ -61,6 +61,20 @@ struct Loading {
   }
 };
 
+/// What the followed stages have left behind.
+struct StageHistory {
+  std::vector<double> held_load_factors;  ///< of those that are over
+  std::vector<double> rest;               ///< of the springs that have been put in since [L]
+  std::vector<double> borne;              ///< by those that have been taken away, when that began [F]
+};
+
+/// What becomes of springs of supports when a stage begins: where those that it puts in are at rest [L], what those that it
+/// takes away bear [F], and the energy in them [FL].
+struct SupportChange {
+  std::vector<double> rest, borne;
+  double energy = 0;
+};
+
 /// Equilibrium of the blocks: four operators, nothing about solvers.
 ///
 ///     intact   K0 = K_b + Bᵀ W D0 B         constant, symmetric; positive definite without multipliers
@@ -76,14 +90,20 @@ struct Loading {
 /// K0.
 class Equilibrium {
  public:
-  /// `held_load_factors` are those of the followed stages that are over.
-  Equilibrium(const Body& body, const ModelParameters& model, std::vector<double> held_load_factors = {});
+  Equilibrium(const Body& body, const ModelParameters& model, StageHistory history = {});
   /// Made anew for the cuts that the body has now. References to it and to its stages stay good, those to points,
   /// springs and laws do not. Whether K0 of the blocks is still the same, but for rounding.
   bool remake(const Body& body, const ModelParameters& model);
   /// Ends the stage that is followed: its loads become dead at this load factor, and the first of `later_stages` takes its
   /// place at the back of `stages`, to which references stay good.
   void hold(const Body& body, const ModelParameters& model, double load_factor);
+  /// Springs that the stage which is followed puts in and takes away, when it has not done so.
+  std::span<const ChangingSpring> springs_to_add() const { return due(added_, history_.rest.size()); }
+  std::span<const ChangingSpring> springs_to_remove() const { return due(removed_, history_.borne.size()); }
+  /// The change at some displacements.
+  SupportChange support_change(std::span<const double> d) const;
+  /// Makes it: K0 is another one, and forces stand for what is gone. References stay good as `remake` says.
+  void change_supports(const Body& body, const ModelParameters& model, const SupportChange& change);
 
   std::size_t num_blocks() const { return num_blocks_; }
   /// Of blocks of second order.
@@ -119,7 +139,8 @@ class Equilibrium {
   /// Those that are followed after it.
   const std::vector<Loading>& later_stages() const { return later_stages_; }
   /// Of the followed stages that are over.
-  const std::vector<double>& held_load_factors() const { return held_load_factors_; }
+  const std::vector<double>& held_load_factors() const { return history_.held_load_factors; }
+  const StageHistory& history() const { return history_; }
   /// Length scale of each block, √area [L]: makes rotations and strains comparable with translations.
   const std::vector<double>& block_size() const { return block_size_; }
   /// V C of each block, 3 × 3: stress resultants from strains [F L].
@@ -169,14 +190,23 @@ class Equilibrium {
   double weak_energy(std::span<const double> d) const;
   /// The springs that loads drive.
   const std::vector<Spring>& driven_springs() const { return driven_; }
-  /// The springs that hold the structure.
+  /// The springs that hold the structure now, and all that do at some stage.
   const std::vector<Spring>& supports() const { return supports_; }
+  const std::vector<Spring>& all_supports() const { return all_supports_; }
+  /// Those that stages put in and take away, in their order; among the supports by now or not.
+  const std::vector<ChangingSpring>& added_springs() const { return added_; }
+  const std::vector<ChangingSpring>& removed_springs() const { return removed_; }
   /// Of the weak springs at each centroid: p_w for u0 and v0 [F/L], p_w · area for r0 [FL].
   double weak_stiffness() const { return weak_stiffness_; }
   /// Of unknowns that nothing uses, each held by itself.
   double held_stiffness() const { return held_stiffness_; }
 
  private:
+  /// Those that change in the stage that is followed, or have been due before; but for the first, whose change is made.
+  std::span<const ChangingSpring> due(const std::vector<ChangingSpring>& springs, std::size_t num_done) const;
+  /// The springs of supports that are there once so many have been put in and taken away.
+  std::vector<Spring> supports_after(std::size_t num_added, std::size_t num_removed) const;
+  void check_supports(const Body& body, const ModelParameters& model, Findings& findings) const;
   void assemble(const Body& body, const ModelParameters& model, const std::vector<Spring>& springs);
   /// Gives the forces of all stages a place for every unknown.
   void fit_stages();
@@ -191,14 +221,16 @@ class Equilibrium {
   std::size_t num_blocks_, num_jumps_, num_cuts_;
   InterfaceSet set_;
   std::size_t num_unknown_multipliers_ = 0;
-  std::vector<Spring> supports_, driven_;
+  std::vector<Spring> all_supports_, supports_, driven_;
+  std::vector<ChangingSpring> added_, removed_;
   double weak_stiffness_ = 0;  ///< of the weak springs [F/L]
   double held_stiffness_ = 0;
   std::vector<std::size_t> held_;  ///< unknowns of nodes that nothing uses
   BlockMatrix intact_;
   std::optional<BlockMatrix> unjoined_;  ///< none where it is K0
   std::vector<Loading> stages_, later_stages_;
-  std::vector<double> held_load_factors_;
+  StageHistory history_;
+  std::size_t num_dead_stages_ = 0;
   std::vector<double> block_size_, rounding_of_sums_;
   std::vector<Mat3> strain_stiffness_;
   std::vector<Gradient> gradients_;

@@ -13,6 +13,7 @@
 #include "models/jump_rows.hpp"
 #include "models/kinematics/second_order.hpp"
 #include "models/locked_joints.hpp"
+#include "models/symmetry.hpp"
 #include "models/treatment/trace_constant.hpp"
 
 namespace dda {
@@ -121,10 +122,11 @@ class PointMaker {
 
   SideFaces faces_of(const Side& side) const {
     const Vec2 edge = side.end - side.start;
-    const double distance =
-        (body_.block(side.second).moments.centroid - body_.block(side.first).moments.centroid).norm();
-    return {faces_[side.first.value()], faces_[side.second.value()], distance, edge.norm(),
-            Vec2(edge.y(), -edge.x()) / edge.norm()};
+    const Vec2 normal = Vec2(edge.y(), -edge.x()) / edge.norm(),
+               &first = body_.block(side.first).moments.centroid;
+    const double distance = side.is_mirror() ? 2 * std::abs(normal.dot(side.start - first))
+                                             : (body_.block(side.second).moments.centroid - first).norm();
+    return {faces_[side.first.value()], faces_[side.second.value()], distance, edge.norm(), normal};
   }
 
   /// Of each point of a straight line.
@@ -170,7 +172,7 @@ class PointMaker {
                            .second = side.second,
                            .x = stretch.start + xi * edge,
                            .normal = faces.normal,
-                           .weight = share * edge.norm() * body_.thickness,
+                           .weight = share * edge.norm() * body_.thickness / (side.is_mirror() ? 2 : 1),
                            .stiffness = k,
                            .law = laws[i].law.get(),
                            .interface = interface.index,
@@ -198,11 +200,14 @@ class PointMaker {
     const auto of_block = [&](BlockId id) {
       return MotionRows{displacement_rows(point.x - body_.block(id).moments.centroid), strain_rows()};
     };
-    point.rows = treatment.rows(faces, of_block(point.first), of_block(point.second), stiffness);
+    const auto behind = [&](const MotionRows& rows) {
+      return point.first == point.second ? mirrored(rows, faces.normal) : rows;
+    };
+    point.rows = treatment.rows(faces, of_block(point.first), behind(of_block(point.second)), stiffness);
     const auto first = body_.gradient_of(point.first), second = body_.gradient_of(point.second);
     if (!first && !second) return;
     const PointRows rows = treatment.rows(faces, gradient_rows(point.first, point.x),
-                                          gradient_rows(point.second, point.x), stiffness);
+                                          behind(gradient_rows(point.second, point.x)), stiffness);
     if (first) point.gradients.push_back({*first, rows.first, rows.first_stress});
     if (second) point.gradients.push_back({*second, rows.second, rows.second_stress});
   }

@@ -2,6 +2,9 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
+
+#include "framework/base/suggestion.hpp"
 
 namespace dda {
 namespace {
@@ -13,8 +16,8 @@ void add_scaled(double scale, const Vector& from, Vector& to) {
   for (std::size_t i = 0; i < from.size(); ++i) to[i] += scale * from[i];
 }
 
-/// Force of a driven spring, r = p̄ (δ_dead + δ_ref λ − l·u).
-Functional driven_reaction(const Spring& spring, double dead, double reference) {
+/// r = p̄ (δ_dead + δ_ref λ − l·u).
+Functional force_of(const Spring& spring, double dead, double reference) {
   Functional out;
   out.add(-spring.stiffness, spring.displacement);
   out.constant = spring.stiffness * dead;
@@ -30,7 +33,10 @@ class StageMaker {
         model_(structure.model),
         interfaces_(structure.interfaces),
         supports_(structure.supports),
-        held_(structure.held_load_factors),
+        all_(structure.all_supports),
+        removed_(structure.removed),
+        held_(structure.history.held_load_factors),
+        borne_(structure.history.borne),
         programme_(programme),
         stages_(model_.loaded_stages()),
         num_dead_(model_.num_dead_stages()),
@@ -39,6 +45,8 @@ class StageMaker {
     so_far_.dead.assign(n, 0.0);
     so_far_.dead_work.assign(n, 0.0);
     driven_so_far_.assign(programme.driven.size(), 0.0);
+    for (const Spring& spring : supports_)
+      if (spring.rest != 0) spring.displacement.add_gradient(spring.stiffness * spring.rest, so_far_.dead);
   }
 
   StageLoadings make() {
@@ -58,6 +66,12 @@ class StageMaker {
   }
 
  private:
+  /// What of a stage is not in its loads.
+  struct Beside {
+    std::size_t first_driven = 0;
+    double borne = 0;  ///< Σ |r| of supports that it takes away [F]
+  };
+
   /// The stage that is followed.
   std::size_t present() const { return num_dead_ + held_.size(); }
 
@@ -70,6 +84,7 @@ class StageMaker {
 
   Loading stage(std::size_t index, std::size_t first_driven) {
     const StageLoads& loads = programme_.stages[index];
+    add_borne(index, 1, so_far_.dead, so_far_.dead_work);
     Loading out = so_far_;
     out.name = stages_[index].name;
     out.reference = out.reference_work = loads.force;
@@ -86,31 +101,63 @@ class StageMaker {
       reference[first_driven + i] = loads.driven[i].prescribed;
       spring.displacement.add_gradient(spring.stiffness * loads.driven[i].prescribed, out.reference);
     }
+    add_borne(index, -1, out.reference, out.reference_work);
     add_reactions(out, reference);
-    out.load = load_gauge(out, loads, first_driven);
+    add_fading_reactions(index, out);
+    out.load = load_gauge(out, loads, {.first_driven = first_driven, .borne = resultant_of_borne(index)});
     add_gauges(out, index == present());
     driven_now_ = std::move(reference);
     return out;
   }
 
   void add_reactions(Loading& out, const Vector& driven_reference) {
+    for (const Spring& spring : all_)
+      if (!spring.reaction.empty()) out.reactions[spring.reaction];  // 0 of those that are not there
     for (const Spring& spring : supports_)
-      if (!spring.reaction.empty())
-        out.reactions[spring.reaction].add(-spring.stiffness, spring.displacement);
+      if (!spring.reaction.empty()) out.reactions[spring.reaction].add(1, force_of(spring, spring.rest, 0));
     for (std::size_t i = 0; i < programme_.driven.size(); ++i) {
       const Spring& spring = programme_.driven[i];
-      const Functional force = driven_reaction(spring, driven_so_far_[i], driven_reference[i]);
+      const Functional force = force_of(spring, driven_so_far_[i], driven_reference[i]);
       out.reactions[spring.reaction].add(1, force);
       out.driven.push_back({force, spring.displacement});
     }
   }
 
+  /// The share of the forces that supports bore which the stage takes away.
+  void add_borne(std::size_t stage, double share, Vector& force, Vector& work) const {
+    for (std::size_t i = 0; i < borne_.size(); ++i)
+      if (removed_[i].stage == stage)
+        for (Vector* to : {&force, &work})
+          all_[removed_[i].spring].displacement.add_gradient(share * borne_[i], *to);
+  }
+
+  /// (1 − λ) r of what is being taken away, and what is left of earlier ones.
+  void add_fading_reactions(std::size_t stage, Loading& out) const {
+    for (std::size_t i = 0; i < borne_.size(); ++i) {
+      const std::size_t of = removed_[i].stage;
+      const std::string& name = all_[removed_[i].spring].reaction;
+      if (name.empty() || of > stage) continue;
+      Functional& reaction = out.reactions[name];
+      const std::size_t followed = of - num_dead_;
+      reaction.constant += borne_[i] * (followed < held_.size() ? 1 - held_[followed] : 1);
+      if (of == stage) reaction.per_load_factor -= borne_[i];
+    }
+  }
+
+  double resultant_of_borne(std::size_t stage) const {
+    double out = 0;
+    for (std::size_t i = 0; i < borne_.size(); ++i)
+      if (removed_[i].stage == stage) out += std::abs(borne_[i]);
+    return out;
+  }
+
   /// λ Σ|force|; with driven springs the sum of their reactions; λ itself when the loads have no resultant.
-  Functional load_gauge(const Loading& out, const StageLoads& loads, std::size_t first_driven) const {
-    if (loads.driven.empty())
-      return {.rows = {}, .per_load_factor = loads.resultant > 0 ? loads.resultant : 1.0};
+  Functional load_gauge(const Loading& out, const StageLoads& loads, const Beside& beside) const {
+    const double resultant = loads.resultant + beside.borne;
+    if (loads.driven.empty()) return {.rows = {}, .per_load_factor = resultant > 0 ? resultant : 1.0};
     Functional sum;
-    for (std::size_t i = 0; i < loads.driven.size(); ++i) sum.add(1, out.driven[first_driven + i].force);
+    for (std::size_t i = 0; i < loads.driven.size(); ++i)
+      sum.add(1, out.driven[beside.first_driven + i].force);
     return sum;
   }
 
@@ -143,7 +190,9 @@ class StageMaker {
   const ModelParameters& model_;
   const InterfaceSet& interfaces_;
   const std::vector<Spring>& supports_;
-  const Vector& held_;
+  const std::vector<Spring>& all_;
+  const std::vector<ChangingSpring>& removed_;
+  const Vector &held_, &borne_;
   const LoadProgramme& programme_;
   const std::vector<StageParameters> stages_;
   const std::size_t num_dead_;
@@ -183,6 +232,53 @@ StressOffset stress_offset(const Body& body, const InterfaceSet& set, const std:
   return out;
 }
 
+std::vector<ChangingSpring> LoadProgramme::removed(const std::vector<Spring>& supports) const {
+  std::vector<ChangingSpring> out;
+  for (std::size_t s = 0; s < stages.size(); ++s)
+    for (const RemovedSupport& removed : stages[s].removed)
+      for (std::size_t i = 0; i < supports.size(); ++i)
+        if (supports[i].support == removed.name) out.push_back({i, s});
+  return out;
+}
+
+namespace {
+
+/// A support is taken away once, by a stage whose loads a load factor multiplies, and when there is something that it bears.
+void check_removals(const ModelParameters& model, const LoadProgramme& programme, Findings& findings) {
+  std::vector<std::string> names;
+  for (const auto& [name, support] : model.supports) names.push_back(name);
+  const std::vector<StageParameters> stages = model.loaded_stages();
+  const auto lets_go = [](const StageParameters& stage) {
+    const auto end = stage.until.find("load_factor");
+    return end != stage.until.end() && end->second > 0 && end->second <= 1;
+  };
+  std::vector<std::string> gone;
+  for (std::size_t s = 0; s < programme.stages.size(); ++s)
+    for (const auto& [name, where] : programme.stages[s].removed) {
+      if (std::ranges::find(names, name) == names.end())
+        findings.add(where, "unknown support '" + name + "'" + suggest(name, names));
+      else if (std::ranges::find(gone, name) != gone.end())
+        findings.add(where, "support '" + name + "' has been taken away before");
+      else if (s == 0)
+        findings.add(
+            where, "support '" + name + "' bears nothing before the first stage; leave it out of `supports`");
+      else if (!lets_go(stages[s]))
+        findings.add(where,
+                     "what support '" + name +
+                         "' bears is let go by the load factor, of which 1 leaves nothing: the stage needs "
+                         "`until: {load_factor: 1}`");
+      gone.push_back(name);
+      for (const auto& [other, support] : model.supports)
+        if (other == name &&
+            std::none_of(stages.begin(), stages.begin() + static_cast<std::ptrdiff_t>(s),
+                         [&](const StageParameters& stage) { return stage.name == support.from; }) &&
+            !support.from.empty())
+          findings.add(where, "support '" + name + "' is put in by no stage before this one");
+    }
+}
+
+}  // namespace
+
 LoadProgramme make_loads(const Body& body, const ModelParameters& model, Findings& findings) {
   LoadProgramme out;
   const double stiffness = model.support_stiffness * body.largest_modulus() * body.thickness;
@@ -200,6 +296,7 @@ LoadProgramme make_loads(const Body& body, const ModelParameters& model, Finding
       out.driven.push_back({driven.name, driven.displacement, driven.share * stiffness});
     out.stages.push_back(std::move(loads));
   }
+  check_removals(model, out, findings);
   return out;
 }
 

@@ -8,6 +8,9 @@ namespace dda {
 struct LoadProgramme {
   std::vector<StageLoads> stages;
   std::vector<Spring> driven;  ///< every driven spring of every stage
+
+  /// Of the springs of all supports those that stages take away, in the order in which they go.
+  std::vector<ChangingSpring> removed(const std::vector<Spring>& supports) const;
 };
 
 /// What a stress that is there without strain does in joints: openings P⁻¹{σ0}n of the active points, and the force
@@ -25,8 +28,9 @@ struct Structure {
   const Body& body;
   const ModelParameters& model;
   const InterfaceSet& interfaces;
-  const std::vector<Spring>& supports;
-  const std::vector<double>& held_load_factors;  ///< of the followed stages that are over
+  const std::vector<Spring>&all_supports, &supports;  ///< as described, and those that are there
+  const std::vector<ChangingSpring>& removed;
+  const StageHistory& history;
 };
 
 /// The stages as Loading.

@@ -5,6 +5,13 @@
 
 namespace dda {
 
+void check_interface(const InterfaceParameters& p, const Position& where, Findings& findings) {
+  if (p.crack_normal && p.crack_normal->norm() == 0) findings.add(where, "`crack_normal` must not be zero");
+  if (!p.between.empty() && p.between.size() != 2) findings.add(where, "`between` takes two materials");
+  if (!p.between.empty() && !p.boundary.empty())
+    findings.add(where, "an interface has either `between` or `boundary`");
+}
+
 Kind<InterfaceParameters> interface_kind() {
   using P = InterfaceParameters;
   return Schema<P>("How two bodies are joined along a curve, or wherever two materials meet.")
@@ -12,6 +19,11 @@ Kind<InterfaceParameters> interface_kind() {
              {.fallback = std::vector<std::string>{},
               .text = "Two materials (or one twice: its sub-blocks); without it the entry's name is that of "
                       "a curve."})
+      .text("boundary", &P::boundary,
+            {.fallback = "",
+             .text = "A straight boundary that is a plane of symmetry: the joint is between the structure "
+                     "and its mirror image, "
+                     "may crack, and never slides. Loads, reactions and energies are those of one half."})
       .choice("law", &P::law, interface_laws(), {.fallback = "bonded", .text = "What the interface does."})
       .choice("treatment", &P::treatment, treatments(),
               {.fallback = "consistent", .text = "How it is imposed."})
@@ -35,11 +47,7 @@ Kind<InterfaceParameters> interface_kind() {
                    "for blocks that cracks run between: strength and fracture energy of a side with normal m "
                    "are max(|n·m|, 0.3) times those of the law, so that a zigzag costs what its projection "
                    "does. Where the plane is not known `cracks` through blocks need no such correction."})
-      .check([](const P& p, const Position& where, Findings& findings) {
-        if (p.crack_normal && p.crack_normal->norm() == 0)
-          findings.add(where, "`crack_normal` must not be zero");
-        if (!p.between.empty() && p.between.size() != 2) findings.add(where, "`between` takes two materials");
-      })
+      .check(check_interface)
       .kind();
 }
 
@@ -88,6 +96,9 @@ Kind<SupportParameters> support_kind() {
               {.dimension = dimension::stiffness,
                .bounds = above(0),
                .text = "Spring stiffness; the deck's default if absent."})
+      .text("from", &P::from,
+            {.fallback = "",
+             .text = "Name of the stage at whose beginning it is put in, one that a load factor multiplies."})
       .check(check_support)
       .kind();
 }

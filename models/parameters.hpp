@@ -23,9 +23,11 @@ namespace dda {
 /// two ends; its middle.
 enum class PointRule { gauss, gauss_2, vertices, midpoint };
 
-/// An entry of `interfaces`: by material pair when `between` is given, else by the name of its curve.
+/// An entry of `interfaces`: by material pair when `between` is given, between the structure and its mirror image when
+/// `boundary` is, else by the name of its curve.
 struct InterfaceParameters {
   std::vector<std::string> between;
+  std::string boundary;  ///< a plane of symmetry; "": none
   LawChoice law;
   TreatmentChoice treatment;
   std::optional<PointRule> points;  ///< by the treatment when not given
@@ -43,6 +45,7 @@ struct SupportParameters : Place {
   std::optional<Fix> fix;
   std::optional<Vec2> direction;
   std::optional<double> stiffness;
+  std::string from;  ///< stage at whose beginning it is put in; "": it is there from the first one on
   Position where;
 };
 

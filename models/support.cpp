@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <Eigen/SVD>
+#include <algorithm>
 
+#include "framework/base/suggestion.hpp"
 #include "meshing/quality.hpp"
 #include "models/body/motion.hpp"
 
@@ -38,6 +40,13 @@ class SupportMaker {
       : body_(body), stiffness_(stiffness), out_(out) {}
 
   void add(const std::string& name, const SupportParameters& p) {
+    const std::size_t first = out_.size();
+    add_springs(name, p);
+    for (std::size_t i = first; i < out_.size(); ++i) out_[i].support = name;
+  }
+
+ private:
+  void add_springs(const std::string& name, const SupportParameters& p) {
     const double stiffness = p.stiffness.value_or(stiffness_);
     if (p.at)
       add_at(name, p, stiffness);
@@ -47,7 +56,6 @@ class SupportMaker {
       add_along(name, p, stiffness);
   }
 
- private:
   void add_at(const std::string& name, const SupportParameters& p, double stiffness) {
     const Vec2 at = locate(body_.assembly, *p.at);
     if (p.fix == Fix::rotation)
@@ -170,6 +178,28 @@ std::vector<Spring> make_supports(const Body& body, const ModelParameters& model
       findings.add(error);
     }
   }
+  return out;
+}
+
+std::vector<ChangingSpring> added_springs(const std::vector<Spring>& supports, const ModelParameters& model,
+                                          Findings& findings) {
+  const std::vector<StageParameters> stages = model.loaded_stages();
+  std::vector<std::string> names;
+  for (std::size_t s = model.num_dead_stages(); s < stages.size(); ++s) names.push_back(stages[s].name);
+  for (const auto& [name, support] : model.supports)
+    if (!support.from.empty() && std::ranges::count(names, support.from) != 1)
+      findings.add(
+          support.where,
+          fmt::format(
+              "`from: {}` is not the name of one stage with loads that a load factor multiplies, as all have "
+              "from the first with `until` on{}",
+              support.from, suggest(support.from, names)));
+  std::vector<ChangingSpring> out;
+  for (std::size_t s = 0; s < stages.size(); ++s)
+    for (const auto& [name, support] : model.supports)
+      if (!support.from.empty() && support.from == stages[s].name)
+        for (std::size_t i = 0; i < supports.size(); ++i)
+          if (supports[i].support == name) out.push_back({i, s});
   return out;
 }
 

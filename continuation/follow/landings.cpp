@@ -90,7 +90,8 @@ double amount_to_landing(const PathState& path) {
   for (const Landing& landing : present_landings(path)) {
     const double rate = path.walker.leaving().rate(landing.gauge);
     const double amount = (landing.value - path.walker.value(landing.gauge)) / rate;
-    if (!landing.only_falling && amount > 0) nearest = std::min(nearest, amount);
+    if (landing.only_falling || stands_on(path, landing, 0)) continue;
+    if (amount > 0) nearest = std::min(nearest, amount);
   }
   return nearest;
 }

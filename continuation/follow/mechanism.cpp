@@ -58,13 +58,13 @@ ContactMotion contact_motion(const Walker& walker, const State& before) {
 }
 
 /// Whether a mechanism has moved three times as far as where it was first seen in this leg, or last brought one of the
-/// goals nearer.
+/// goals nearer; gaps of the size that stiff joints and supports leave may have to close before it comes to rest.
 bool goes_on_beside(PathState& path, const std::vector<Landing>& goals) {
-  constexpr double far = 3, nearer = 0.01, nothing = 1e-9;
+  constexpr double far = 3, nearer = 0.01, nothing = 1e-9, gap = 1e-6;  // the last of the structure's size
   PathMemory& memory = path.memory;
   double share = 0;
   for (const Landing& goal : goals) share = std::max(share, share_of_way(path, goal));
-  const double way = std::abs(path.displacement_of(path.walker.state()));
+  const double way = std::max(std::abs(path.displacement_of(path.walker.state())), gap * path.size);
   if (memory.mechanism_way == 0 ||
       share > memory.mechanism_share + nearer * std::max(memory.mechanism_share, nothing)) {
     memory.mechanism_way = way;

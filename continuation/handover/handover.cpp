@@ -183,14 +183,28 @@ class Maker {
                  reference = stress_forces(loading.reference_stress);
     out_.is_pushed = end_.has_fallen && parameters_.push > 0 && parameters_.loads == KeptLoads::all;
     const double factor = load_factor() * (out_.is_pushed ? 1 + parameters_.push : 1);
+    const Forces left = left_of_supports(factor);
     for (std::size_t b = 0; b < body_.assembly.num_blocks(); ++b) {
-      const Vec6 force =
-          part(loading.dead, b) - part(dead, b) + factor * (part(loading.reference, b) - part(reference, b));
+      const Vec6 force = part(loading.dead, b) - part(dead, b) - part(left, b) +
+                         factor * (part(loading.reference, b) - part(reference, b));
       out_.scene.forces.push_back(finite_row(force));
     }
   }
 
   using Forces = std::vector<double>;
+
+  /// Of supports that the last stage takes away; in motion that is let go.
+  Forces left_of_supports(double factor) const {
+    const Equilibrium& equilibrium = pieces_.equilibrium();
+    const StageHistory& history = equilibrium.history();
+    const std::size_t present = equilibrium.stages().size() - 1 + history.held_load_factors.size();
+    Forces out(block_unknowns * body_.assembly.num_blocks());
+    for (std::size_t i = 0; i < history.borne.size(); ++i)
+      if (const auto& [spring, stage] = equilibrium.removed_springs()[i]; stage == present)
+        equilibrium.all_supports()[spring].displacement.add_gradient((1 - factor) * history.borne[i], out);
+    return out;
+  }
+
   static Vec6 part(const Forces& all, std::size_t block) {
     return all.empty() ? Vec6(Vec6::Zero())
                        : Vec6(Eigen::Map<const Vec6>(all.data() + block_unknowns * block));

@@ -30,7 +30,7 @@ Pieces::Pieces(const Body& whole, const Equilibrium& equilibrium, const ModelPar
   if (!parted_ && whole.num_gradients() == 0) return;
   body_ = std::make_unique<const Body>(
       Body{parted_ ? parted_->assembly : whole.assembly, whole.thickness, whole.materials});
-  equilibrium_ = std::make_unique<const Equilibrium>(*body_, model, equilibrium.held_load_factors());
+  equilibrium_ = std::make_unique<const Equilibrium>(*body_, model, equilibrium.history());
 }
 
 Vec6 Pieces::displacements(std::size_t piece, std::span<const double> d) const {

@@ -32,7 +32,7 @@ double System::stored(const State& state, const LawValues& laws) const {
 /// Where the displacements are a sum of kept solutions, by the work of all forces on them, which
 /// equilibrium makes twice the energies of the parts, without a look at every block:
 ///
-///     ½ (f · d − Σ W t · q − Σ k (c · d)²),     k, c of the driven springs
+///     ½ (f · d − Σ W t · q − Σ k (c · d)²) + Σ p̄ (½ e − l · d) e,     k, c of the driven springs, p̄, l, e of the supports
 double System::passive_energy(const State& state, const LawValues& laws) const {
   if (!state.d.sum())
     return equilibrium_.passive_energy(state.d) +
@@ -46,6 +46,9 @@ double System::passive_energy(const State& state, const LawValues& laws) const {
     const double u = d.product(spring.displacement);
     twice -= spring.stiffness * u * u;
   }
+  for (const Spring& spring : equilibrium_.supports())
+    if (spring.rest != 0)
+      twice += spring.stiffness * (spring.rest - 2 * d.product(spring.displacement)) * spring.rest;
   return twice / 2;
 }
 

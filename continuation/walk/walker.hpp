@@ -131,6 +131,11 @@ class Walker {
   /// Lets the equilibrium be made anew, with other cuts, and stands where it stood, new cuts closed: no equilibrium
   /// yet, and without a tangent.
   Growth follow(const std::function<Growth()>& remake);
+  /// Energy that was stored in what is no part of the structure any more [FL].
+  void leave_behind(double energy) {
+    here_.stored -= energy;
+    here_.work -= energy;
+  }
   /// Starts the next stage at the present state with load factor 0.
   void begin_stage(std::size_t stage);
   /// Puts the walker on a stored equilibrium with the tangent by which it was about to leave: computed anew,

@@ -76,6 +76,13 @@ Growth growth(const Before& before, const Equilibrium& now, const std::vector<Cu
 
 }  // namespace
 
+Growth Growth::of_nothing(const Equilibrium& equilibrium) {
+  Growth out{.nodes = {}, .points = {}, .same_cuts = equilibrium.num_cuts()};
+  for (std::size_t i = 0; i < equilibrium.num_nodes(); ++i) out.nodes.emplace_back(i);
+  for (std::size_t p = 0; p < equilibrium.num_active(); ++p) out.points.emplace_back(p);
+  return out;
+}
+
 std::vector<double> Growth::unknowns(const std::vector<double>& before) const {
   std::vector<double> out(block_unknowns * nodes.size(), 0.0);
   for (std::size_t node = 0; node < nodes.size(); ++node)
@@ -94,7 +101,7 @@ Growth CrackedStructure::remake(const std::vector<Cut>& before) {
 }
 
 std::pair<Equilibrium, Growth> CrackedStructure::tried(const std::vector<Cut>& before) const {
-  std::pair<Equilibrium, Growth> out{Equilibrium(body_, model_, equilibrium_.held_load_factors()), {}};
+  std::pair<Equilibrium, Growth> out{Equilibrium(body_, model_, equilibrium_.history()), {}};
   out.second = growth({stands(equilibrium_, before), before}, out.first, front_.geometry().cuts());
   return out;
 }

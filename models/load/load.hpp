@@ -18,11 +18,18 @@ struct DrivenSpring {
   double share = 1;         ///< of the stiffness p̄ that every driven spring has
 };
 
+/// A support that is taken away: what it bears when the stage begins acts in its place, and fades.
+struct RemovedSupport {
+  std::string name;
+  Position where;
+};
+
 /// What one stage adds at its full value.
 struct StageLoads {
   std::vector<double> force;         ///< work-conjugate to d, size 6 · nodes of the body
   std::vector<Vec3> initial_stress;  ///< by block [F/L²]; empty when there is none
   std::vector<DrivenSpring> driven;
+  std::vector<RemovedSupport> removed;
   double resultant = 0;  ///< Σ |force| of the single loads [F]
 };
 

@@ -104,6 +104,9 @@ class Fields:
 
     step, load_factor; numbers: whatever else the step has as attributes, of a path load, energies, gauges and reactions, of
     a motion time, energies and gauges; mesh: see Mesh; cut: see CutBlocks.
+    rest: displacements at which springs of supports that stages have put in bear nothing, in the order in which they came [L].
+    borne: by those that have been taken away, when that began, in the order in which they went [F]; (1 − λ) of it acts in
+    their place, λ being the load factor of the stage that took them away.
     blocks        a row per block: region, area, x, y of the centroid; strain, stress, principal stresses in the plane; means
                   over the block of what is given at its vertices, such as the displacement
     vertices      a row per vertex of a block, index (block, vertex): x, y undeformed, displacement
@@ -118,8 +121,9 @@ class Fields:
     Units of the columns are in attrs["units"].
     """
 
-    def __init__(self, mesh, numbers, stored, cut):
+    def __init__(self, mesh, numbers, stored, cut, supports=None):
         self.mesh, self.numbers, self._stored, self.cut = mesh, dict(numbers), list(stored), cut
+        self.rest, self.borne = (np.asarray((supports or {}).get(name, ()), dtype=float) for name in ("rest", "borne"))
         self.step = int(self.numbers.pop("step"))
         self.load_factor = self.numbers.get("load_factor")
 
@@ -306,4 +310,5 @@ def read_fields(mesh, file):
     """The fields of an open fields/000034.h5, say."""
     groups = [file] + [file[name] for name in ("segments", "parts", "cracks") if name in file]
     members = [item for group in groups for item in group.values() if "place" in item.attrs]
-    return Fields(mesh, dict(file.attrs.items()), [read_field(dataset) for dataset in members], read_cut_blocks(mesh, file))
+    supports = {name: item[()] for name, item in file.get("supports", {}).items()}
+    return Fields(mesh, dict(file.attrs.items()), [read_field(dataset) for dataset in members], read_cut_blocks(mesh, file), supports)

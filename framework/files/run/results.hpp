@@ -112,6 +112,7 @@ struct Snapshot {
   std::map<std::string, double> numbers;  ///< kept as attributes of the step, such as load_factor
   std::vector<StoredField> fields;
   CutBlocks cut = {};
+  std::vector<ResultsTable> tables = {};
 };
 
 }  // namespace dda

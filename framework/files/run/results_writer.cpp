@@ -166,6 +166,7 @@ void write_regions(Hdf5File& file, const CutBlocks& cut, const std::vector<std::
 
 void write_step(Hdf5File& file, const Snapshot& snapshot) {
   for (const StoredField& field : snapshot.fields) write_field(file, field);
+  for (const ResultsTable& table : snapshot.tables) write_table(file, "", table);
   for (const auto& [name, value] : snapshot.numbers) file.set_attribute("/", name, value);
   file.set_attribute("/", "step", static_cast<std::int64_t>(snapshot.step));
   file.set_attribute("/", "time", snapshot.time);

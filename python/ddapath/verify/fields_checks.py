@@ -163,14 +163,15 @@ def resultant(step, blocks, forces):
 
 
 def reactions_carry(steps):
-    """Loads and reactions sum up to nothing; what is left hangs in the weak springs."""
+    """Loads, reactions and what planes of symmetry bear sum up to nothing; what is left hangs in the weak springs."""
     found, largest = [], 0.0
     for step in steps:
         springs, every = step.model.springs, np.arange(step.model.mesh.num_blocks)
         of_blocks = springs["block"] < len(every)
         held = (springs["row"] * step.spring_forces[springs["spring"], None])[of_blocks]
         loads = step.model.forces(step.load_factors)[:len(every)]
-        rest = resultant(step, springs["block"][of_blocks], held) + resultant(step, every, loads)
+        planes, borne = step.forces_on_planes
+        rest = resultant(step, springs["block"][of_blocks], held) + resultant(step, planes, borne) + resultant(step, every, loads)
         largest = max(largest, np.abs(held[:, :2]).sum() + np.abs(loads[:, :2]).sum())
         found.append((max(np.abs(rest).max() - step.spring_noise.sum(), 0.0), f"step {step.number}"))
     found = [(float(over(np.array(rest), largest)), place) for rest, place in found]
@@ -194,6 +195,7 @@ def stored_energy(step):
     total += 0.5 * np.einsum("bi,bij,bj->", g, model.gradients.stiffness, g)
     springs = model.springs
     held = np.all([springs[name] == 0 for name in ("dead", *model.references)], axis=0)
+    held[step.gone[:, 0]] = False
     total += 0.5 * (step.spring_forces[held]**2 / springs["stiffness"][held]).sum()
     joints = np.zeros(len(points.weight))
     for number, interface in enumerate(model.interfaces):

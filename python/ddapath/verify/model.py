@@ -186,6 +186,9 @@ class Model:
         self.springs = {name: tables[f"spring/{name}"] for name in ("stiffness", "names", "dead", *self.references)}
         self.springs |= {"spring": tables["spring_part/spring"].astype(int), "block": tables["spring_part/block"].astype(int),
                          "row": tables.rows("spring_part/row", 6)}
+        for name in ("added", "removed"):  # by stages: spring, followed stage
+            rows = tables.rows(f"spring/{name}", 2)
+            self.springs[name] = np.zeros((0, 2), dtype=int) if rows is None else rows.astype(int)
 
     @property
     def num_block_nodes(self):
@@ -235,9 +238,10 @@ class Points:
         edge = sides["edge"][self.side]
         self.normal = np.stack([edge[:, 1], -edge[:, 0]], -1) / np.hypot(edge[:, 0], edge[:, 1])[:, None]
         self.tangent = np.stack([-self.normal[:, 1], self.normal[:, 0]], -1)
-        self.weight = length * model.thickness * weight
         self.blocks = sides["blocks"][self.side]
         self.is_through = sides["is_through"][self.side]
+        self.is_mirror = (self.blocks[:, 0] == self.blocks[:, 1]) & ~self.is_through  # on a plane of symmetry
+        self.weight = length * model.thickness * weight / np.where(self.is_mirror, 2, 1)
         self._set_laws(model)
         self._set_rows(model)
         self._set_gradients(model)
@@ -253,6 +257,8 @@ class Points:
         first, second = model.moduli[self.blocks].T
         apart = model.centroids[self.blocks[:, 1]] - model.centroids[self.blocks[:, 0]]
         distance = np.where(self.is_through, np.sqrt(model.mesh.areas[self.blocks[:, 0]]), np.hypot(apart[:, 0], apart[:, 1]))
+        off_plane = np.einsum("pi,pi->p", self.normal, self.place - model.centroids[self.blocks[:, 0]])
+        distance = np.where(self.is_mirror, 2 * np.abs(off_plane), distance)
         self.spring_unit = 2 * first * second / (first + second) / distance
         self.perturbation = np.array([interface.perturbation for interface in of])[self.interface]
 
@@ -271,6 +277,9 @@ class Points:
             rows = sign * frame @ displacement_rows(offset[:, 0], offset[:, 1])
             self.jump_rows.append(np.where(self.is_through[:, None, None], 0, rows))
             self.stress_rows.append(shares[:, side, None, None] * traction)
+        # Of a mirror image the displacement along n and the traction along s are turned round.
+        self.jump_rows[1][self.is_mirror, 0] *= -1
+        self.stress_rows[1][self.is_mirror, 1] *= -1
 
     def _set_gradients(self, model):
         """(point, node, rows of the jump, rows of the mean traction) by the strain gradients of either side's block."""
@@ -283,6 +292,7 @@ class Points:
             x, y = (self.place[points] - model.centroids[block]).T
             size = np.sqrt(model.mesh.areas[block])
             jump = sign * frame[points] @ second_order.displacement_rows(x, y, size)
+            jump[self.is_mirror[points] & (side == 1), 0] *= -1
             jump[self.is_through[points]] = 0
             stress = self.stress_rows[side][points] @ model.stiffness[block] @ second_order.strain_rows(x, y, size)
             for to, values in zip(out, (points, model.gradients.node_of[block], jump, stress)):

@@ -146,7 +146,25 @@ class Step:
         moved = np.einsum("ri,ri->r", springs["row"], self.d[springs["block"]])
         total = np.zeros(len(springs["stiffness"]))
         np.add.at(total, springs["spring"], moved)
-        return springs["stiffness"] * (self.model.far_ends(self.load_factors) - total)
+        there = len(self.fields.rest)
+        total[springs["added"][:there, 0]] -= self.fields.rest
+        out = springs["stiffness"] * (self.model.far_ends(self.load_factors) - total)
+        out[springs["added"][there:, 0]] = 0
+        gone, stage = self.gone.T
+        out[gone] = self.fields.borne * (1 - self.load_factors[stage])
+        return out
+
+    @property
+    def forces_on_planes(self):
+        """Blocks on planes of symmetry, and what the joint with their mirror image exerts on each of its points, n × 6."""
+        points = self.model.points
+        force = sum(np.einsum("pij,pi->pj", rows, self.traction) for rows in points.jump_rows)
+        return points.blocks[points.is_mirror, 0], -(points.weight[:, None] * force)[points.is_mirror]
+
+    @property
+    def gone(self):
+        """Springs that have been taken away, and in which of the followed stages: (1 − λ) of what they bore acts for them."""
+        return self.model.springs["removed"][:len(self.fields.borne)]
 
     @cached_property
     def weak_forces(self):

@@ -135,11 +135,21 @@ std::vector<Vector> far_ends(const LoadProgramme& programme, const ModelParamete
   return out;
 }
 
-/// Supports, and behind them what loads drive.
+/// All supports, and behind them what loads drive.
 std::vector<Spring> all_springs(const LoadProgramme& programme, const Equilibrium& equilibrium) {
-  std::vector<Spring> out = equilibrium.supports();
+  std::vector<Spring> out = equilibrium.all_supports();
   out.insert(out.end(), programme.driven.begin(), programme.driven.end());
   return out;
+}
+
+/// Which springs come or go, and in which of the stages that are followed.
+void add_changing_springs(const std::string& name, const std::vector<ChangingSpring>& springs,
+                          const ModelParameters& model, std::vector<ResultsTable>& out) {
+  std::vector<std::int64_t> rows;
+  for (const auto& [spring, stage] : springs)
+    rows.insert(rows.end(), {static_cast<std::int64_t>(spring),
+                             static_cast<std::int64_t>(stage - model.num_dead_stages())});
+  if (!rows.empty()) out.push_back({"spring/" + name, {}, std::move(rows), {}, 2});
 }
 
 void add_springs(const LoadProgramme& programme, const ModelParameters& model, const Equilibrium& equilibrium,
@@ -158,7 +168,7 @@ void add_springs(const LoadProgramme& programme, const ModelParameters& model, c
       append(row, rows);
     }
   }
-  std::vector<Vector> ends = far_ends(programme, model, equilibrium.supports().size());
+  std::vector<Vector> ends = far_ends(programme, model, equilibrium.all_supports().size());
   const std::vector<std::string> stages = names_of(model);
   out.push_back({"spring/stiffness", std::move(stiffness), {}, {}, 1});
   for (std::size_t s = 0; s < stages.size(); ++s)
@@ -167,6 +177,8 @@ void add_springs(const LoadProgramme& programme, const ModelParameters& model, c
   out.push_back({"spring_part/spring", {}, std::move(numbers), {}, 1});
   out.push_back({"spring_part/block", {}, std::move(blocks), {}, 1});
   out.push_back({"spring_part/row", std::move(rows), {}, {}, block_unknowns});
+  add_changing_springs("added", equilibrium.added_springs(), model, out);
+  add_changing_springs("removed", equilibrium.removed_springs(), model, out);
 }
 
 /// Number of the cut across which each jump is.

@@ -4,13 +4,15 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <set>
 
-#include "continuation/detour/dead_load.hpp"
 #include "continuation/handover/handover.hpp"
 #include "continuation/linear/matrix_quality.hpp"
 #include "continuation/ranks/ranks.hpp"
 #include "framework/base/memory.hpp"
 #include "framework/base/suggestion.hpp"
+#include "meshing/mirror.hpp"
+#include "models/symmetry.hpp"
 #include "studies/dda/case/motion_columns.hpp"
 
 namespace dda {
@@ -62,6 +64,21 @@ void require_shared_solver(const Deck& deck) {
                                  deck.path.linear.name()));
 }
 
+/// The boundaries that are planes of symmetry as sides.
+Assembly with_mirrors(Assembly assembly, const Deck& deck) {
+  Findings findings;
+  std::vector<Mirror> mirrors;
+  for (const auto& [name, interface] : deck.interfaces)
+    if (!interface.boundary.empty()) mirrors.push_back({interface.boundary, name, interface.where});
+  add_mirror_sides(assembly, mirrors, findings);
+  check_mirrors(deck, findings);
+  if (!mirrors.empty() && deck.moves())
+    findings.add(mirrors.front().where,
+                 "what moves to its end does not stay symmetric: `motion` needs the whole structure");
+  findings.throw_if_any();
+  return assembly;
+}
+
 bool is_zero(const std::vector<double>& numbers) {
   return std::ranges::all_of(numbers, [](double x) { return x == 0; });
 }
@@ -71,7 +88,7 @@ bool is_zero(const std::vector<double>& numbers) {
 Simulation::Simulation(const Deck& deck, Timings& timings) : deck_(deck), timings_(timings) {
   {
     const auto scope = timings.measure("meshing");
-    assembly_ = std::make_unique<const Assembly>(mesh(deck.scene));
+    assembly_ = std::make_unique<const Assembly>(with_mirrors(mesh(deck.scene), deck));
   }
   const auto scope = timings.measure("equilibrium");
   assemble();
@@ -124,12 +141,15 @@ void Simulation::assemble() {
 
 void Simulation::require_loads() const {
   const std::vector<StageParameters> stages = deck_.loaded_stages();
+  const auto takes_away = [&removed = equilibrium_->removed_springs()](std::size_t stage) {
+    return std::ranges::find(removed, stage, &ChangingSpring::stage) != removed.end();
+  };
   std::vector<const Loading*> loadings;
   for (const auto* part : {&equilibrium_->stages(), &equilibrium_->later_stages()})
     for (const Loading& loading : *part) loadings.push_back(&loading);
   Findings findings;
   for (std::size_t s = 0; s < stages.size(); ++s)
-    if (is_zero(loadings[s]->reference) && is_zero(loadings[s]->reference_offset))
+    if (is_zero(loadings[s]->reference) && is_zero(loadings[s]->reference_offset) && !takes_away(s))
       findings.add(stages[s].where, "stage '" + loadings[s]->name +
                                         "' applies no load: its forces are zero or cancel each other");
   findings.throw_if_any();
@@ -211,44 +231,6 @@ void Simulation::begin_cracks() {
   look_up();
 }
 
-namespace {
-
-/// What may help where bodies that only touch carry no load; "" where they turn about their corners.
-std::string hint_on_turning(const InterfaceSet& set) {
-  const auto turns_inside = [&](const InterfacePoint& point) {
-    return point.is_separate() && point.interface >= 0 &&
-           std::ranges::find(set.gauss_names, set.names[static_cast<std::size_t>(point.interface)]) !=
-               set.gauss_names.end();
-  };
-  const auto point = std::ranges::find_if(set.points, turns_inside);
-  if (point == set.points.end()) return "";
-  return fmt::format(
-      "; the sides of '{}' turn about Gauss points, 0.21 of their length inside their corners, and may carry "
-      "it about the corners: `points: vertices`",
-      set.names[static_cast<std::size_t>(point->interface)]);
-}
-
-}  // namespace
-
-std::string Simulation::apply_dead_loads() {
-  const auto scope = timings_.measure("dead loads");
-  const std::size_t stages = equilibrium_->stages().size();
-  for (std::size_t stage = 0; stage + 1 < stages; ++stage) {
-    walker_->begin_stage(stage);
-    if (std::string why = apply_full_stage(*walker_); !why.empty())
-      return "stage '" + walker_->system().loading().name + "' cannot be carried: " + why + hindrance_ +
-             hint_on_turning(equilibrium_->interfaces());
-  }
-  walker_->begin_stage(stages - 1);
-  return {};
-}
-
-void Simulation::hold_loads(double load_factor) {
-  equilibrium_->hold(*body_, deck_, load_factor);
-  walker_->begin_stage(equilibrium_->stages().size() - 1);
-  gauges_.gauges = loading().gauges;
-}
-
 void Simulation::begin_path() {
   path_ = std::make_unique<Path>(*walker_, deck_.path, gauges_, Route{landings(), legs()});
   path_->go_on_with({[this](const StageEnd& end) {
@@ -291,6 +273,16 @@ void Simulation::require_cracks() const {
   const Position& where = deck_.cracks.front().where;
   if (deck_.path.branch == Branching::to_lowest)
     findings.add(where, "cracks through blocks follow one branch: `path.branch: follow`");
+  std::set<std::string> changing;
+  for (const auto* springs : {&equilibrium_->added_springs(), &equilibrium_->removed_springs()})
+    for (const ChangingSpring& spring : *springs)
+      changing.insert(equilibrium_->all_supports()[spring.spring].support);
+  for (const auto& [name, support] : deck_.supports)
+    if (support.boundary && changing.contains(name))
+      findings.add(support.where,
+                   fmt::format("support '{}' comes or goes, and cracks through blocks may divide what it "
+                               "holds: hold it `at` a point or `over` a patch",
+                               name));
   findings.throw_if_any();
 }
 

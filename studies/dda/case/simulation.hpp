@@ -42,6 +42,8 @@ class Simulation {
   std::string apply_dead_loads();
   /// Holds the loads of the followed stage at a load factor, and stands at the beginning of the next one.
   void hold_loads(double load_factor);
+  /// Stands in the stage that is followed after these, with the supports that were there.
+  void go_through(const StageHistory& history);
   /// The path of the followed stages, with the deck's landings.
   void begin_path();
   /// Goes on by the control that the deck names by now. Throws InputError for one that cannot serve here.
@@ -82,6 +84,10 @@ class Simulation {
   const Functional& gauge(const std::string& name, const Position& where) const;
   /// Throws InputError for what structures with cracks through blocks cannot be asked for.
   void require_cracks() const;
+  /// Puts in and takes away the supports that the followed stage does.
+  void change_supports(const SupportChange& change);
+  /// The same at the state as it is.
+  void change_supports();
   /// Blocks that are large beside what the cohesive zone needs.
   void note_coarse_cracks();
   void begin_cracks();

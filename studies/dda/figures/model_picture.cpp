@@ -95,14 +95,27 @@ class ModelPicture {
     }
   }
 
+  /// From and until which stage each spring of a support is there: ", from 'a'", ", until 'b'", or nothing.
+  std::vector<std::string> whens_of_supports() const {
+    std::vector<std::string> out(equilibrium_.all_supports().size());
+    const std::vector<StageParameters> stages = simulation_.deck().loaded_stages();
+    for (const auto& [spring, stage] : equilibrium_.added_springs())
+      out[spring] += fmt::format(", from '{}'", stages[stage].name);
+    for (const auto& [spring, stage] : equilibrium_.removed_springs())
+      out[spring] += fmt::format(", until '{}'", stages[stage].name);
+    return out;
+  }
+
   void add_supports() {
-    for (const Spring& spring : equilibrium_.supports())
-      if (!spring.reaction.empty())
-        add_symbols(spring.displacement, {.mark = Mark::held, .colour = svg::black, .name = spring.reaction});
+    const std::vector<std::string> whens = whens_of_supports();
+    for (std::size_t i = 0; i < whens.size(); ++i)
+      if (const Spring& spring = equilibrium_.all_supports()[i]; !spring.reaction.empty())
+        add_symbols(spring.displacement,
+                    {.mark = Mark::held, .colour = svg::black, .name = spring.reaction + whens[i]});
     for (const Spring& spring : equilibrium_.driven_springs())
       add_symbols(spring.displacement,
                   {.mark = Mark::held, .colour = svg::vermilion, .name = spring.reaction});
-    if (!equilibrium_.supports().empty()) add_key(KeyEntry::Kind::held, svg::black, "held");
+    if (!equilibrium_.all_supports().empty()) add_key(KeyEntry::Kind::held, svg::black, "held");
     add_plates();
     if (!equilibrium_.driven_springs().empty())
       add_key(KeyEntry::Kind::held, svg::vermilion, "displacement prescribed");

@@ -121,6 +121,13 @@ Vec2 Fields::displacement(BlockId block, const Vec2& x, std::span<const double> 
   return gradient ? Vec2(out + gradient_motion(body_, block, x) * of(*gradient)) : out;
 }
 
+Vec2 Fields::displacement_behind(const InterfacePoint& point, const Vec2& x,
+                                 std::span<const double> d) const {
+  const Vec2 out = displacement(point.second, x, d);
+  const bool is_mirror = point.first == point.second && !point.cut;
+  return is_mirror ? Vec2(out - 2 * point.normal.dot(out) * point.normal) : out;
+}
+
 Vec2 Fields::displacement_by(std::span<const JumpId> jumps, const Vec2& x, std::span<const double> d) const {
   Vec2 out = Vec2::Zero();
   for (const JumpId jump : jumps) {
@@ -132,7 +139,7 @@ Vec2 Fields::displacement_by(std::span<const JumpId> jumps, const Vec2& x, std::
 
 Vec2 Fields::displacement_between(std::size_t p, const Vec2& x, std::span<const double> d) const {
   const InterfacePoint& point = equilibrium_.point(p);
-  Vec2 sum = displacement(point.first, x, d) + displacement(point.second, x, d);
+  Vec2 sum = displacement(point.first, x, d) + displacement_behind(point, x, d);
   if (!body_.cracks) return sum / 2;
   constexpr double aside = 1e-6;  // of the size of a block: inside of the part that lies there
   const Vec2 off = aside * body_.cracks->block_size() * point.normal;
@@ -182,7 +189,7 @@ Fields::Interface Fields::interface_at(const StoredState& at) const {
     out.traction[p] = point.law->respond(q[p], at.history[p], point.stiffness).traction;
     out.opening[p] = q[p] - out.traction[p].cwiseQuotient(point.trial_stiffness());
     const Vec2 jump =
-        displacement(point.second, point.x, at.state.d) - displacement(point.first, point.x, at.state.d);
+        displacement_behind(point, point.x, at.state.d) - displacement(point.first, point.x, at.state.d);
     out.jump[p] = {point.normal.dot(jump), cross(point.normal, jump)};
     for (const JumpRows& cut : point.jumps)
       out.jump[p] += cut.rows * Eigen::Map<const Vec6>(at.state.d.data() + block_unknowns * cut.node.value());
@@ -330,6 +337,10 @@ Snapshot Fields::snapshot(const StoredState& at) const {
                .numbers = load_factors(at.state.load_factor),
                .fields = {},
                .cut = cut_blocks()};
+  const StageHistory& stages = equilibrium_.history();
+  for (const auto& [name, numbers] :
+       {std::pair{"supports/rest", &stages.rest}, {"supports/borne", &stages.borne}})
+    if (!numbers->empty()) out.tables.push_back({name, *numbers, {}, {}, 1});
   add_blocks(at.state, out);
   for (std::size_t i = 0; i < at.modes.size(); ++i)
     add_motion("mode_" + std::to_string(i + 1), "", mode(at.modes[i]), out);

@@ -68,6 +68,8 @@ class Fields {
   std::vector<Vec2> drawn(BlockId block, const Polygon& outline) const;
   /// Displacement of a block at x, as far as cuts leave it whole [L].
   Vec2 displacement(BlockId block, const Vec2& x, std::span<const double> d) const;
+  /// Of what lies behind a point: its second block, or on a plane of symmetry the image of the first.
+  Vec2 displacement_behind(const InterfacePoint& point, const Vec2& x, std::span<const double> d) const;
   Vec2 displacement_by(std::span<const JumpId> jumps, const Vec2& x, std::span<const double> d) const;
   void add_motion(const std::string& name, const std::string& unit, std::span<const double> d,
                   Snapshot& out) const;

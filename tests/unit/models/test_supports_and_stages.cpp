@@ -185,11 +185,59 @@ TEST(Loading, HeldStagesAreThoseOfAnEquilibriumMadeWithThem) {
   Equilibrium held = square.equilibrium();
   held.hold(square.body(), square.deck(), 0.3);
   held.remake(square.body(), square.deck());
-  const Equilibrium made(square.body(), square.deck(), {0.3});
+  const Equilibrium made(square.body(), square.deck(), {.held_load_factors = {0.3}, .rest = {}, .borne = {}});
   EXPECT_EQ(held.held_load_factors(), made.held_load_factors());
   EXPECT_EQ(held.stages().back().name, made.stages().back().name);
   EXPECT_EQ(held.stages().back().dead, made.stages().back().dead);
   EXPECT_EQ(held.stages().back().reference, made.stages().back().reference);
+}
+
+std::vector<double> residual(const Equilibrium& equilibrium, const std::vector<double>& d,
+                             double load_factor) {
+  const Loading& loading = equilibrium.stages().back();
+  std::vector<double> out(d.size());
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = -loading.dead[i] - load_factor * loading.reference[i];
+  equilibrium.intact().multiply_add(d, out);
+  return out;
+}
+
+TEST(Support, ForcesStandForWhatAStageChanges) {
+  std::string deck = square_deck(R"(stages:
+  - {name: dead, loads: [{type: point_load, at: [1, 1], force: [0.5, 0]}]}
+  - name: struck
+    loads: [{type: support_removal, support: prop}]
+    until: {load_factor: 1}
+  - {name: push, loads: [{type: point_load, at: [1, 1], force: [0, 1]}]}
+support_stiffness: 1
+)");
+  const std::string wall = "wall: {boundary: left, fix: xy}";
+  deck.replace(deck.find(wall), wall.size(),
+               wall + "\n  prop: {at: [1, 0], fix: y}\n  tie: {at: [1, 1], fix: x, from: struck}");
+  const Structure square(deck);
+  Equilibrium equilibrium = square.equilibrium();
+  EXPECT_EQ(equilibrium.springs_to_add().size(), 1u);
+  EXPECT_EQ(equilibrium.springs_to_remove().size(), 1u);
+  Mat2 g;
+  g << 0.1, 0.2, -0.3, 0.4;
+  const std::vector<double> d = square.field({0.3, -0.2}, g);
+  const std::vector<double> before = residual(equilibrium, d, 0);
+  const SupportChange change = equilibrium.support_change(d);
+  equilibrium.change_supports(square.body(), square.deck(), change);
+  EXPECT_TRUE(equilibrium.springs_to_add().empty());
+  EXPECT_TRUE(equilibrium.springs_to_remove().empty());
+  const std::vector<double> after = residual(equilibrium, d, 0), gone = residual(equilibrium, d, 1);
+  double missing = 0;
+  for (std::size_t i = 0; i < d.size(); ++i) {
+    EXPECT_NEAR(after[i], before[i], 1e-12);
+    if (i % block_unknowns == 1) missing += gone[i] - before[i];
+  }
+  const Vec2 corner(0.3 + 0.1, -0.2 - 0.3);  // u of (1, 0), where the prop stood
+  constexpr double stiffness = 3 * 0.7;
+  EXPECT_NEAR(change.borne.front(), -stiffness * corner.y(), 1e-12);
+  EXPECT_NEAR(missing, change.borne.front(), 1e-12) << "of the vertical forces on the blocks";
+  const auto& reactions = equilibrium.stages().back().reactions;
+  EXPECT_NEAR(reactions.at("prop").value(d, 0.25), 0.75 * change.borne.front(), 1e-12);
+  EXPECT_NEAR(reactions.at("tie").value(d, 0), 0, 1e-12);
 }
 
 }  // namespace

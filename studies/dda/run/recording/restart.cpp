@@ -335,7 +335,10 @@ RestartData restart_data(const Simulation& simulation, const RunMemory& memory, 
   put_all(out, "stages", memory.stages);
   auto& reasons = out.texts["stages.reason"] = {};
   for (const HeldStage& stage : memory.stages) reasons.push_back(stage.reason);
-  out.numbers["held_load_factors"] = simulation.equilibrium().held_load_factors();
+  const StageHistory& stages = simulation.equilibrium().history();
+  out.numbers["held_load_factors"] = stages.held_load_factors;
+  out.numbers["supports.rest"] = stages.rest;
+  out.numbers["supports.borne"] = stages.borne;
   if (memory.peak_state) put_state(out, "peak_state", *memory.peak_state);
   put(out, "run", memory);
   out.integers["factorisations"] = {memory.num_factorisations + num_factorisations(simulation)};
@@ -363,11 +366,12 @@ DeckFile deck_of(const RestartData& data, const fs::path& folder, const std::vec
 
 RunMemory restore(const RestartData& data, const fs::path& folder, Simulation& simulation) {
   simulation.walker().begin_stage(simulation.equilibrium().stages().size() - 1);
-  const Numbers& held = data.numbers.at("held_load_factors");
-  if (held.size() >= simulation.deck().followed_stages().size() ||
+  const auto& n = data.numbers;
+  const StageHistory stages{n.at("held_load_factors"), n.at("supports.rest"), n.at("supports.borne")};
+  if (stages.held_load_factors.size() >= simulation.deck().followed_stages().size() ||
       take<PathMemory>(data, "path").leg >= std::ssize(simulation.deck().legs()))
     throw InputError(Position{folder.string()}, "the run has gone through more stages than there are now");
-  for (const double load_factor : held) simulation.hold_loads(load_factor);
+  simulation.go_through(stages);
   restore_structure(data, folder, simulation);
   restore_walker(data, simulation.walker());
   simulation.begin_path();
