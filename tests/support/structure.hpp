@@ -100,7 +100,8 @@ interfaces:
 
 /// What parameters of loads, gauges and subdivisions need on the unit square.
 inline NameHints square_names() {
-  return {{"boundary", "right"}, {"of", "wall.x"}, {"size", "0.2"}, {"columns", "4"}, {"rows", "3"}};
+  return {{"boundary", "right"}, {"of", "wall.x"}, {"support", "wall"},
+          {"size", "0.2"},       {"columns", "4"}, {"rows", "3"}};
 }
 
 }  // namespace dda
