@@ -106,7 +106,14 @@ int boundary_index(const Assembly& assembly, const std::string& name, const Posi
   const auto known = std::ranges::find(assembly.boundaries, name);
   if (known == assembly.boundaries.end())
     throw InputError(where, fmt::format("unknown boundary '{}'{}", name, suggest(name, assembly.boundaries)));
-  return static_cast<int>(known - assembly.boundaries.begin());
+  const auto index = static_cast<int>(known - assembly.boundaries.begin());
+  if (std::ranges::none_of(assembly.boundary,
+                           [index](const BoundarySide& side) { return side.boundary == index; }))
+    throw InputError(
+        where, fmt::format("boundary '{}' is a plane of symmetry: its interface holds what crosses it, and "
+                           "nothing else may hold or load it",
+                           name));
+  return index;
 }
 
 }  // namespace

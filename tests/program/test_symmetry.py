@@ -100,6 +100,7 @@ class Symmetry(ProgramCase):
             "it is not straight": {"scene": bent},
             "take another treatment": {"interfaces": {"ligament": {"boundary": "axis", "treatment": "lagrange"}}},
             "is another interface already": {"interfaces": {"one": {"boundary": "axis"}, "two": {"boundary": "axis"}}},
+            "nothing else may hold or load it": {"supports": deck["supports"] | {"axis": {"boundary": "axis", "fix": "normal"}}},
             "`motion` needs the whole structure": {"motion": {"time": 1}},
         }
         for message, changes in known.items():
