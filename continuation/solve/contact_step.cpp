@@ -46,6 +46,12 @@ Attempt contact_step(Stepper& stepper, const StepGoal& goal, Thoroughness thorou
   do {
     auto found = solve(true);
     if (!solver.has_walked() && (!found || !out.reason.empty())) found = solve(false);
+    // It goes on from the multipliers before; where that ends, all the way is walked anew.
+    const bool goes_on = from != &goal.start;
+    if (goes_on && (!found || !out.reason.empty())) {
+      from = &goal.start;
+      found = solve(true);
+    }
     if (!found || !out.reason.empty()) {
       out.converged = false;
       return out;
