@@ -2,15 +2,13 @@
 #include <algorithm>
 
 #include "models/equilibrium.hpp"
-#include "models/symmetry.hpp"
 
 namespace dda {
 
 std::span<const ChangingSpring> Equilibrium::due(const std::vector<ChangingSpring>& springs,
                                                  std::size_t num_done) const {
-  const std::size_t present = num_dead_stages_ + history_.held_load_factors.size();
   const auto end = std::ranges::find_if(
-      springs, [present](const ChangingSpring& spring) { return spring.stage > present; });
+      springs, [this](const ChangingSpring& spring) { return spring.stage > present_stage(); });
   return {springs.begin() + static_cast<std::ptrdiff_t>(num_done), end};
 }
 
@@ -54,7 +52,7 @@ void Equilibrium::check_supports(const Body& body, const ModelParameters& model,
     const auto num_added = static_cast<std::size_t>(std::ranges::count_if(added_, up_to(s))),
                num_removed = static_cast<std::size_t>(std::ranges::count_if(removed_, up_to(s)));
     if (s > 0 && num_added == added_before && num_removed == removed_before) continue;
-    std::vector<Spring> springs = supports_after(num_added, num_removed), planes = springs_of_mirrors(body);
+    std::vector<Spring> springs = supports_after(num_added, num_removed), planes = springs_of_planes(body);
     springs.insert(springs.end(), planes.begin(), planes.end());
     springs.insert(springs.end(), driven_.begin(), driven_.end());
     check_rigid_motions(body, springs, s == 0 ? model.where : stages[s].where, findings);

@@ -97,6 +97,8 @@ class Equilibrium {
   /// Ends the stage that is followed: its loads become dead at this load factor, and the first of `later_stages` takes its
   /// place at the back of `stages`, to which references stay good.
   void hold(const Body& body, const ModelParameters& model, double load_factor);
+  /// Place of the stage that is followed among those with loads.
+  std::size_t present_stage() const { return num_dead_stages_ + history_.held_load_factors.size(); }
   /// Springs that the stage which is followed puts in and takes away, when it has not done so.
   std::span<const ChangingSpring> springs_to_add() const { return due(added_, history_.rest.size()); }
   std::span<const ChangingSpring> springs_to_remove() const { return due(removed_, history_.borne.size()); }

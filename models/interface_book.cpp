@@ -42,6 +42,7 @@ void InterfaceBook::add(const std::string& name, const InterfaceParameters& p) {
   made.second_order_points = p.points.value_or(
       made.treatment->multiplier() == Multiplier::none ? PointRule::gauss : PointRule::gauss_2);
   check_release(p, made);
+  if (!p.boundary.empty()) check_plane(p, made);
   if (p.field) add_field(*p.field, made);
   if (p.crack_normal) add_crack_normal(*p.crack_normal, made);
   if (p.between.empty())
@@ -119,6 +120,14 @@ void InterfaceBook::check_release(const InterfaceParameters& p, const Interface&
                                        "multipliers ('{}') cannot follow without passing its strength; use "
                                        "the treatment 'consistent' or 'penalty', or a law that softens",
                                        made.name, p.law.name(), p.treatment.name()));
+}
+
+void InterfaceBook::check_plane(const InterfaceParameters& p, const Interface& made) {
+  if (made.treatment->multiplier() == Multiplier::unknown)
+    findings_.add(p.where,
+                  fmt::format("interface '{}': on a plane of symmetry nothing slides that the multipliers of "
+                              "'{}' could tie; take another treatment",
+                              made.name, p.treatment.name()));
 }
 
 /// A field that does not vary leaves the law as it is.

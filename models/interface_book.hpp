@@ -63,6 +63,7 @@ class InterfaceBook {
  private:
   void add(const std::string& name, const InterfaceParameters& p);
   void check_release(const InterfaceParameters& p, const Interface& made);
+  void check_plane(const InterfaceParameters& p, const Interface& made);
   void add_field(const FieldParameters& field, Interface& interface);
   void add_crack_normal(const Vec2& normal, Interface& interface);
   void check_names();

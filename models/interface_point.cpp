@@ -13,7 +13,7 @@
 #include "models/jump_rows.hpp"
 #include "models/kinematics/second_order.hpp"
 #include "models/locked_joints.hpp"
-#include "models/symmetry.hpp"
+#include "models/treatment/mirrored.hpp"
 #include "models/treatment/trace_constant.hpp"
 
 namespace dda {
@@ -201,7 +201,7 @@ class PointMaker {
       return MotionRows{displacement_rows(point.x - body_.block(id).moments.centroid), strain_rows()};
     };
     const auto behind = [&](const MotionRows& rows) {
-      return point.first == point.second ? mirrored(rows, faces.normal) : rows;
+      return point.is_mirror() ? mirrored(rows, faces.normal) : rows;
     };
     point.rows = treatment.rows(faces, of_block(point.first), behind(of_block(point.second)), stiffness);
     const auto first = body_.gradient_of(point.first), second = body_.gradient_of(point.second);

@@ -70,6 +70,8 @@ struct InterfacePoint {
   /// Whether the point is asked at run time: it can crack, or its multiplier is iterated.
   bool is_active() const { return law->can_crack() || multiplier == Multiplier::iterated; }
 
+  /// Whether it joins a block to its own mirror image (models/treatment/mirrored.hpp).
+  bool is_mirror() const { return first == second && !cut; }
   /// Whether it joins bodies that were never bonded: they only touch.
   bool is_separate() const { return law->contact({}, stiffness).has_value(); }
 

@@ -3,6 +3,8 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <span>
 
 #include "framework/base/suggestion.hpp"
 
@@ -236,44 +238,45 @@ std::vector<ChangingSpring> LoadProgramme::removed(const std::vector<Spring>& su
   std::vector<ChangingSpring> out;
   for (std::size_t s = 0; s < stages.size(); ++s)
     for (const RemovedSupport& removed : stages[s].removed)
-      for (std::size_t i = 0; i < supports.size(); ++i)
-        if (supports[i].support == removed.name) out.push_back({i, s});
+      add_changing_springs(supports, removed.name, s, out);
   return out;
 }
 
 namespace {
 
+/// What is wrong with taking a support away in a stage; "" where nothing is.
+std::string wrong_removal(const ModelParameters& model, const std::vector<StageParameters>& stages,
+                          std::size_t stage, const std::string& name) {
+  const auto support = std::ranges::find(model.supports, name, [](const auto& entry) { return entry.first; });
+  if (support == model.supports.end()) {
+    std::vector<std::string> names;
+    for (const auto& [known, parameters] : model.supports) names.push_back(known);
+    return "unknown support '" + name + "'" + suggest(name, names);
+  }
+  if (stage == 0)
+    return "support '" + name + "' bears nothing before the first stage; leave it out of `supports`";
+  const auto end = stages[stage].until.find("load_factor");
+  if (end == stages[stage].until.end() || end->second <= 0 || end->second > 1)
+    return "what support '" + name +
+           "' bears is let go by the load factor, of which 1 leaves nothing: the stage needs `until: "
+           "{load_factor: 1}`";
+  const std::span<const StageParameters> before(stages.data(), stage);
+  const std::string& from = support->second.from;
+  if (!from.empty() && std::ranges::find(before, from, &StageParameters::name) == before.end())
+    return "support '" + name + "' is put in by no stage before this one";
+  return "";
+}
+
 /// A support is taken away once, by a stage whose loads a load factor multiplies, and when there is something that it bears.
 void check_removals(const ModelParameters& model, const LoadProgramme& programme, Findings& findings) {
-  std::vector<std::string> names;
-  for (const auto& [name, support] : model.supports) names.push_back(name);
   const std::vector<StageParameters> stages = model.loaded_stages();
-  const auto lets_go = [](const StageParameters& stage) {
-    const auto end = stage.until.find("load_factor");
-    return end != stage.until.end() && end->second > 0 && end->second <= 1;
-  };
-  std::vector<std::string> gone;
+  std::set<std::string> gone;
   for (std::size_t s = 0; s < programme.stages.size(); ++s)
     for (const auto& [name, where] : programme.stages[s].removed) {
-      if (std::ranges::find(names, name) == names.end())
-        findings.add(where, "unknown support '" + name + "'" + suggest(name, names));
-      else if (std::ranges::find(gone, name) != gone.end())
+      if (!gone.insert(name).second)
         findings.add(where, "support '" + name + "' has been taken away before");
-      else if (s == 0)
-        findings.add(
-            where, "support '" + name + "' bears nothing before the first stage; leave it out of `supports`");
-      else if (!lets_go(stages[s]))
-        findings.add(where,
-                     "what support '" + name +
-                         "' bears is let go by the load factor, of which 1 leaves nothing: the stage needs "
-                         "`until: {load_factor: 1}`");
-      gone.push_back(name);
-      for (const auto& [other, support] : model.supports)
-        if (other == name &&
-            std::none_of(stages.begin(), stages.begin() + static_cast<std::ptrdiff_t>(s),
-                         [&](const StageParameters& stage) { return stage.name == support.from; }) &&
-            !support.from.empty())
-          findings.add(where, "support '" + name + "' is put in by no stage before this one");
+      else if (const std::string wrong = wrong_removal(model, stages, s, name); !wrong.empty())
+        findings.add(where, wrong);
     }
 }
 

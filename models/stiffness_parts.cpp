@@ -90,7 +90,7 @@ Matrix dense(const Equilibrium& equilibrium, const std::function<void(const Sink
 std::vector<std::pair<BlockId, BlockId>> jumps_of_one_block(const Equilibrium& equilibrium) {
   std::map<BlockId, std::set<BlockId>> of_block;
   for (std::size_t p = 0; p < equilibrium.num_active(); ++p)
-    if (const InterfacePoint& point = equilibrium.point(p); point.first == point.second && point.cut)
+    if (const InterfacePoint& point = equilibrium.point(p); point.first == point.second && !point.is_mirror())
       of_block[point.first].insert(point.jumps.front().node);
   std::vector<std::pair<BlockId, BlockId>> out;
   for (const auto& [block, jumps] : of_block)

@@ -181,6 +181,12 @@ std::vector<Spring> make_supports(const Body& body, const ModelParameters& model
   return out;
 }
 
+void add_changing_springs(const std::vector<Spring>& supports, const std::string& name, std::size_t stage,
+                          std::vector<ChangingSpring>& out) {
+  for (std::size_t i = 0; i < supports.size(); ++i)
+    if (supports[i].support == name) out.push_back({i, stage});
+}
+
 std::vector<ChangingSpring> added_springs(const std::vector<Spring>& supports, const ModelParameters& model,
                                           Findings& findings) {
   const std::vector<StageParameters> stages = model.loaded_stages();
@@ -198,8 +204,22 @@ std::vector<ChangingSpring> added_springs(const std::vector<Spring>& supports, c
   for (std::size_t s = 0; s < stages.size(); ++s)
     for (const auto& [name, support] : model.supports)
       if (!support.from.empty() && support.from == stages[s].name)
-        for (std::size_t i = 0; i < supports.size(); ++i)
-          if (supports[i].support == name) out.push_back({i, s});
+        add_changing_springs(supports, name, s, out);
+  return out;
+}
+
+std::vector<Spring> springs_of_planes(const Body& body) {
+  std::vector<Spring> out;
+  for (const Side& side : body.assembly.sides) {
+    if (!side.is_mirror()) continue;
+    const Vec2 edge = side.end - side.start, normal = Vec2(edge.y(), -edge.x()) / edge.norm();
+    for (const Vec2& x : {side.start, side.end}) {
+      Functional displacement;
+      for (const auto& [node, rows] : motions_at(body, side.first, x))
+        displacement.rows.emplace_back(node, rows.transpose() * normal);
+      out.push_back({"", std::move(displacement), 1});
+    }
+  }
   return out;
 }
 

@@ -30,10 +30,17 @@ struct ChangingSpring {
   std::size_t stage = 0;   ///< among those with loads
 };
 
+/// Appends the springs of a support, which change in a stage.
+void add_changing_springs(const std::vector<Spring>& supports, const std::string& name, std::size_t stage,
+                          std::vector<ChangingSpring>& out);
+
 /// Those that stages put in, in the order in which they come; a stage that there is not, or that is applied in full, is a
 /// finding.
 std::vector<ChangingSpring> added_springs(const std::vector<Spring>& supports, const ModelParameters& model,
                                           Findings& findings);
+
+/// What planes of symmetry hold of the blocks on them, as springs on n · u at the ends of each side, of stiffness 1.
+std::vector<Spring> springs_of_planes(const Body& body);
 
 /// Rigid motions that no spring resists: one finding per connected group of blocks, motions named.
 void check_rigid_motions(const Body& body, const std::vector<Spring>& springs, const Position& where,

@@ -197,10 +197,10 @@ class Maker {
   Forces left_of_supports(double factor) const {
     const Equilibrium& equilibrium = pieces_.equilibrium();
     const StageHistory& history = equilibrium.history();
-    const std::size_t present = equilibrium.stages().size() - 1 + history.held_load_factors.size();
     Forces out(block_unknowns * body_.assembly.num_blocks());
     for (std::size_t i = 0; i < history.borne.size(); ++i)
-      if (const auto& [spring, stage] = equilibrium.removed_springs()[i]; stage == present)
+      if (const auto& [spring, stage] = equilibrium.removed_springs()[i];
+          stage == equilibrium.present_stage())
         equilibrium.all_supports()[spring].displacement.add_gradient((1 - factor) * history.borne[i], out);
     return out;
   }

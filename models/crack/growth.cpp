@@ -76,7 +76,7 @@ Growth growth(const Before& before, const Equilibrium& now, const std::vector<Cu
 
 }  // namespace
 
-Growth Growth::of_nothing(const Equilibrium& equilibrium) {
+Growth Growth::unchanged(const Equilibrium& equilibrium) {
   Growth out{.nodes = {}, .points = {}, .same_cuts = equilibrium.num_cuts()};
   for (std::size_t i = 0; i < equilibrium.num_nodes(); ++i) out.nodes.emplace_back(i);
   for (std::size_t p = 0; p < equilibrium.num_active(); ++p) out.points.emplace_back(p);

@@ -20,7 +20,7 @@ struct Growth {
   bool keeps_stiffness = false;  ///< the intact stiffness of the blocks is what it was, but for rounding
 
   /// Of an equilibrium that has been made anew with the cuts that it had, but another stiffness.
-  static Growth of_nothing(const Equilibrium& equilibrium);
+  static Growth unchanged(const Equilibrium& equilibrium);
   /// Unknowns, six per node; zero of new nodes, and of those behind the last that is given.
   std::vector<double> unknowns(const std::vector<double>& before) const;
   /// What is known of each active point; zero of new ones.

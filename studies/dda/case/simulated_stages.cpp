@@ -46,7 +46,7 @@ void Simulation::change_supports(const SupportChange& change) {
   if (change.rest.empty() && change.borne.empty()) return;
   walker_->follow([&] {
     equilibrium_->change_supports(*body_, deck_, change);
-    return Growth::of_nothing(*equilibrium_);
+    return Growth::unchanged(*equilibrium_);
   });
   walker_->leave_behind(change.energy);
 }

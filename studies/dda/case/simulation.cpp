@@ -12,7 +12,6 @@
 #include "framework/base/memory.hpp"
 #include "framework/base/suggestion.hpp"
 #include "meshing/mirror.hpp"
-#include "models/symmetry.hpp"
 #include "studies/dda/case/motion_columns.hpp"
 
 namespace dda {
@@ -71,7 +70,9 @@ Assembly with_mirrors(Assembly assembly, const Deck& deck) {
   for (const auto& [name, interface] : deck.interfaces)
     if (!interface.boundary.empty()) mirrors.push_back({interface.boundary, name, interface.where});
   add_mirror_sides(assembly, mirrors, findings);
-  check_mirrors(deck, findings);
+  if (!mirrors.empty() && !deck.cracks.empty())
+    findings.add(mirrors.front().where,
+                 "cracks through blocks do not know planes of symmetry; describe the whole structure");
   if (!mirrors.empty() && deck.moves())
     findings.add(mirrors.front().where,
                  "what moves to its end does not stay symmetric: `motion` needs the whole structure");

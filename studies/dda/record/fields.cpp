@@ -124,8 +124,7 @@ Vec2 Fields::displacement(BlockId block, const Vec2& x, std::span<const double> 
 Vec2 Fields::displacement_behind(const InterfacePoint& point, const Vec2& x,
                                  std::span<const double> d) const {
   const Vec2 out = displacement(point.second, x, d);
-  const bool is_mirror = point.first == point.second && !point.cut;
-  return is_mirror ? Vec2(out - 2 * point.normal.dot(out) * point.normal) : out;
+  return point.is_mirror() ? Vec2(out - 2 * point.normal.dot(out) * point.normal) : out;
 }
 
 Vec2 Fields::displacement_by(std::span<const JumpId> jumps, const Vec2& x, std::span<const double> d) const {

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
 #include "meshing/mirror.hpp"
-#include "models/symmetry.hpp"
+#include "models/treatment/mirrored.hpp"
 #include "support/structure.hpp"
 
 namespace dda {
