@@ -101,7 +101,7 @@ class Symmetry(ProgramCase):
             "take another treatment": {"interfaces": {"ligament": {"boundary": "axis", "treatment": "lagrange"}}},
             "is another interface already": {"interfaces": {"one": {"boundary": "axis"}, "two": {"boundary": "axis"}}},
             "nothing else may hold or load it": {"supports": deck["supports"] | {"axis": {"boundary": "axis", "fix": "normal"}}},
-            "cracks through blocks do not know planes of symmetry": {"cracks": [{"through_blocks": ["beam"], "law": "ligament"}]},
+            "cracks through blocks do not know planes of symmetry": {"cracks": [{"through_blocks": ["beam"], "law": "ligament", "begin": "automatic"}]},
             "`motion` needs the whole structure": {"motion": {"time": 1}},
         }
         for message, changes in known.items():
