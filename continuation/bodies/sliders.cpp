@@ -9,6 +9,12 @@ double Slider::reached(const Poses& before, const Poses& at) const {
   return start + tangent().dot(moved(meeting.key.body, meeting.at) - moved(meeting.key.other, meeting.foot));
 }
 
+double Slide::spent_on_way(const Poses& beyond) const {
+  const Vec2 more =
+      place_of(beyond[meeting.key.body], meeting.at) - place_of(beyond[meeting.key.other], meeting.foot);
+  return std::max(0.0, spent + force * tangent_of(meeting).dot(more));
+}
+
 SliderMemory::Kept SliderMemory::of(const MeetingKey& key) const {
   if (const auto same = kept_.find(key); same != kept_.end()) return same->second;
   const auto first = kept_.lower_bound({key.body, key.vertex, key.other, 0, false});

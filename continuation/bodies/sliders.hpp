@@ -9,6 +9,8 @@
 
 namespace dda {
 
+inline Vec2 tangent_of(const Meeting& meeting) { return {-meeting.normal.y(), meeting.normal.x()}; }
+
 /// The spring slider of friction at one meeting, its geometry that of the pass.
 ///
 ///     u = e + t · (motion of the vertex − motion of the foot, in the step)       [L]
@@ -19,7 +21,7 @@ struct Slider {
   double stiffness = 0;  ///< k_t [F/L]
   double bound = 0;      ///< μ N [F]
 
-  Vec2 tangent() const { return {-meeting.normal.y(), meeting.normal.x()}; }
+  Vec2 tangent() const { return tangent_of(meeting); }
   double reached(const Poses& before, const Poses& at) const;
   /// The force along t, and its derivative with respect to u.
   double force(double u) const { return std::clamp(stiffness * u, -bound, bound); }
@@ -28,6 +30,17 @@ struct Slider {
   /// The elastic part that is left, e of the next step, and what the rest spends [F L].
   double kept(double u) const { return force(u) / stiffness; }
   double spent(double u) const { return bound * std::abs(u - kept(u)); }
+};
+
+/// Friction of a meeting that has slid in a step.
+struct Slide {
+  Meeting meeting;
+  double force = 0;  ///< along the tangent, at the end of the step [F]
+  double spent = 0;  ///< on the way from the start to the end [F L]
+
+  /// The same where the forces at the end count along other ways, which lead `beyond` the end of the step: a body that
+  /// gains speed goes less far between two middles of steps, over which its speed is booked, than from start to end.
+  double spent_on_way(const Poses& beyond) const;
 };
 
 /// The elastic slips e and normal forces N of the last accepted step.

@@ -195,11 +195,13 @@ void Motion::book(Try& step) const {
   MotionLedger& out = step.entry;
   const Eigen::VectorXd& forces = step.found.forces;
   double inner = 0, flown = 0, of_start = 0;
+  Poses beyond(now_.size());
   for (std::size_t b = 0; b < now_.size(); ++b) {
     const MovingBody& body = scene_.bodies[b];
     const BodyStep of{m_.courses[b], step.inertia.flight[b], reached[b], m_.dt};
     const BodyWork work = course_.integrator->work(body.block, of);
     step.courses.push_back(course_.integrator->arrive(of));
+    beyond[b] = work.loaded - (reached[b] - now_[b]);
     if (body.is_held) {
       const double driven = of_body(forces, b).dot(work.loaded);
       step.courses[b].velocity = (reached[b] - now_[b]) / m_.dt.now;
@@ -214,7 +216,7 @@ void Motion::book(Try& step) const {
     of_start += work.of_start;
     out.kinetic += kinetic_energy(body.block, step.courses[b].velocity);
   }
-  out.friction = step.found.friction;
+  for (const Slide& slide : step.found.slides) out.friction += slide.spent_on_way(beyond);
   out.fracture_of.assign(m_.ledger.fracture_of.size(), 0);
   for (std::size_t i = 0; i < bonds_.size(); ++i) {
     const double spent = spending(bonds_[i], potential_->state_of(i, reached));
@@ -239,8 +241,7 @@ bool Motion::creates_energy(const MotionLedger& step) const {
                (2 * scene_.bodies[b].block.mass);
   const double all = m_.ledger.kinetic + step.kinetic + std::abs(m_.ledger.stored.sum()) +
                      std::abs(step.stored.sum()) + std::abs(step.external);
-  const double ahead =
-      step.friction + step.fracture + step.damping;  // booked up to half a step before that work
+  const double ahead = step.fracture + step.damping;  // booked up to half a step before that work
   return -step.numerical > given + ahead + bearable * all + hardly * m_.most_kinetic;
 }
 
@@ -297,7 +298,7 @@ void Motion::bounce(Try& step) {
 /// Commits a step.
 void Motion::accept(Try step) {
   bounce(step);
-  m_.slid = step.found.has_slid;
+  m_.slid = !step.found.slides.empty();
   m_.sliders = std::move(step.found.contacts);
   num_meetings_ = step.found.num_meetings;
   const bool has_parted = crack(step.found);

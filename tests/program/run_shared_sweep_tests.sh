@@ -229,7 +229,7 @@ EOF
 
 # Which sweep runs where: a file that has changed does not move cases under the runs of others; --case neither.
 at_work() {
-  local sweep
+  local sweep keeper
   cp slow.yaml work.yaml
   "$program" sweep work.yaml --folder work --quiet --jobs 1 --set record.fields_every=1 >first.log 2>&1 &
   sweep=$!
@@ -242,10 +242,14 @@ at_work() {
   cp slow.yaml work.yaml
   expect 2 "a case that is being run" "$program" sweep work.yaml --folder work --case 1 --set record.fields_every=1
   said "is running this case"
-  expect 0 "how it stands, by its file" "$program" sweep work.yaml --status --folder work
+  until
+    keeper=$(keepers $sweep)
+    expect 0 "how it stands, by its file" "$program" sweep work.yaml --status --folder work
+    [ "$keeper" == "$(keepers $sweep)" ]  # else a case has ended in between, and the next one begun
+  do :; done
   said "work: 4 cases: "
   said "1 running"
-  said "process $(keepers $sweep | tr -d ' ') of $(hostname), since "
+  said "process ${keeper// /} of $(hostname), since "
   kill -KILL $sweep
   wait $sweep 2>/dev/null
   wait_for is_left work

@@ -243,8 +243,8 @@ void OpenCloseStep::tell(MotionStep& out) const {
   for (const OpenCloseContact& contact : contacts_) {
     if (contact.state == ContactState::open) continue;
     ++out.num_meetings;
-    out.friction += contact.spent(ways_);
-    out.has_slid = out.has_slid || contact.spent(ways_) > 0;
+    if (const double spent = contact.spent(ways_); spent > 0)
+      out.slides.push_back({contact.slider.meeting, contact.shear_force(ways_), spent});
     out.contacts.set(contact.slider.meeting.key, {contact.kept(ways_), contact.normal_force(ways_)});
   }
 }

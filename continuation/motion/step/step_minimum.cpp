@@ -63,8 +63,8 @@ void StepMinimum::tell(const Poses& start, MotionStep& out) const {
   out.forces = potential_.gradient(out.poses);
   for (const Slider& slider : potential_.sliders()) {
     const double u = slider.reached(start, out.poses);
-    out.friction += slider.spent(u);
-    out.has_slid = out.has_slid || std::abs(u) > (1 + 1e-9) * std::abs(slider.kept(u));
+    if (std::abs(u) > (1 + 1e-9) * std::abs(slider.kept(u)))
+      out.slides.push_back({slider.meeting, slider.force(u), slider.spent(u)});
     out.contacts.set(slider.meeting.key, {slider.kept(u), 0});
   }
   const std::vector<Meeting> meetings = potential_.meetings(out.poses);

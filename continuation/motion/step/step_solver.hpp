@@ -38,9 +38,8 @@ struct MotionStep {
   Poses poses;
   Eigen::VectorXd forces;  ///< ∂Π/∂y at the end, by body; of held bodies what it takes to hold them
   SliderMemory contacts;   ///< what those that are closed keep
-  double friction = 0;     ///< what has been spent by it [F L]
+  std::vector<Slide> slides;
   std::size_t num_meetings = 0;
-  bool has_slid = false;
   int iterations = 0;
   std::string failure;  ///< "" when it converged
 

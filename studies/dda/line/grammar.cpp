@@ -116,8 +116,8 @@ void Grammar::add_set(CLI::App* sub) {
   add_plugins(sub);
 }
 
-void Grammar::add_output(CLI::App* sub) {
-  sub->add_option("--folder", line_.run.folder, "Where results go; runs/<name of the deck> if not given")
+void Grammar::add_output(CLI::App* sub, const char* folder) {
+  sub->add_option(folder, line_.run.folder, "Where results go; runs/<name of the deck> if not given")
       ->type_name("FOLDER");
   sub->add_flag("--overwrite", line_.run.overwrite, "Replace the results of an earlier run in that folder");
   sub->add_flag("--quiet", line_.run.quiet, "No progress lines");
@@ -160,7 +160,7 @@ void Grammar::add_solving() {
   CLI::App* run = add(
       "run", "Follow the equilibrium path of a deck into a run folder; a sweep as `sweep` does", command_run);
   add_deck(run);
-  add_output(run);
+  add_output(run, "--out,--folder");
   add_permissions(run);
   add_jobs(run);
   add_threads(run);
@@ -171,7 +171,7 @@ void Grammar::add_solving() {
           command_resume);
   add_run(resume);
   add_set(resume);
-  add_output(resume);
+  add_output(resume, "--out,--folder");
   add_permissions(resume);
   add_jobs(resume);
   add_threads(resume);
@@ -183,7 +183,7 @@ void Grammar::add_sweep() {
       "sweep", "Run a deck for every combination of what its section `sweep` varies; again: what is missing",
       command_sweep);
   add_deck(sweep);
-  add_output(sweep);
+  add_output(sweep, "--out,--folder");
   add_permissions(sweep);
   add_jobs(sweep);
   add_ranks(sweep);
@@ -235,7 +235,7 @@ void Grammar::add_compare() {
       ->add_option("--out", line_.picture,
                    "The paths over one another (.svg, .png, .pdf), also as compare.svg in the folder")
       ->type_name("FILE");
-  add_output(compare);
+  add_output(compare, "--folder");
   add_permissions(compare);
   add_threads(compare);
 }

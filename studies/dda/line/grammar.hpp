@@ -39,7 +39,7 @@ class Grammar {
   void add_run(CLI::App* sub);
   void add_runs(CLI::App* sub);
   void add_set(CLI::App* sub);
-  void add_output(CLI::App* sub);
+  void add_output(CLI::App* sub, const char* folder);
   void add_profile(CLI::App* sub);
   void add_threads(CLI::App* sub);
   void add_permissions(CLI::App* sub);

@@ -69,6 +69,19 @@ TEST(Motion, SlidesToAStopAndRests) {
   EXPECT_NEAR(motion.ledger().friction / (density / 2 * 9), 1, 1e-2);
 }
 
+TEST(Motion, ABodyThatGainsSpeedByFrictionGetsNothingBack) {
+  const double friction = std::tan(20 * M_PI / 180), press = std::cos(M_PI / 6) * gravity * density;
+  const MovingScene of =
+      scene(friction, {body(box(-5, -1, 9, 0), true), body(box(0, 0, 1, 1))}, inclined(30));
+  for (const double dt : {0.01, 0.05}) {
+    Motion motion(of, {}, undeformed(of), at_rest(of), {.time = 1, .stops_at_rest = false, .step = dt});
+    run(motion);
+    const MotionLedger& ledger = motion.ledger();
+    EXPECT_GT(ledger.numerical, -1e-4 * ledger.external) << dt;
+    EXPECT_NEAR(ledger.friction / (friction * press * (motion.poses()[1][0] - 0.5)), 1, 3 * dt) << dt;
+  }
+}
+
 TEST(Motion, StacksBearTheirWeights) {
   constexpr int count = 20;
   std::vector<MovingBody> bodies{body(box(-5, -1, 5, 0), true)};
