@@ -84,6 +84,7 @@ struct ContactChange {
   double amount = 0;  ///< to it
   double beyond = 0;  ///< a hair more: 1e-9 of the widest opening
   std::size_t point = 0;
+  Vec2 across = Vec2::Zero();  ///< normal to the corner, towards the piece behind
 };
 std::optional<ContactChange> find_contact_change(const Walker& walker);
 /// The opening of its point prescribed, in the direction in which it goes there: it goes on whichever way the path leads

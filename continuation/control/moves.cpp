@@ -90,8 +90,10 @@ std::optional<ContactChange> find_contact_change(const Walker& walker) {
     const ContactPiece piece = piece_at(*contact, laws.opening[p], system.history()[p].sliding);
     const auto end = end_of_piece(*contact, piece, laws.opening[p], rates[p]);
     const bool is_ahead = end && end->length * rates[p].norm() > round_off * widest;
-    if (is_ahead && (!nearest || end->length < nearest->amount))
-      nearest = {end->length, end->length + hair * widest / rates[p].norm(), p};
+    if (!is_ahead || (nearest && end->length >= nearest->amount)) continue;
+    const Vec2 normal = change_between(*contact, piece, end->to).v;
+    const Vec2 across = normal.dot(rates[p]) < 0 ? Vec2(-normal) : normal;
+    nearest = {end->length, end->length + hair * widest / rates[p].norm(), p, across};
   }
   return nearest;
 }

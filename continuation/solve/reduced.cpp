@@ -33,9 +33,7 @@ std::vector<std::size_t> newly_cracked(System& system, const LinearSystem& linea
   std::vector<std::size_t> out;
   for (std::size_t p = 0; p < laws->opening.size(); ++p) {
     if (linear.has_columns(p)) continue;
-    const Vec2 jump =
-        system.iterates_multipliers() ? Vec2(laws->opening[p] - system.multipliers()[p]) : laws->opening[p];
-    if (!linear.is_as_in_base(p, jump, {laws->traction[p], laws->tangent[p]})) out.push_back(p);
+    if (!linear.is_as_in_base(p, laws->opening[p], {laws->traction[p], laws->tangent[p]})) out.push_back(p);
   }
   return out;
 }

@@ -65,7 +65,7 @@ std::optional<Point> land_on_contact_change(PathState& path, double amount) {
   if (!candidate || !is_next(path, *candidate)) return {};
   if (path.cracks && share_to_strength(path, *candidate) < 1)
     return land_on_strength(path, *candidate, StepKind::corner);
-  const BeyondChange passed{change->point, path.walker.leaving().opening[change->point].normalized()};
+  const BeyondChange passed{change->point, change->across};
   Point point = keep(path, *candidate, StepKind::corner);
   path.walker.leave_beyond(passed);
   return point;

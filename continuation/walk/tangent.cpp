@@ -188,7 +188,7 @@ class RateProblem {
 
   /// True where nothing is asked for; what spends nothing may lead either way.
   bool goes_beyond(const Tangent& found) const {
-    return !beyond_ || !found.dissipates || found.opening[beyond_->point].dot(beyond_->along) >= 0;
+    return !beyond_ || !found.dissipates || found.opening[beyond_->point].dot(beyond_->across) >= 0;
   }
 
   bool is_better(const Way& one, const Way& other, const Tangent& arriving) const {
@@ -312,8 +312,11 @@ class RateProblem {
 
 NegativeEigenvalues negative_eigenvalues(System& system) {
   NegativeEigenvalues out = system.path_linear().negative_eigenvalues();
+  const auto multipliers = static_cast<int>(system.equilibrium().num_unknown_multipliers());
+  // Each adds one that is negative, as long as K is symmetric: what slides has other rows than columns.
+  if (multipliers > 0 && !out.of_stiffness) return {};
   for (auto* count : {&out.of_stiffness, &out.of_symmetric_part})
-    if (*count) **count -= static_cast<int>(system.equilibrium().num_unknown_multipliers());
+    if (*count) **count -= multipliers;
   return out;
 }
 

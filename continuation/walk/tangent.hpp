@@ -57,15 +57,15 @@ Tangent arriving_tangent(System& system, const State& state, const std::optional
 Tangent leaving_tangent(System& system, const State& state, Tangent arriving,
                         const std::optional<Heading>& heading = {});
 
-/// A point a hair beyond a change of contact, and the way on which its opening got there.
+/// A point a hair beyond a change of contact, and across which corner its opening got there.
 struct BeyondChange {
   std::size_t point = 0;
-  Vec2 along = Vec2::Zero();
-  Tangent arriving = {};  ///< of the equilibrium there
+  Vec2 across = Vec2::Zero();  ///< normal to it, towards where the point is now
+  Tangent arriving = {};       ///< of the equilibrium there
 };
 
 /// The direction in which the path goes on from there when it seems to lead straight back: with the joint as it is now
-/// others unload or stick. Where cracks grow along it, `along` · q̇ ≥ 0; where none does it is as `heading` says. Sets the
+/// others unload or stick. Where cracks grow along it, `across` · q̇ ≥ 0; where none does it is as `heading` says. Sets the
 /// history's flags; nothing, and nothing changed, where there is no such direction.
 std::optional<Tangent> tangent_beyond(System& system, const State& state,
                                       const std::optional<Heading>& heading, const BeyondChange& change);

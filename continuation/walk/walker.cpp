@@ -149,7 +149,7 @@ void Walker::unload() {
 }
 
 void Walker::leave_beyond(BeyondChange change) {
-  if (!leaving_.dissipates || leaving_.opening[change.point].dot(change.along) >= 0) return;
+  if (!leaving_.dissipates || leaving_.opening[change.point].dot(change.across) >= 0) return;
   change.arriving = here_.arriving;
   std::vector<History> flags = system_.history();
   system_.set_history(here_.history);

@@ -92,6 +92,15 @@ Cells with_undivided(const Scene& scene, Layout layout) {
   return out;
 }
 
+/// What has a region's name has to be somewhere.
+void check_regions(const Assembly& assembly, const Position& where, Findings& findings) {
+  for (std::size_t r = 0; r < assembly.regions.size(); ++r)
+    if (std::ranges::none_of(assembly.blocks,
+                             [&](const Block& b) { return static_cast<std::size_t>(b.region) == r; }))
+      findings.add(
+          where, "no block lies in region '" + assembly.regions[r].name + "'; is it covered by another one?");
+}
+
 Assembly meshed(const Scene& scene) {
   const Layout layout = layout_of(scene);
   const Cells cells = with_undivided(scene, layout);
@@ -102,6 +111,8 @@ Assembly meshed(const Scene& scene) {
   assembly.regions = layout.regions;
   assembly.points = layout.points;
   for (const Cell& cell : cells.cells) assembly.blocks.push_back(block_from(cell));
+  check_regions(assembly, scene.where, findings);
+  findings.throw_if_any();
   Neighbours found = find_neighbours(assembly.blocks, pieces_of(cells.lines, assembly));
   check_used(cells.lines, found.used, findings);
   findings.throw_if_any();

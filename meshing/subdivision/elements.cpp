@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "meshing/room.hpp"
 
@@ -57,6 +58,13 @@ void require_room_for(const ElementParameters& parameters, const Layout& layout,
   require_room(blocks, parameters.where);
 }
 
+/// The regions that have shapes, in their order: gmsh numbers those that are drawn, and others may stay undivided.
+std::vector<int> drawn_regions(const Layout& layout) {
+  std::set<int> out;
+  for (const Shape& shape : layout.shapes) out.insert(shape.region);
+  return {out.begin(), out.end()};
+}
+
 }  // namespace
 
 Schema<ElementParameters> element_schema(std::string text) {
@@ -74,6 +82,8 @@ Cells divide_into_elements(const Layout& layout, const ElementParameters& parame
   const ElementWish wish{parameters.size.value_or(0), quads, parameters.refine};
   if (layout.model) return with_deck_lines(layout.model->mesh(wish), layout);
   Cells cells = GmshModel::from_layout(layout)->mesh(wish);
+  const std::vector<int> regions = drawn_regions(layout);
+  for (Cell& cell : cells.cells) cell.region = regions[static_cast<std::size_t>(cell.region)];
   // The polylines of the deck name the sides as well as the elements on them do, and are fewer.
   cells.lines = layout.lines;
   return cells;

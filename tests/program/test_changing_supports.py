@@ -139,6 +139,15 @@ class ChangingSupports(ProgramCase):
             run = ddapath.resume(part.folder, settings={"path.stop.steps": 1000}, check=False)
             self.assertEqual(run.curve.to_csv(), whole.curve.to_csv())
 
+    def test_a_wall_over_an_opening_carries_on(self):
+        """Joints open and close while they slide: one that wants to open when it is closed and to close when it is open leaves the
+        path to others, which unload there."""
+        run = self.followed(Path(__file__).parent / "wall_over_opening.yaml", "opening")
+        left, right = run.curve["left.y"].iloc[-1], run.curve["right.y"].iloc[-1]
+        self.assertAlmostEqual(left / right, 1, delta=1e-6)  # it is symmetric
+        self.assertAlmostEqual(run.curve["sag"].iloc[-1], 5, delta=1e-9)
+        self.assertEqual(run.summary["rescues"], 0)
+
     def test_wrong_decks(self):
         weight = stage("weight", WEIGHT)
         known = {

@@ -58,8 +58,8 @@ Eigen::VectorXd CrackedEquations::openings(const State& at) const {
 
 Iterate CrackedEquations::start_at(const State& guess, const Rule& rule, bool walks) {
   is_condensed_ = false;
-  origin_.reset();
-  const std::vector<double>& dead = linear_.dead_solution();
+  origin_ = pulled_by_multipliers();
+  const std::vector<double>& dead = origin_ ? *origin_ : linear_.dead_solution();
   z_origin_ = Vector::Zero(length());
   for (std::size_t i = 0; i < points_.size(); ++i)
     pair(dead_, i) = system_.equilibrium().opening(points_[i], dead) + multiplier(i);
@@ -76,6 +76,22 @@ Iterate CrackedEquations::start_at(const State& guess, const Rule& rule, bool wa
   rises_ = 0;
   start_.assign(q_.begin(), q_.end());
   return {start_, load_factor_};
+}
+
+/// d_dead with the forces of the multipliers of all points without columns, D_base m; nothing where they have none.
+std::shared_ptr<const std::vector<double>> CrackedEquations::pulled_by_multipliers() const {
+  if (!system_.iterates_multipliers()) return {};
+  const std::vector<Vec2>& multipliers = system_.multipliers();
+  Vector tractions(2 * std::ssize(multipliers));
+  for (std::size_t p = 0; p < multipliers.size(); ++p)
+    pair(tractions, p) = linear_.base()[p] * multipliers[p];
+  for (const std::size_t p : points_) pair(tractions, p).setZero();
+  if (tractions.isZero(0)) return {};
+  std::vector<double> out = linear_.dead_solution(), change(out.size(), 0.0);
+  system_.equilibrium().scatter_add({tractions.data(), 2 * multipliers.size()}, change);
+  linear_.solve_base(change, change);
+  for (std::size_t k = 0; k < out.size(); ++k) out[k] -= change[k];
+  return std::make_shared<const std::vector<double>>(std::move(out));
 }
 
 Iterate CrackedEquations::go_on_walking(const Rule& rule) {

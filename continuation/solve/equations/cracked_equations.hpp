@@ -16,8 +16,8 @@ namespace dda {
 ///     F = q − q_dead − λ q_ref − m + G (z − z₀),     z = W (t(q; h) − D_base (q − m)),     N(q, λ) = 0
 ///     d = d_dead + λ d_ref − Z (z − z₀)
 ///
-/// with the base, Z and G of a LinearSystem and the iterated multipliers m; z₀ = 0 until refined. An
-/// iteration costs a dense solve of the size of the cracked components.
+/// with the base, Z and G of a LinearSystem and the iterated multipliers m; z₀ = 0 until refined. Those of points that are
+/// held as in the base but for them, t = D_base q, are loads of d_dead. An iteration costs a dense solve of the size of the cracked components.
 class CrackedEquations final : public WalkedEquations {
  public:
   /// What the error of q is measured by: the openings, or what the points carry, t/(E/h), by which
@@ -76,6 +76,7 @@ class CrackedEquations final : public WalkedEquations {
   using Vector = Eigen::VectorXd;
 
   Eigen::Index length() const { return 2 * static_cast<Eigen::Index>(points_.size()); }
+  std::shared_ptr<const std::vector<double>> pulled_by_multipliers() const;
   Iterate start_at(const State& guess, const Rule& rule, bool walks);
   Vector openings(const State& at) const;
   Vec2 multiplier(std::size_t i) const;
@@ -110,7 +111,7 @@ class CrackedEquations final : public WalkedEquations {
   Vector along_;        ///< Zᵀ ∂g/∂d
   double gauge_dead_ = 0, gauge_live_ = 0;
   bool only_touch_ = false;
-  std::shared_ptr<const std::vector<double>> origin_;  ///< d_dead once it is refined
+  std::shared_ptr<const std::vector<double>> origin_;  ///< d_dead where it is another one
   Vector z_origin_;                                    ///< z₀
 
   // at the last iterate

@@ -52,24 +52,29 @@ INSTANTIATE_TEST_SUITE_P(Scene, EverySubdivision,
                                            "{type: bricks, length: 20, height: 10, bond: stack}",
                                            "{type: bricks, length: 25, height: 12, bond: english}"));
 
-/// A plate on a beam: one block beside many, joined along all of what they share.
+/// A plate on a beam: one block beside many, joined along all of what they share, whichever is named first.
 TEST(Scene, LeavesARegionUndividedBesideEverySubdivision) {
-  for (const char* subdivision :
+  const std::string beam = "{material: concrete, vertices: [[0, 0], [300, 0], [300, 100], [0, 100]]}",
+                    plate =
+                        "{material: steel, undivided: true, vertices: [[131, 100], [172, 100], [172, "
+                        "110], [131, 110]]}";
+  for (const std::string subdivision :
        {"given", "{type: triangles, size: 12}", "{type: quads, size: 12}", "{type: voronoi, size: 15}",
-        "{type: squares, size: 12, angle: 30}", "{type: bricks, length: 24, height: 9}"}) {
-    const Assembly a = mesh_of(std::string(R"({regions: [
-      {material: concrete, vertices: [[0, 0], [300, 0], [300, 100], [0, 100]]},
-      {material: steel, undivided: true, vertices: [[131, 100], [172, 100], [172, 110], [131, 110]]}],
-      curves: {bed: [[131, 100], [172, 100]]},
-      boundaries: {top: [[131, 110], [172, 110]]}, subdivision: )") +
-                               subdivision + "}");
-    EXPECT_NEAR(total_area(a), 30410, 1e-4) << subdivision;
-    EXPECT_EQ(std::ranges::count(a.blocks, 1, &Block::region), 1) << subdivision;
-    EXPECT_EQ(a.blocks.back().outline.vertices.size(), 4u) << subdivision;
-    EXPECT_NEAR(length_on_curve(a, "bed"), 41, 1e-9) << subdivision;
-    EXPECT_NEAR(boundary_length(a), 800 + 20, 1e-9) << subdivision;
-    EXPECT_EQ(connected_groups(a).size(), 1u) << subdivision;
-  }
+        "{type: squares, size: 12, angle: 30}", "{type: bricks, length: 24, height: 9}"})
+    for (const bool is_first : {false, true}) {
+      const Assembly a =
+          mesh_of("{regions: [" + (is_first ? plate + ", " + beam : beam + ", " + plate) +
+                  "], curves: {bed: [[131, 100], [172, 100]]}, boundaries: {top: [[131, 110], [172, 110]]}, "
+                  "subdivision: " +
+                  subdivision + "}");
+      EXPECT_NEAR(total_area(a), 30410, 1e-4) << subdivision;
+      EXPECT_EQ(std::ranges::count(a.blocks, is_first ? 0 : 1, &Block::region), 1) << subdivision;
+      EXPECT_EQ(a.regions[static_cast<std::size_t>(a.blocks.back().region)].material, "steel") << subdivision;
+      EXPECT_EQ(a.blocks.back().outline.vertices.size(), 4u) << subdivision;
+      EXPECT_NEAR(length_on_curve(a, "bed"), 41, 1e-9) << subdivision;
+      EXPECT_NEAR(boundary_length(a), 800 + 20, 1e-9) << subdivision;
+      EXPECT_EQ(connected_groups(a).size(), 1u) << subdivision;
+    }
 }
 
 /// With its optimisation gmsh turns one of these squares inside out.
