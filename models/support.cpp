@@ -236,9 +236,15 @@ void check_rigid_motions(const Body& body, const std::vector<Spring>& springs, c
     group.centre /= area;
     group.size = std::sqrt(area);
     const std::string names = free_motions(rigid_rows(body, springs, group), group.centre, group.size);
-    if (!names.empty())
-      findings.add(where, fmt::format("no support holds the {} blocks around ({:.4g}, {:.4g}) against: {}",
-                                      blocks.size(), group.centre.x(), group.centre.y(), names));
+    if (names.empty()) continue;
+    const bool turns = names.find("rotation") != std::string::npos;
+    findings.add(
+        where,
+        fmt::format(
+            "no support holds the {} blocks around ({:.4g}, {:.4g}) against: {}{}", blocks.size(),
+            group.centre.x(), group.centre.y(), names,
+            turns ? "; a support `at` a point or `over` a patch lets it turn, one of a `boundary` holds it"
+                  : ""));
   }
 }
 

@@ -168,10 +168,16 @@ class Maker {
     return out;
   }
 
+  /// Whether it holds nothing but what is held or driven without it, wherever that goes.
+  bool is_needless(const Spring& spring) const {
+    return std::ranges::all_of(spring.displacement.rows,
+                               [&](const auto& row) { return out_.scene.bodies[row.first.value()].is_held; });
+  }
+
   void add_supports() {
     if (parameters_.keeps_supports)
       for (const Spring& spring : pieces_.equilibrium().supports())
-        out_.scene.springs.push_back(spring_of(spring));
+        if (!is_needless(spring)) out_.scene.springs.push_back(spring_of(spring));
     for (const Spring& spring : pieces_.equilibrium().driven_springs())
       out_.scene.springs.push_back(spring_of(spring));
   }

@@ -96,10 +96,12 @@ Schema<MotionParameters> with_actions(Schema<MotionParameters> schema) {
               {.fallback = KeptLoads::all,
                .text = "Whether the loads of the last stage stay as they are at the end of the path; those "
                        "of the stages before stay in any case. They keep their directions."})
-      .boolean("supports", &P::keeps_supports,
-               {.fallback = true,
-                .text = "Whether the supports of the path go on to hold the material points they hold; "
-                        "without them the structure rests on what it meets."})
+      .boolean(
+          "supports", &P::keeps_supports,
+          {.fallback = true,
+           .text = "Whether the supports of the path go on to hold the material points they hold, but for "
+                   "those of "
+                   "regions that are `held` or `driven`; without them the structure rests on what it meets."})
       .number("push", &P::push,
               {.fallback = 0.01,
                .bounds = at_least(0) & at_most(1),

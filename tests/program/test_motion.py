@@ -28,6 +28,36 @@ def deck_with(**motion):
     return deck
 
 
+SHAKEN = {
+    "units": {"length": "m", "force": "kN"},
+    "scene": {"regions": [{"name": "ground", "material": "stone", "undivided": True,
+                           "vertices": [[-3, -0.5], [4, -0.5], [4, 0], [1, 0], [0, 0], [-3, 0]]},
+                          {"name": "tower", "material": "stone", "vertices": [[0, 0], [1, 0], [1, 1.8], [0, 1.8]]}],
+              "boundaries": {"bottom": [[-3, -0.5], [4, -0.5]]}, "subdivision": {"type": "bricks", "length": 0.5, "height": 0.3}},
+    "thickness": 1, "plane": "stress",
+    "materials": {"stone": {"type": "linear_elastic", "young_modulus": 10e6, "poisson_ratio": 0.2, "density": 2.3}},
+    "interfaces": {"joints": {"between": ["stone", "stone"], "law": {"type": "friction", "friction_angle": 35}}},
+    "stages": [{"name": "weight", "loads": [{"type": "body_force", "regions": ["tower"], "force": [0, -22.6]}]}],
+    "supports": {"ground": {"boundary": "bottom", "fix": "xy"}},
+    "motion": {"time": 0.5, "held": ["ground"],
+               "driven": [{"regions": ["ground"], "direction": [1, 0],
+                           "displacement": {"type": "harmonic", "amplitude": 0.15, "frequency": 1.5}}]},
+}
+
+
+class Shaken(unittest.TestCase):
+    def test_a_ground_that_is_driven_is_not_held_by_the_supports_of_the_path(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            curves = []
+            for supports in (True, False):
+                deck = copy.deepcopy(SHAKEN)
+                deck["motion"]["supports"] = supports
+                curves.append(ddapath.run(deck, folder=Path(scratch) / str(supports)).motion.curve)
+        np.testing.assert_array_equal(curves[0]["kinetic_energy"], curves[1]["kinetic_energy"])
+        weight = 22.6 * 1.8
+        self.assertLess(curves[0]["external_work"].abs().max(), weight * 0.5)
+
+
 class Falling(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
