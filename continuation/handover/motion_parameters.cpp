@@ -100,8 +100,8 @@ Schema<MotionParameters> with_actions(Schema<MotionParameters> schema) {
           "supports", &P::keeps_supports,
           {.fallback = true,
            .text = "Whether the supports of the path go on to hold the material points they hold, but for "
-                   "those of "
-                   "regions that are `held` or `driven`; without them the structure rests on what it meets."})
+                   "those of regions that are `held` or `driven`; without them the structure rests on what "
+                   "it meets."})
       .number("push", &P::push,
               {.fallback = 0.01,
                .bounds = at_least(0) & at_most(1),

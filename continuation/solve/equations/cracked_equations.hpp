@@ -16,8 +16,9 @@ namespace dda {
 ///     F = q − q_dead − λ q_ref − m + G (z − z₀),     z = W (t(q; h) − D_base (q − m)),     N(q, λ) = 0
 ///     d = d_dead + λ d_ref − Z (z − z₀)
 ///
-/// with the base, Z and G of a LinearSystem and the iterated multipliers m; z₀ = 0 until refined. Those of points that are
-/// held as in the base but for them, t = D_base q, are loads of d_dead. An iteration costs a dense solve of the size of the cracked components.
+/// with the base, Z and G of a LinearSystem and the iterated multipliers m; z₀ = 0 until refined. Multipliers of points
+/// that are held as in the base but for them, t = D_base q, are loads of d_dead. An iteration costs a dense solve of the
+/// size of the cracked components.
 class CrackedEquations final : public WalkedEquations {
  public:
   /// What the error of q is measured by: the openings, or what the points carry, t/(E/h), by which
