@@ -1,5 +1,6 @@
 #include "models/equilibrium.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -12,6 +13,13 @@
 
 namespace dda {
 namespace {
+
+double extent_of(const Assembly& assembly) {
+  Eigen::AlignedBox2d box;
+  for (const Block& block : assembly.blocks)
+    for (const Vec2& x : block.outline.vertices) box.extend(x);
+  return box.diagonal().norm();
+}
 
 constexpr std::size_t parts_at_once = 4000;  // blocks or points
 
@@ -132,6 +140,7 @@ Equilibrium::Equilibrium(const Body& body, const ModelParameters& model, StageHi
   later_stages_ = std::move(made.later);
   findings.throw_if_any();
   for (std::size_t i = 0; i < num_blocks_; ++i) block_size_.push_back(body.size(BlockId{i}));
+  extent_ = extent_of(body.assembly);
   fit_stages();
   assemble(body, model, springs);
 }

@@ -45,11 +45,16 @@ struct Loading {
   Vec2 reference_opening(std::size_t p) const { return part_of(reference_offset, p); }
   /// Stress that is there without strain, by block; empty when there is none [F/L²].
   std::vector<Vec3> dead_stress, reference_stress;
+  std::vector<double> dead_out_of_plane, reference_out_of_plane;  ///< see StageLoads
   Vec3 initial_stress(std::size_t block, double load_factor) const {
     const auto part = [&](const std::vector<Vec3>& of) {
       return of.empty() ? Vec3(Vec3::Zero()) : of[block];
     };
     return part(dead_stress) + load_factor * part(reference_stress);
+  }
+  double out_of_plane(std::size_t block, double load_factor) const {
+    const auto part = [&](const std::vector<double>& of) { return of.empty() ? 0 : of[block]; };
+    return part(dead_out_of_plane) + load_factor * part(reference_out_of_plane);
   }
   Functional load;  ///< the load gauge: λ Σ|force|, or the sum of the driven reactions
   std::map<std::string, Functional> reactions;  ///< by support and driven spring
@@ -145,6 +150,8 @@ class Equilibrium {
   const StageHistory& history() const { return history_; }
   /// Length scale of each block, √area [L]: makes rotations and strains comparable with translations.
   const std::vector<double>& block_size() const { return block_size_; }
+  /// Diagonal of the box around all blocks [L].
+  double extent() const { return extent_; }
   /// V C of each block, 3 × 3: stress resultants from strains [F L].
   const std::vector<Mat3>& strain_stiffness() const { return strain_stiffness_; }
   /// The strain gradient of a block of second order, and its stiffness t C ⊗ S/area (kinematics/second_order.hpp) [F L].
@@ -234,6 +241,7 @@ class Equilibrium {
   StageHistory history_;
   std::size_t num_dead_stages_ = 0;
   std::vector<double> block_size_, rounding_of_sums_;
+  double extent_ = 0;
   std::vector<Mat3> strain_stiffness_;
   std::vector<Gradient> gradients_;
 };

@@ -94,6 +94,7 @@ class StageMaker {
       const StressOffset offset = stress_offset(body_, interfaces_, loads.initial_stress);
       out.reference_offset = offset.openings;
       out.reference_stress = loads.initial_stress;
+      out.reference_out_of_plane = loads.out_of_plane;
       add_scaled(1, offset.force, out.reference);
       add_scaled(1, offset.force, out.reference_work);
     }
@@ -182,6 +183,8 @@ class StageMaker {
     add_scaled(share, stage.reference, so_far_.dead);
     add_scaled(share, stage.reference_work, so_far_.dead_work);
     if (!stage.reference_offset.empty()) add_scaled(share, stage.reference_offset, so_far_.dead_offset);
+    if (!stage.reference_out_of_plane.empty())
+      add_scaled(share, stage.reference_out_of_plane, so_far_.dead_out_of_plane);
     if (stage.reference_stress.empty()) return;
     so_far_.dead_stress.resize(stage.reference_stress.size(), Vec3::Zero());
     for (std::size_t b = 0; b < stage.reference_stress.size(); ++b)

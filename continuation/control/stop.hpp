@@ -23,6 +23,7 @@ enum class Stop {
   no_next_equilibrium,
   next_initiation,
   unloading,
+  turned_round,
   singular,
   weak_springs,
   energies,
@@ -36,7 +37,7 @@ enum class Stop {
   overlap
 };
 
-inline constexpr std::array<std::pair<Stop, const char*>, 25> names_of_stops = {{
+inline constexpr std::array<std::pair<Stop, const char*>, 26> names_of_stops = {{
     {Stop::limit_point, "limit-point"},
     {Stop::snap_back, "snap-back"},
     {Stop::gauge_stands, "gauge-stands"},
@@ -51,6 +52,7 @@ inline constexpr std::array<std::pair<Stop, const char*>, 25> names_of_stops = {
     {Stop::no_next_equilibrium, "no-next-equilibrium"},
     {Stop::next_initiation, "next-initiation"},
     {Stop::unloading, "unloading"},
+    {Stop::turned_round, "turned-round"},
     {Stop::singular, "singular"},
     {Stop::weak_springs, "weak-springs"},
     {Stop::energies, "energies"},

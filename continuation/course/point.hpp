@@ -98,10 +98,15 @@ struct PathMemory {
   int idle_looks = 0;                     ///< looks for a hidden peak, one after another, that found none
   int idle_turn_looks = 0;                ///< and for hidden turns of gauges
   bool has_slid = false;                  ///< a contact has changed since the start
+  bool has_cracked_since_peak = false;    ///< a crack has grown since the load was highest
   bool is_mechanism = false;              ///< the load has stayed while the structure moved
-  double mechanism_way = 0;               ///< displacement of the load when it last brought a goal nearer
-  double mechanism_share = 0;             ///< and how near the goal was
-  bool releases = false;  ///< the last step was one of a release, at whose end more may be borne
+  double mechanism_way = 0;    ///< displacement of the load when it began or last brought a goal nearer
+  double mechanism_load = 0;   ///< and the load
+  double mechanism_share = 0;  ///< and how near the goal was
+  double standing_way = 0;  ///< displacement of the load since when it has hardly changed; 0 where it is none
+  double standing_load = 0;    ///< and the load then
+  double standing_energy = 0;  ///< stored and dissipated then [FL]
+  bool releases = false;       ///< the last step was one of a release, at whose end more may be borne
   /// The point before the present one, for `Predictor::secant`; none after a jump and where a leg begins.
   std::optional<State> before = {};
   double dissipated_before = 0;  ///< there [FL]
@@ -111,7 +116,7 @@ struct PathMemory {
     peak_load = step = largest_displacement = last_quantum = control = 0;
     direction = idle_looks = idle_turn_looks = 0;
     step_kind.reset();
-    is_mechanism = releases = false;
+    has_cracked_since_peak = is_mechanism = releases = false;
   }
 
   template <class Self, class Visit>
@@ -133,10 +138,15 @@ struct PathMemory {
     visit("idle_looks", self.idle_looks);
     visit("idle_turn_looks", self.idle_turn_looks);
     visit("has_slid", self.has_slid);
+    visit("has_cracked_since_peak", self.has_cracked_since_peak);
     visit("is_mechanism", self.is_mechanism);
     visit("releases", self.releases);
     visit("mechanism_way", self.mechanism_way);
+    visit("mechanism_load", self.mechanism_load);
     visit("mechanism_share", self.mechanism_share);
+    visit("standing_way", self.standing_way);
+    visit("standing_load", self.standing_load);
+    visit("standing_energy", self.standing_energy);
     visit("dissipated_before", self.dissipated_before);
   }
 };

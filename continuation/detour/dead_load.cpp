@@ -28,7 +28,7 @@ std::string objection_to(const Candidate& found, const Walker& walker) {
   if (!(found.residual <= walker.parameters().newton.tolerance))
     return fmt::format("the relative residual is {:.1e}", found.residual);
   const Holding holding = holding_of(system, found.state);
-  return objection_to(holding, {size_of(system.equilibrium()), holding.load}, system.equilibrium());
+  return objection_to(holding, {system.equilibrium().extent(), holding.load}, system.equilibrium());
 }
 
 /// Takes the strength of what stands at it, and of all that this overloads, while the load stays. Returns ""

@@ -41,17 +41,32 @@ bool has_ruptured(const PathState& path) {
          std::abs(path.load_of(path.walker.state())) <= nothing * path.memory.peak_load;
 }
 
+/// Whether the load has fallen to the share of its peak at which a path ends.
+bool has_fallen(const PathState& path) {
+  const double target = path.parameters.stop.load_below * path.memory.peak_load * (1 + same_value);
+  return target > 0 && path.is_last_leg() && !path.leg().unloads && !path.memory.releases &&
+         path.memory.leg_peak > std::max(target, path.smallest_load()) &&
+         path.load_of(path.walker.state()) <= target;
+}
+
+/// Whether the path has gone back since its peak without a crack that grows: the structure unloads.
+bool has_turned_round(const PathState& path) {
+  constexpr double back = 0.9;
+  return !path.memory.has_cracked_since_peak &&
+         std::abs(path.displacement_of(path.walker.state())) < back * path.memory.largest_displacement;
+}
+
+std::string fallen_load(const PathState& path) {
+  return fallen_load(path.parameters.stop.load_below,
+                     path.load_of(path.walker.state()) / path.memory.peak_load);
+}
+
 /// Which of the stopping rules is met here; "" when none is.
 std::string goal_of_path(const PathState& path) {
   for (const Landing& landing : path.route.landings)
     if (landing.ends_leg)
       if (std::string text = reached(path, landing); !text.empty()) return text;
-  const StopRules& stop = path.parameters.stop;
-  if (const double target = stop.load_below * path.memory.peak_load * (1 + same_value);
-      target > 0 && path.is_last_leg() && !path.leg().unloads && !path.memory.releases &&
-      path.memory.leg_peak > std::max(target, path.smallest_load()) &&
-      path.load_of(path.walker.state()) <= target)
-    return fallen_load(stop.load_below, path.load_of(path.walker.state()) / path.memory.peak_load);
+  if (has_fallen(path) && !has_turned_round(path)) return fallen_load(path);
   if (has_ruptured(path)) return "complete rupture";
   return {};
 }
@@ -67,7 +82,7 @@ void count_leg(PathState& path) {
   ++path.memory.leg;
   path.memory.leg_start = path.walker.effort().accepted;
   path.memory.step = 0;
-  path.memory.mechanism_way = path.memory.mechanism_share = 0;
+  path.memory.mechanism_way = path.memory.mechanism_share = path.memory.standing_way = 0;
   path.memory.before.reset();
 }
 
@@ -135,6 +150,15 @@ double share_of_goals(const PathState& path) {
 
 namespace {
 
+/// A load that falls although nothing gives way: no rupture has been followed.
+void end_where_turned_round(PathState& path) {
+  if (path.ending.kind != Ending::Kind::running || !has_fallen(path) || !has_turned_round(path)) return;
+  path.stop_early(
+      Stop::turned_round,
+      fmt::format("{}, but nothing has cracked since the peak: the path has turned round and unloads; {}",
+                  fallen_load(path), what_to_try));
+}
+
 void end_where_stuck(PathState& path) {
   if (!path.cracks || path.ending.kind != Ending::Kind::running) return;
   const CrackFront& front = path.cracks->structure.front();
@@ -168,6 +192,7 @@ void settle(PathState& path) {
   const int wanted = path.parameters.stop.after_steps;
   if (path.ending.kind == Ending::Kind::running && wanted > 0 && path.walker.effort().accepted >= wanted)
     path.end(Ending::Kind::goal_reached, fmt::format("{} steps", path.walker.effort().accepted));
+  end_where_turned_round(path);
   end_where_stuck(path);
 }
 

@@ -68,9 +68,10 @@ bool is_coarse(const PathState& path, const Candidate& candidate) {
   constexpr double share = 0.01;  // of the accuracy, twice what the step size aims at
   const double of_sliding = path.walker.system().joins_by_contact() ? 0.02 : 0.01;
   const double work = std::abs(candidate.work - path.walker.here().work);
-  const double fine = share * path.parameters.step.accuracy * std::abs(candidate.work);
-  return loses_work(path, candidate,
-                    only_touches(path, candidate) ? std::max(fine, of_sliding * work) : fine);
+  const double fine = share * path.parameters.step.accuracy;
+  if (!only_touches(path, candidate)) return loses_work(path, candidate, fine * std::abs(candidate.work));
+  const double of_live = std::abs(path.load_of(candidate.state) * path.displacement_of(candidate.state));
+  return loses_work(path, candidate, std::max(fine * of_live, of_sliding * work));
 }
 
 std::optional<Stopped> unsoundness(const PathState& path, const Candidate& candidate) {

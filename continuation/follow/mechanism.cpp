@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "continuation/contact/contact_piece.hpp"
 #include "continuation/follow/goals.hpp"
@@ -57,20 +56,76 @@ ContactMotion contact_motion(const Walker& walker, const State& before) {
   return out;
 }
 
-/// Whether a mechanism has moved three times as far as where it was first seen in this leg, or last brought one of the
-/// goals nearer; gaps of the size that stiff joints and supports leave may have to close before it comes to rest.
+/// Whether a load has hardly changed.
+bool is_same(const PathState& path, double load, double before) {
+  constexpr double same = 1e-3;
+  return std::abs(load - before) <= std::max(same * std::abs(load), path.smallest_load());
+}
+
+/// Displacement of the load, at least what the shortening of stiff supports may be [L].
+double way_of_mechanism(const PathState& path) {
+  constexpr double gap = 1e-6;  // of the structure's size
+  return std::max(std::abs(path.displacement_of(path.walker.state())), gap * path.size);
+}
+
+/// Whether the structure has moved to three times where it was while the load hardly changed, what it gave on the way other
+/// loads took, not storage or spending, and a crack still grows: a mechanism whose joints have not quite given way, as in the
+/// tail of a softening curve, followed in steps that are short for their sake.
+bool drifts(PathState& path, double load) {
+  constexpr double far = 3, little = 0.01;
+  PathMemory& memory = path.memory;
+  const Candidate& here = path.walker.here();
+  const double way = std::abs(path.displacement_of(here.state)), energy = here.stored + here.dissipated;
+  const bool stands = memory.standing_way > 0 && is_same(path, load, memory.standing_load);
+  if (stands && way < far * memory.standing_way) return false;
+  const bool out = stands && std::abs(energy - memory.standing_energy) <=
+                                 little * std::abs(load) * (way - memory.standing_way);
+  memory.standing_way = way;
+  memory.standing_load = load;
+  memory.standing_energy = energy;
+  return out && path.walker.leaving().dissipates;
+}
+
+/// Whether the structure begins to move as a mechanism, none before or one under another load, which has locked.
+bool sets_out(PathState& path, double load) {
+  PathMemory& memory = path.memory;
+  if (memory.mechanism_way > 0 && is_same(path, load, memory.mechanism_load)) return false;
+  memory.mechanism_way = way_of_mechanism(path);
+  memory.mechanism_load = load;
+  memory.mechanism_share = 0;
+  return true;
+}
+
+/// Whether a mechanism has moved three times as far as where it set out, or last brought one of the goals nearer.
 bool goes_on_beside(PathState& path, const std::vector<Landing>& goals) {
-  constexpr double far = 3, nearer = 0.01, nothing = 1e-9, gap = 1e-6;  // the last of the structure's size
+  constexpr double far = 3, nearer = 0.01, nothing = 1e-9;
   PathMemory& memory = path.memory;
   double share = 0;
   for (const Landing& goal : goals) share = std::max(share, share_of_way(path, goal));
-  const double way = std::max(std::abs(path.displacement_of(path.walker.state())), gap * path.size);
-  if (memory.mechanism_way == 0 ||
-      share > memory.mechanism_share + nearer * std::max(memory.mechanism_share, nothing)) {
+  const double way = way_of_mechanism(path);
+  if (share > memory.mechanism_share + nearer * std::max(memory.mechanism_share, nothing)) {
     memory.mechanism_way = way;
     memory.mechanism_share = share;
   }
   return way > far * memory.mechanism_way;
+}
+
+/// Whether a joint that is open closes within an amount of the leaving tangent.
+bool closes_within(const PathState& path, double amount) {
+  constexpr double noticeable = 1e-6;
+  const System& system = path.walker.system();
+  const std::vector<Vec2>& rates = path.walker.leaving().opening;
+  const std::vector<Vec2> opening = system.laws(path.walker.state()).opening;
+  double fastest = 0;
+  for (const Vec2& rate : rates) fastest = std::max(fastest, rate.norm());
+  for (std::size_t p = 0; p < opening.size(); ++p) {
+    const InterfacePoint& point = system.equilibrium().point(p);
+    const double gap = opening[p].x(), closing = -rates[p].x();
+    if (gap > 0 && closing > noticeable * fastest && gap < amount * closing &&
+        point.law->contact(system.history()[p], point.stiffness))
+      return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -118,25 +173,40 @@ Move displacement_move(const PathState& path) {
           .rate = path.displacement_rate(path.walker.leaving())};
 }
 
+bool is_free_beyond(const PathState& path) {
+  constexpr double far = 100, large = 0.01;  // the latter of the structure's size
+  const double rate = std::abs(path.displacement_rate(path.walker.leaving())), way = way_of_mechanism(path);
+  if (rate == 0) return false;
+  const double gone = path.memory.mechanism_way > 0 ? way / path.memory.mechanism_way : 0,
+               share = way / path.size;
+  const bool has_gone_far = (gone > far && share > 0.1 * large) || (gone > 3 && share > large);
+  return has_gone_far || !closes_within(path, far * way / rate);
+}
+
 void note_mechanism(PathState& path, Point& point, const Departure& before) {
   const double load = path.load_of(path.walker.state()), from = path.displacement_of(before.state);
   const double change = std::abs(load - path.load_of(before.state));
   const double along = std::abs(path.displacement_of(path.walker.state()) - from);
-  if (change > standing_load(path, load) || along < mechanism_way * std::abs(from)) return;
+  const bool is_free = change <= standing_load(path, load) && along >= mechanism_way * std::abs(from);
+  if (!drifts(path, load) && !is_free) return;
   const ContactMotion moving = contact_motion(path.walker, before.state);
   const double factor = std::abs(load) > path.smallest_load() ? path.walker.state().load_factor : 0;
   const std::string text =
-      fmt::format("{} as a mechanism at a load factor of {:.9g}: {} points slide, {} are open",
-                  slides(path, before, moving) ? "slides" : "turns", factor, moving.slide, moving.open);
-  if (!std::exchange(path.memory.is_mechanism, true)) {
+      fmt::format("{} as a mechanism at a load factor of {:.9g}{}: {} points slide, {} are open",
+                  slides(path, before, moving) ? "slides" : "turns", factor,
+                  is_free ? "" : ", within 0.1 % of which it has stayed", moving.slide, moving.open);
+  if (sets_out(path, load)) {
+    path.memory.is_mechanism = true;
     path.report("mechanism", text);
     point.landed.emplace_back("mechanism");
   }
   if (path.ending.kind != Ending::Kind::running || path.parameters.stop.after_steps > 0) return;
   const std::vector<Landing> goals = present_goals(path);
+  if (!goals.empty() && !goes_on_beside(path, goals)) return;
+  if (!is_free_beyond(path)) return;
   if (goals.empty())
     path.end(Ending::Kind::goal_reached, text);
-  else if (goes_on_beside(path, goals))
+  else
     path.stop_early(Stop::mechanism, text + "; what is wanted of the gauges comes no nearer by it");
 }
 

@@ -41,8 +41,13 @@ struct Departure {
   explicit Departure(const Walker& walker) : state(walker.state()), dissipated(walker.here().dissipated) {}
 };
 
-/// Where the last step, from `before`, has moved the structure on by so much while its load stayed: it is a mechanism,
-/// at which the path ends unless a gauge value is wanted.
+/// Whether no joint closes before the structure has moved on by a hundred times its displacement, or it has done so, or moved by
+/// as much as small displacements may be: where joints have come apart under loads before, gaps close on the way and lock what
+/// seems a mechanism.
+bool is_free_beyond(const PathState& path);
+
+/// Where the last step, from `before`, has moved the structure on by so much while its load stayed, or several have, it is a
+/// mechanism. One that is free beyond ends the path, unless it brings a gauge nearer to what is wanted of it.
 void note_mechanism(PathState& path, Point& point, const Departure& before);
 
 }  // namespace dda

@@ -90,6 +90,20 @@ bool refuse_jump(PathState& path, const Candidate& candidate, const std::string&
 
 namespace {
 
+/// Whether a crack grows on the way to a candidate.
+bool cracks(const Walker& walker, const Candidate& candidate) {
+  const Equilibrium& equilibrium = walker.system().equilibrium();
+  const std::vector<History>&before = walker.system().history(), &after = candidate.history;
+  if (after.size() != before.size()) return true;  // through blocks
+  for (std::size_t p = 0; p < after.size(); ++p) {
+    if (after[p].dissipated <= before[p].dissipated) continue;
+    const InterfacePoint& point = equilibrium.point(p);
+    if (point.law->damage(after[p], point.stiffness) > point.law->damage(before[p], point.stiffness))
+      return true;
+  }
+  return false;
+}
+
 /// The point that a candidate is to be, and what the path remembers of its load and displacement.
 Point noted(PathState& path, const Candidate& candidate, StepKind kind) {
   Point out;
@@ -110,7 +124,10 @@ Point noted(PathState& path, const Candidate& candidate, StepKind kind) {
   if (const double here = path.load_of(candidate.state);
       is_loaded && here > (1 + same) * path.memory.peak_load) {
     path.memory.peak_load = here;
+    path.memory.has_cracked_since_peak = false;
     out.is_highest = true;
+  } else if (!path.memory.has_cracked_since_peak) {
+    path.memory.has_cracked_since_peak = cracks(path.walker, candidate);
   }
   path.memory.largest_displacement =
       std::max(path.memory.largest_displacement, std::abs(path.displacement_of(candidate.state)));

@@ -23,6 +23,7 @@ class LastStep : public Integrator {
     out.velocity = (out.now - out.before) / dt;
     return out;
   }
+  bool has_mean_velocities() const final { return true; }
   double per_square_time(const Interval& dt) const final { return 1 / (dt.now * mean(dt)); }
   BodyCourse arrive(const BodyStep& step) const final {
     return {step.start.now, step.reached, (step.reached - step.start.now) / step.dt.now,

@@ -189,6 +189,19 @@ bool Motion::advance() {
   }
 }
 
+/// What is stored where the velocities are told of: strain that a vibration gives and takes is that of the middle of the last
+/// step where they are means over it.
+StoredEnergies Motion::stored(const std::vector<BodyCourse>& at) const {
+  StoredEnergies out = solver_->stored(at);
+  if (!course_.integrator->has_mean_velocities()) return out;
+  out.strain = 0;
+  for (std::size_t b = 0; b < at.size(); ++b)
+    if (!scene_.bodies[b].is_held)
+      out.strain += strain_energy_of(scene_.bodies[b].block,
+                                     (green_strain(at[b].before) + green_strain(at[b].now)) / 2);
+  return out;
+}
+
 /// Where the energy of a step has gone, and the courses it would lead to.
 void Motion::book(Try& step) const {
   const Poses& reached = step.found.poses;
@@ -224,7 +237,7 @@ void Motion::book(Try& step) const {
     if (bonds_[i].interface >= 0) out.fracture_of[static_cast<std::size_t>(bonds_[i].interface)] += spent;
   }
   out.damping = potential_->spent_by_damping(reached);
-  out.stored = solver_->stored(step.courses);
+  out.stored = stored(step.courses);
   out.numerical = inner - of_start - (out.stored.sum() - m_.ledger.stored.sum()) - out.friction -
                   out.fracture - out.damping + (m_.ledger.kinetic - flown);
   out.error = out.external - inner + of_start - (out.kinetic - flown);
@@ -321,7 +334,7 @@ void Motion::accept(Try step) {
   m_.tears = entry.fracture > 0;
   if (has_parted || !m_.is_released) {
     release();
-    const StoredEnergies left = solver_->stored(m_.courses);
+    const StoredEnergies left = stored(m_.courses);
     m_.ledger.numerical -= left.sum() - m_.ledger.stored.sum();
     m_.ledger.stored = left;
   }

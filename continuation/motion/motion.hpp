@@ -92,6 +92,7 @@ class Motion {
   double travelled(std::size_t body, double turned) const;
   Try try_step();
   void book(Try& step) const;
+  StoredEnergies stored(const std::vector<BodyCourse>& at) const;
   bool creates_energy(const MotionLedger& step) const;
   bool crack(const MotionStep& step);
   void bounce(Try& step);

@@ -59,7 +59,7 @@ void Motion::begin_energies() {
     m_.ledger.kinetic += kinetic_energy(body.block, m_.courses[b].velocity);
   }
   potential_->begin(now_);
-  m_.ledger.stored = solver_->stored(m_.courses);
+  m_.ledger.stored = stored(m_.courses);
 }
 
 }  // namespace dda

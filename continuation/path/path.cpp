@@ -6,6 +6,7 @@
 
 #include "continuation/follow/branch.hpp"
 #include "continuation/follow/goals.hpp"
+#include "continuation/follow/mechanism.hpp"
 #include "continuation/path/take_step.hpp"
 
 namespace dda {
@@ -52,6 +53,8 @@ Path::Path(Walker& walker, const PathParameters& parameters, const GaugeBook& ga
     : state_(walker, parameters, gauges, std::move(route)) {
   set_out(state_);
 }
+
+bool Path::stands_in_mechanism() const { return state_.memory.is_mechanism && moves_freely(state_); }
 
 PathMemory Path::memory() const {
   PathMemory out = state_.memory;

@@ -25,11 +25,13 @@ std::optional<Point> cracking_step(PathState& path, const Move& move) {
   return point;
 }
 
-/// The control's own; where a mechanism goes on while next to nothing is spent, by its displacement.
+/// The control's own; where a mechanism goes on while next to nothing is spent, and no arc is long beside the corner at which
+/// it has begun, by its displacement.
 Move cracking_move(PathState& path) {
   Move own = path.control->next(path.walker);
-  const bool is_free = own.kind == StepKind::dissipation && path.control->may_be_rescued() &&
-                       path.walker.system().has_contacts() && moves_freely(path);
+  const bool yields = own.kind == StepKind::arc_length ||
+                      (own.kind == StepKind::dissipation && path.control->may_be_rescued());
+  const bool is_free = yields && path.walker.system().has_contacts() && moves_freely(path);
   return is_free ? displacement_move(path) : own;
 }
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "continuation/state/standstill.hpp"
@@ -76,17 +75,6 @@ Holding bound_of_holding(const System& system, const State& at) {
 double load_on(const System& system, const State& at) {
   const double forces = system.sum_of_forces(at);
   return forces == 0 ? system.force_level(at.d) : forces;  // initial stress is no force
-}
-
-double size_of(const Equilibrium& equilibrium) {
-  const auto& points = equilibrium.interfaces().points;
-  if (points.empty()) return std::numeric_limits<double>::infinity();
-  Vec2 low = points.front().x, high = low;
-  for (const InterfacePoint& point : points) {
-    low = low.cwiseMin(point.x);
-    high = high.cwiseMax(point.x);
-  }
-  return (high - low).norm() + 2 * *std::ranges::max_element(equilibrium.block_size());
 }
 
 std::string objection_to(const Holding& holding, const SoundnessLimits& limits,

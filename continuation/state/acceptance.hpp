@@ -31,9 +31,6 @@ Holding bound_of_holding(const System& system, const State& at);
 /// Σ |force| of loads and driven springs; the force level where there is none [F].
 double load_on(const System& system, const State& at);
 
-/// Diagonal of the box around all interface points and two of the largest blocks; infinite without any [L].
-double size_of(const Equilibrium& equilibrium);
-
 /// What is asked of an equilibrium beside being one.
 struct SoundnessLimits {
   double size = 0;          ///< of the structure [L]

@@ -73,7 +73,9 @@ std::optional<Stopped> mechanism_beyond(PathState& path, const Move& move) {
   for (const double multiple : {1.0, 10.0}) {
     const auto beyond = try_step(path, by_displacement, multiple * along / std::abs(by_displacement.rate),
                                  Thoroughness::full);
-    if (!beyond || std::abs(path.load_of(beyond->state) - load) > standing_load(path, load)) continue;
+    if (!beyond || std::abs(path.load_of(beyond->state) - load) > standing_load(path, load) ||
+        !is_free_beyond(path))
+      continue;
     return Stopped{
         Stop::limit_point,
         fmt::format("the load rises no further: at a load factor of {:.9g} the structure moves on as a "

@@ -78,11 +78,16 @@ Vec6 strain_forces(const AffineBlock& block, const Pose& y) {
          (block.stiffness * green_strain(y) + block.initial_stress);
 }
 
+double strain_energy_of(const AffineBlock& block, const Vec3& green_strain) {
+  const Vec3 stress = block.stiffness * green_strain + block.initial_stress;
+  return block.volume / 2 * green_strain.dot(stress + block.initial_stress);
+}
+
 StrainEnergy strain_energy(const AffineBlock& block, const Pose& y) {
   const Vec3 strain = green_strain(y), stress = block.stiffness * strain + block.initial_stress;
   const Mat36 rows = green_strain_rows(y);
   StrainEnergy out;
-  out.value = block.volume / 2 * strain.dot(stress + block.initial_stress);
+  out.value = strain_energy_of(block, strain);
   out.gradient = block.volume * rows.transpose() * stress;
   out.curvature = block.volume * rows.transpose() * block.stiffness * rows;
   Mat2 tensor;

@@ -77,6 +77,8 @@ struct StrainEnergy {
   Mat6 curvature = Mat6::Zero();  ///< ∂²V/∂y² with the semidefinite part of what compression takes off
 };
 StrainEnergy strain_energy(const AffineBlock& block, const Pose& y);
+/// V (½ E·C E + S₀·E) of a Green strain E [F L].
+double strain_energy_of(const AffineBlock& block, const Vec3& green_strain);
 /// Its gradient alone.
 Vec6 strain_forces(const AffineBlock& block, const Pose& y);
 

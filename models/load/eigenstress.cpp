@@ -18,11 +18,13 @@ Vec3 mean_over(const Block& block, const Components& components) {
   return sum.head<3>() / block.moments.area;
 }
 
-void add_eigenstress(StageLoads& stage, const Body& body, BlockId block, const Vec3& stress) {
+void add_eigenstress(StageLoads& stage, const Body& body, BlockId block, const Eigenstress& eigenstress) {
   stage.initial_stress.resize(body.assembly.num_blocks(), Vec3::Zero());
-  stage.initial_stress[block.value()] += stress;
+  stage.initial_stress[block.value()] += eigenstress.stress;
+  stage.out_of_plane.resize(body.assembly.num_blocks(), 0.0);
+  stage.out_of_plane[block.value()] += eigenstress.out_of_plane;
   Eigen::Map<Vec6>(stage.force.data() + block_unknowns * block.value()).tail<3>() -=
-      body.volume(block) * stress;
+      body.volume(block) * eigenstress.stress;
 }
 
 }  // namespace dda

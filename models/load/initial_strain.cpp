@@ -16,7 +16,8 @@ struct InitialStrainParameters {
 ///     ε0 = (xx, yy, xy) + αT (1, 1, 0),   ε0z = zz + αT,   σ = C (ε − ε0 − ν ε0z (1, 1, 0)*)
 ///
 /// * in plane strain alone, where the strain out of the plane is held. What is free to move moves by it without stress;
-/// what is held is stressed by σ0 = −C ε0, f += V Eᵀ C ε0 with the means of each block.
+/// what is held is stressed by σ0 = −C ε0, f += V Eᵀ C ε0 with the means of each block. Out of the plane comes what a
+/// strain of −ε0 makes, and ε0z (Material::out_of_plane).
 class InitialStrain final : public Load {
  public:
   explicit InitialStrain(InitialStrainParameters p) : p_(std::move(p)) {}
@@ -24,18 +25,20 @@ class InitialStrain final : public Load {
     const Chosen chosen{p_.regions, p_.materials};
     chosen.require_known(body, p_.where);
     for (std::size_t i = 0; i < body.assembly.num_blocks(); ++i)
-      if (const BlockId id{i}; chosen.has(body, id))
-        add_eigenstress(stage, body, id, -body.material(id).stiffness() * strain(body, id));
+      if (const BlockId id{i}; chosen.has(body, id)) add_eigenstress(stage, body, id, eigenstress(body, id));
   }
 
  private:
-  /// In the plane, mean of a block.
-  Vec3 strain(const Body& body, BlockId id) const {
+  /// Of the means of a block.
+  Eigenstress eigenstress(const Body& body, BlockId id) const {
     const Block& block = body.block(id);
-    const Vec3 out_of_plane = mean_over(block, {p_.temperature, p_.zz, Formula()});
-    const double warming = p_.expansion * out_of_plane[0];
-    const double held = body.material(id).held_contraction() * (out_of_plane[1] + warming);
-    return mean_over(block, {p_.xx, p_.yy, p_.xy}) + (warming + held) * Vec3(1, 1, 0);
+    const Material& material = body.material(id);
+    const Vec3 beside = mean_over(block, {p_.temperature, p_.zz, Formula()});
+    const double warming = p_.expansion * beside[0], out_of_plane = beside[1] + warming;
+    const double held = material.held_contraction() * out_of_plane;
+    const Vec3 strain = mean_over(block, {p_.xx, p_.yy, p_.xy}) + (warming + held) * Vec3(1, 1, 0);
+    return {-material.stiffness() * strain,
+            material.out_of_plane_by_free_strain() * out_of_plane - material.out_of_plane().dot(strain)};
   }
 
   InitialStrainParameters p_;
@@ -53,9 +56,9 @@ Schema<InitialStrainParameters> schema() {
               .text = "εx, lengthening positive; each a number or an expression of x and y."})
       .value("yy", &P::yy, strain, {.fallback = Formula(), .text = "εy, lengthening positive."})
       .value("xy", &P::xy, strain, {.fallback = Formula(), .text = "γxy, twice the tensor's component."})
-      .value(
-          "zz", &P::zz, strain,
-          {.fallback = Formula(), .text = "εz out of the plane; acts in plane strain alone, which holds it."})
+      .value("zz", &P::zz, strain,
+             {.fallback = Formula(),
+              .text = "εz out of the plane; in plane strain, which holds it, it is stressed."})
       .number("expansion", &P::expansion,
               {.fallback = 0, .text = "Thermal expansion α, strain by degree; 1e-5 for concrete."})
       .value("temperature", &P::temperature, formula_kind(dimension::none),

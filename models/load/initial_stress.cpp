@@ -4,13 +4,13 @@ namespace dda {
 namespace {
 
 struct InitialStressParameters {
-  Formula xx, yy, xy;
+  Formula xx, yy, zz, xy;
   std::vector<std::string> regions, materials;
   Position where;
 };
 
 /// A stress σ0 present without strain (prestress, the stress in a rock mass): σ = C ε + σ0, f −= V Eᵀ σ0 with
-/// the mean σ0 of each block.
+/// the mean σ0 of each block. σz does no work: it is part of what is told of the stress in plane strain.
 class InitialStress final : public Load {
  public:
   explicit InitialStress(InitialStressParameters p) : p_(std::move(p)) {}
@@ -18,11 +18,24 @@ class InitialStress final : public Load {
     const Chosen chosen{p_.regions, p_.materials};
     chosen.require_known(body, p_.where);
     for (std::size_t i = 0; i < body.assembly.num_blocks(); ++i)
-      if (const BlockId id{i}; chosen.has(body, id))
-        add_eigenstress(stage, body, id, mean_over(body.block(id), {p_.xx, p_.yy, p_.xy}));
+      if (const BlockId id{i}; chosen.has(body, id)) {
+        require_held(body.material(id));
+        add_eigenstress(stage, body, id,
+                        {mean_over(body.block(id), {p_.xx, p_.yy, p_.xy}), out_of_plane(body, id)});
+      }
   }
 
  private:
+  void require_held(const Material& material) const {
+    const bool has_none = p_.zz.is_constant() && p_.zz(Vec2::Zero()) == 0;
+    if (material.plane() == Plane::stress && !has_none)
+      throw InputError(p_.where,
+                       "`zz` is a stress out of the plane, which plane stress has none of: `plane: strain`");
+  }
+  double out_of_plane(const Body& body, BlockId id) const {
+    return mean_over(body.block(id), {p_.zz, Formula(), Formula()})[0];
+  }
+
   InitialStressParameters p_;
 };
 
@@ -38,6 +51,8 @@ Schema<InitialStressParameters> schema() {
       .value("yy", &P::yy, formula_kind(dimension::stress),
              {.fallback = Formula(), .text = "σy, tension positive."})
       .value("xy", &P::xy, formula_kind(dimension::stress), {.fallback = Formula(), .text = "τxy."})
+      .value("zz", &P::zz, formula_kind(dimension::stress),
+             {.fallback = Formula(), .text = "σz out of the plane, in plane strain."})
       .texts("regions", &P::regions,
              {.fallback = std::vector<std::string>{},
               .text = "Names of the regions it is in; with those of `materials` all that are named, all "

@@ -28,6 +28,9 @@ struct RemovedSupport {
 struct StageLoads {
   std::vector<double> force;         ///< work-conjugate to d, size 6 · nodes of the body
   std::vector<Vec3> initial_stress;  ///< by block [F/L²]; empty when there is none
+  /// What it brings out of the plane, by block: a stress in plane strain [F/L²], a strain in plane stress; empty when
+  /// there is none.
+  std::vector<double> out_of_plane;
   std::vector<DrivenSpring> driven;
   std::vector<RemovedSupport> removed;
   double resultant = 0;  ///< Σ |force| of the single loads [F]

@@ -13,6 +13,11 @@ struct LinearElasticParameters {
 ///
 ///     plane stress:  C = E/(1−ν²) [1 ν 0; ν 1 0; 0 0 (1−ν)/2]
 ///     plane strain:  the same with E → E/(1−ν²), ν → ν/(1−ν)
+///
+/// Out of the plane, where ε0z is a free strain,
+///
+///     plane stress:  εz = −ν/(1−ν) (εx + εy) + ε0z
+///     plane strain:  σz = Eν/((1+ν)(1−2ν)) (εx + εy) − E ε0z = ν (σx + σy) − E ε0z
 class LinearElastic final : public Material {
  public:
   LinearElastic(const LinearElasticParameters& p, Plane plane) : p_(p), plane_(plane) {}
@@ -27,6 +32,16 @@ class LinearElastic final : public Material {
   }
   double modulus() const override { return p_.young_modulus; }
   double held_contraction() const override { return plane_ == Plane::strain ? p_.poisson_ratio : 0; }
+  Plane plane() const override { return plane_; }
+  Vec3 out_of_plane() const override {
+    const double nu = p_.poisson_ratio;
+    const double each =
+        plane_ == Plane::strain ? p_.young_modulus * nu / ((1 + nu) * (1 - 2 * nu)) : -nu / (1 - nu);
+    return {each, each, 0};
+  }
+  double out_of_plane_by_free_strain() const override {
+    return plane_ == Plane::strain ? -p_.young_modulus : 1;
+  }
   double density() const override { return p_.density; }
 
  private:

@@ -21,6 +21,11 @@ class Material {
   /// Strain in both directions of the plane that a unit of free strain out of it makes where it is held: ν in plane
   /// strain, 0 where nothing holds it.
   virtual double held_contraction() const { return 0; }
+  virtual Plane plane() const = 0;
+  /// What comes about out of the plane by (εx, εy, γxy): σz in plane strain [F/L²], εz in plane stress.
+  virtual Vec3 out_of_plane() const = 0;
+  /// The same by a free strain out of the plane: −E where it is held, else 1.
+  virtual double out_of_plane_by_free_strain() const = 0;
   /// ρ [F T²/L⁴], of what moves; 0 where none is given.
   virtual double density() const = 0;
 };

@@ -29,6 +29,9 @@ Node misnamed(Node parameters, const SchemaBase& schema) {
   return parameters;
 }
 
+/// Plane strain, where stresses out of the plane are.
+const std::string held = "plane: strain\n";
+
 class LoadContract : public testing::TestWithParam<std::string> {
  protected:
   const SchemaBase& schema() const { return *loads().find(GetParam())->schema; }
@@ -43,7 +46,7 @@ class LoadContract : public testing::TestWithParam<std::string> {
     for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
     return sum;
   }
-  const Structure square_{square_deck()};
+  const Structure square_{square_deck(held)};
   Random random_{23};
 };
 
@@ -86,10 +89,12 @@ TEST_P(LoadContract, AddsToWhatIsThere) {
   EXPECT_EQ(twice.removed.size(), 2 * once.removed.size());
   for (std::size_t i = 0; i < once.initial_stress.size(); ++i)
     EXPECT_EQ(twice.initial_stress[i], Vec3(2 * once.initial_stress[i]));
+  for (std::size_t i = 0; i < once.out_of_plane.size(); ++i)
+    EXPECT_EQ(twice.out_of_plane[i], 2 * once.out_of_plane[i]);
 }
 
 TEST_P(LoadContract, ParametersInOtherUnitsGiveTheSameLoad) {
-  const Structure other(square_deck(), other_units);
+  const Structure other(square_deck(held), other_units);
   const Node parameters = next();
   const StageLoads found = of(parameters, square_);
   const StageLoads same = of(rescaled(parameters, schema(), other_units), other);
@@ -106,6 +111,9 @@ TEST_P(LoadContract, ParametersInOtherUnitsGiveTheSameLoad) {
     EXPECT_LT(
         (same.initial_stress[i] / other_units.factor(dimension::stress) - found.initial_stress[i]).norm(),
         1e-12);
+  ASSERT_EQ(same.out_of_plane.size(), found.out_of_plane.size());
+  for (std::size_t i = 0; i < found.out_of_plane.size(); ++i)
+    EXPECT_NEAR(same.out_of_plane[i] / other_units.factor(dimension::stress), found.out_of_plane[i], 1e-12);
 }
 
 TEST_P(LoadContract, PlacesAndNamesThatAreNotThereAreRefused) {

@@ -90,6 +90,16 @@ class Ends(unittest.TestCase):
         self.assertEqual(run.summary["status"], "goal_reached")
         self.assertAlmostEqual(run.curve["push"].iloc[-1], 5, delta=1e-6)
 
+    def test_a_mechanism_that_unloads_is_none_any_more(self):
+        weight, push = BLOCKS["stages"]
+        slides = {**push, "until": {"push": 0.05}}
+        back = {"name": "back", "until": {"load_factor": 5}, "unload": True}
+        for stages, is_offered in (([weight, slides], True), ([weight, slides, back], False)):
+            run = self.run_(BLOCKS, stages_=stages, path={"stop": {"load_below": 0}})
+            self.assertEqual(run.summary["status"], "goal_reached")
+            self.assertEqual(any("ends in a mechanism" in notice for notice in run.summary["notices"]), is_offered)
+        self.assertAlmostEqual(run.curve["load_factor"].iloc[-1], 5, delta=1e-6)
+
     def test_load_control_names_the_mechanism_at_which_it_ends(self):
         run = self.run_(BLOCKS, path={"control": "load", "stop": {"gauges": {"push": 5}, "load_below": 0}})
         self.assertEqual((run.summary["status"], run.summary["stop"]), ("stopped_early", "limit-point"))

@@ -74,9 +74,16 @@ def strains(run, step):
     return np.array(out)
 
 
-def tensors(xx, yy, xy):
+def tensors(xx, yy, xy, zz=0):
     zero = np.zeros(len(xx))
-    return np.column_stack([xx, xy, zero, xy, yy, zero, zero, zero, zero])
+    return np.column_stack([xx, xy, zero, xy, yy, zero, zero, zero, zero + zz])
+
+
+def hooke(xx, yy, zz):
+    """Normal stresses of an isotropic solid."""
+    shear = YOUNG / (2 * (1 + POISSON))
+    lame = YOUNG * POISSON / ((1 + POISSON) * (1 - 2 * POISSON))
+    return [2 * shear * strain + lame * (xx + yy + zz) for strain in (xx, yy, zz)]
 
 
 class XdmfCase(ProgramCase):
@@ -101,9 +108,40 @@ class Arrays(XdmfCase):
         run = self.followed(BEAM)
         for step in steps_of(run.folder)[1:]:
             xx, yy, xy = strains(run, int(step.time)).T
-            self.assert_close(step.array("strain", "Tensor"), tensors(xx, yy, xy))
+            self.assert_close(step.array("strain", "Tensor"), tensors(xx, yy, xy, -POISSON / (1 - POISSON) * (xx + yy)))
             moduli = YOUNG / (1 - POISSON ** 2) * np.array([[1, POISSON, 0], [POISSON, 1, 0], [0, 0, 1 - POISSON]])
             self.assert_close(step.array("stress", "Tensor"), tensors(*(moduli @ [xx, yy, xy])))
+
+    def test_out_of_the_plane_is_what_a_solid_has(self):
+        """Free strains and a stress before the load, a warming with it; the solid's Hooke's law in three directions."""
+        before = {"name": "before", "loads": [{"type": "initial_strain", "xx": 2e-5, "yy": -1e-5, "zz": 3e-5},
+                                              {"type": "initial_stress", "xx": 0.5, "yy": -0.2, "zz": 0.3}]}
+        warming = {"type": "initial_strain", "expansion": 1e-5, "temperature": 0.02}
+        loaded = {"name": "load", "loads": [*BEAM["stages"][0]["loads"], warming]}
+        for kinematics in ("first_order", "second_order"):
+            run = self.followed(BEAM, name=kinematics, plane="strain", kinematics=kinematics, stages=[before, loaded],
+                                path={"stop": {"after_steps": 3}})
+            for step in steps_of(run.folder):
+                warm = 1e-5 * 0.02 * step.field_data["load_factor"]
+                strain = step.array("strain", "Tensor")
+                self.assertFalse(strain[:, 8].any())
+                expected = hooke(strain[:, 0] - 2e-5 - warm, strain[:, 4] + 1e-5 - warm, -3e-5 - warm)
+                stress = step.array("stress", "Tensor")
+                for column, part, prestress in zip((0, 4, 8), expected, (0.5, -0.2, 0.3)):
+                    np.testing.assert_allclose(stress[:, column], part + prestress, rtol=0, atol=1e-9)
+                np.testing.assert_array_equal(step.array("stress_zz", "Scalar"), stress[:, 8])
+        at_vertices, mesh = step.array("stress_at_vertices", "Tensor", center="Node"), run.fields().mesh
+        self.assert_close(mesh.means(at_vertices), stress)
+        beside = at_vertices - np.repeat(stress, np.diff(mesh.offsets), axis=0)
+        self.assert_close(beside[:, 8], POISSON * (beside[:, 0] + beside[:, 4]))
+
+    def test_free_strain_out_of_the_plane_of_a_plate(self):
+        free = {"name": "swelling", "loads": [{"type": "initial_strain", "xx": 2e-5, "zz": 3e-5}]}
+        run = self.followed(BEAM, stages=[free, *BEAM["stages"]], path={"stop": {"after_steps": 3}})
+        step = steps_of(run.folder)[-1]
+        stress = step.array("stress", "Tensor")
+        self.assertFalse(stress[:, 8].any())
+        self.assert_close(step.array("strain_zz", "Scalar"), 3e-5 - POISSON / YOUNG * (stress[:, 0] + stress[:, 4]))
 
     def assert_principal(self, step, grid):
         larger, smaller = (step.array(f"principal_stress_{i}", "Scalar", grid) for i in (1, 2))

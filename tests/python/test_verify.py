@@ -270,6 +270,12 @@ class Laws(unittest.TestCase):
         excess, _ = bond.excess(traction, self.state([0, 0, 0.5, 1]))
         np.testing.assert_allclose(excess, 0.1, atol=1e-12)
 
+    def test_tractions_whose_squares_vanish(self):
+        """Of an exponential tail; every number stays one."""
+        law = laws.make({"type": "exponential_softening", "tensile_strength": 3, "fracture_energy": 0.1, "shear_fracture_energy": 0.4})
+        excess, scale = law.excess(np.array([[1e-200, 2e-200], [0.0, 1e-300], [0.0, 0.0]]), self.state([0.5, 0.5, 0.5]))
+        self.assertTrue((excess < 0).all() and (scale > 0).all(), excess)
+
     def test_normal_tractions_of_what_is_released(self):
         bond = laws.make({"type": "mohr_coulomb", "tensile_strength": 3, "cohesion": 5})
         opening, damage = np.array([0.002, 0.002, 0.01, -0.002]), [0.5, 1, 1, 1]

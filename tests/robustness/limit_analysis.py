@@ -88,6 +88,7 @@ def collapse_factor(polygons, held, loads, friction, places):
     """The largest λ of the blocks, of which those in `held` do not move.
 
     `loads` is (dead, live), each a wrench about the origin per block; `friction` is μ; `places` is gauss or vertices.
+    Infinite where the load wedges the blocks; ValueError where they do not bear the dead ones.
     """
     contacts = contact_points(polygons, places)
     free = [row for block in range(len(polygons)) if block not in held for row in range(3 * block, 3 * block + 3)]
@@ -104,6 +105,9 @@ def collapse_factor(polygons, held, loads, friction, places):
     found = linprog(goal, A_ub=friction_rows, b_ub=np.zeros(2 * len(contacts)), A_eq=balance, b_eq=-dead / size,
                     bounds=bounds, method="highs-ds",
                     options={"primal_feasibility_tolerance": 1e-10, "dual_feasibility_tolerance": 1e-10})
+    unbounded = 3
+    if found.status == unbounded:
+        return np.inf
     if found.status != 0:
         raise ValueError(f"no collapse load: {found.message}")
     return found.x[-1]

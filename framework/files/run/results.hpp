@@ -91,8 +91,10 @@ inline constexpr const char *normal_and_sliding = "n s", *stress_labels = "xx yy
 inline bool is_tensor(const std::string& labels) {
   return labels == stress_labels || labels == strain_labels;
 }
-/// The view of a tensor: all nine components, those out of the plane 0.
+/// The view of a tensor: all nine components, those out of the plane 0 but for the one that its own field has, which is
+/// written before it.
 inline std::string tensor_of(const std::string& name) { return name + "_tensor"; }
+inline std::string out_of_plane_of(const std::string& name) { return name + "_zz"; }
 
 /// What cracks have made of the blocks at a step. Empty where none is cut.
 struct CutBlocks {

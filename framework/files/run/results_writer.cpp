@@ -132,9 +132,10 @@ void write_views(Hdf5File& file, const StoredField& field) {
     for (std::size_t i = 2; i < field.values.size(); i += 3) half.push_back(field.values[i] / 2);
     file.write(shear.array, half);
   }
-  file.write_view(
-      tensor_of(dataset), 9,
-      {{dataset, 0, 0}, {shear.array, shear.column, 1}, {shear.array, shear.column, 3}, {dataset, 1, 4}});
+  std::vector<ViewedColumn> columns{
+      {dataset, 0, 0}, {shear.array, shear.column, 1}, {shear.array, shear.column, 3}, {dataset, 1, 4}};
+  if (const std::string zz = out_of_plane_of(dataset); file.has(zz)) columns.push_back({zz, 0, 8});
+  file.write_view(tensor_of(dataset), 9, columns);
 }
 
 void write_field(Hdf5File& file, const StoredField& field) {

@@ -174,6 +174,8 @@ def of_factor(reason, curve, deck):
     if "mechanism" in reason and len(curve) > 1:
         largest = np.abs(curve["load"]).max()
         change = abs(curve["load"].iloc[-1] - curve["load"].iloc[-2]) / max(largest, 1e-300)
+        if "within 0.1 %" in reason:
+            change *= GOAL / 1e-3
         is_none = largest <= tolerated_force(curve, deck)
         error = abs(float(found[1])) if is_none else max(error, change)
     return error, f"load factor {factor:.9g}, before {before:.9g}"

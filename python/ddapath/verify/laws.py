@@ -191,7 +191,7 @@ class Softening(Bonded):
         shear = np.where(opened, np.abs(t[:, 1]), np.maximum(np.abs(t[:, 1]) + self.slope * t[:, 0], 0)) / self.shear_weight
         normal = np.maximum(t[:, 0], 0)
         carried = np.hypot(normal, shear)
-        mixity = np.where(carried > 0, shear**2 / np.where(carried > 0, carried, 1)**2, 0)
+        mixity = (shear / np.where(carried > 0, carried, 1)) ** 2  # of tractions next to nothing, too
         limit = self.limit(mixity, state)
         rubbing = np.where(opened, 0, -self.slope * t[:, 0])
         return carried - limit, limit + rubbing + 0.01 * self.strength * state.factor

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -235,36 +236,54 @@ void Fields::add_gradients(const State& state, Snapshot& out) const {
   out.fields.push_back(std::move(gradient));
 }
 
-StoredField Fields::stress_at_vertices(const StoredField& means, const State& state) const {
-  StoredField out{"stress_at_vertices", means.unit, FieldPlace::block_vertex, 3, {}, means.labels};
+void Fields::add_stress_at_vertices(const BlockFields& means, const State& state, Snapshot& out) const {
+  StoredField stress{"stress_at_vertices", means.stress.unit, FieldPlace::block_vertex, 3, {}, stress_labels};
+  StoredField zz{out_of_plane_of(stress.name), stress.unit, FieldPlace::block_vertex, 1, {}, ""};
   for (std::size_t b = 0; b < body_.assembly.num_blocks(); ++b) {
     const BlockId block(b);
-    const Vec3 mean = Eigen::Map<const Vec3>(means.values.data() + 3 * b);
-    for (const Vec2& x : outline(block))
-      append(Vec3(mean + stress_beside_mean(body_, block, x, state.d.all())), out.values);
+    const Material& material = body_.material(block);
+    const Vec3 mean = Eigen::Map<const Vec3>(means.stress.values.data() + 3 * b);
+    for (const Vec2& x : outline(block)) {
+      const Vec3 beside = stress_beside_mean(body_, block, x, state.d.all());
+      append(Vec3(mean + beside), stress.values);
+      zz.values.push_back(means.out_of_plane.values[b] +
+                          material.out_of_plane().dot(material.stiffness().inverse() * beside));
+    }
+  }
+  if (model_.plane == Plane::strain) out.fields.push_back(std::move(zz));
+  out.fields.push_back(std::move(stress));
+}
+
+Fields::BlockFields Fields::block_fields(const State& state) const {
+  const std::string unit = label(dimension::stress, units_);
+  const bool is_held = model_.plane == Plane::strain;
+  BlockFields out{{"strain", "", FieldPlace::block, 3, {}, strain_labels},
+                  {"stress", unit, FieldPlace::block, 3, {}, stress_labels},
+                  {is_held ? "stress_zz" : "strain_zz", is_held ? unit : "", FieldPlace::block, 1, {}, ""}};
+  const Loading& loading = equilibrium_.stages().back();
+  for (std::size_t b = 0; b < body_.assembly.num_blocks(); ++b) {
+    const Material& material = body_.material(BlockId(b));
+    const Vec3 strain = Eigen::Map<const Vec3>(state.d.data() + block_unknowns * b + 3);
+    append(strain, out.strain.values);
+    append(Vec3(material.stiffness() * strain + loading.initial_stress(b, state.load_factor)),
+           out.stress.values);
+    out.out_of_plane.values.push_back(material.out_of_plane().dot(strain) +
+                                      loading.out_of_plane(b, state.load_factor));
   }
   return out;
 }
 
 void Fields::add_blocks(const State& state, Snapshot& out) const {
-  StoredField strain{"strain", "", FieldPlace::block, 3, {}, "xx yy 2xy"};
-  StoredField stress{"stress", label(dimension::stress, units_), FieldPlace::block, 3, {}, "xx yy xy"};
-  const Loading& loading = equilibrium_.stages().back();
-  for (std::size_t b = 0; b < body_.assembly.num_blocks(); ++b) {
-    const Vec3 e = Eigen::Map<const Vec3>(state.d.data() + block_unknowns * b + 3);
-    Vec3 s = body_.material(BlockId(b)).stiffness() * e;
-    if (!loading.dead_stress.empty()) s += loading.dead_stress[b];
-    if (!loading.reference_stress.empty()) s += state.load_factor * loading.reference_stress[b];
-    append(e, strain.values);
-    append(s, stress.values);
-  }
+  BlockFields of_blocks = block_fields(state);
   add_motion("displacement", units_.length, state.d, out);
   if (body_.num_gradients() > 0) {
     add_gradients(state, out);
-    out.fields.push_back(stress_at_vertices(stress, state));
+    add_stress_at_vertices(of_blocks, state, out);
   }
-  auto [larger, smaller] = principal(stress);
-  for (StoredField* field : {&strain, &stress, &larger, &smaller}) {
+  auto [larger, smaller] = principal(of_blocks.stress);
+  // Ahead of the tensor whose view has it.
+  for (StoredField* field :
+       {&of_blocks.out_of_plane, &of_blocks.strain, &of_blocks.stress, &larger, &smaller}) {
     if (!out.cut.parts.empty()) out.fields.push_back(of_parts(*field, out.cut.part_block));
     out.fields.push_back(std::move(*field));
   }

@@ -74,7 +74,13 @@ class Fields {
   void add_motion(const std::string& name, const std::string& unit, std::span<const double> d,
                   Snapshot& out) const;
   void add_gradients(const State& state, Snapshot& out) const;
-  StoredField stress_at_vertices(const StoredField& means, const State& state) const;
+  /// Means over the blocks.
+  struct BlockFields {
+    StoredField strain, stress;
+    StoredField out_of_plane;  ///< σz in plane strain, εz in plane stress
+  };
+  BlockFields block_fields(const State& state) const;
+  void add_stress_at_vertices(const BlockFields& means, const State& state, Snapshot& out) const;
   void add_blocks(const State& state, Snapshot& out) const;
   /// Active points, from the first to before the last.
   struct Points {

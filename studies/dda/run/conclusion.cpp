@@ -27,7 +27,7 @@ Ending move_on(const FollowedPath& followed, const MotionOptions& options) {
                     .state = walker.state(),
                     .history = simulation.system().history(),
                     .is_of_path = true,
-                    .has_fallen = simulation.path().memory().is_mechanism ||
+                    .has_fallen = simulation.path().stands_in_mechanism() ||
                                   walker.leaving().load_factor * walker.state().load_factor < 0};
   const MotionRecord motion = run_motion(folder, simulation, end, options);
   recorder.add_motion(motion.summary);
@@ -37,7 +37,7 @@ Ending move_on(const FollowedPath& followed, const MotionOptions& options) {
 
 /// A mechanism that is not let go could be.
 void offer_motion(Simulation& simulation, RunRecorder& recorder) {
-  if (simulation.path().memory().is_mechanism && !simulation.deck().moves())
+  if (simulation.path().stands_in_mechanism() && !simulation.deck().moves())
     recorder.add_notice(
         "The path ends in a mechanism: `path.then: motion` lets it go, in `dda resume` of this run too "
         "(`--set "

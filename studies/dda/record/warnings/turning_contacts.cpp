@@ -52,7 +52,7 @@ double share_of_moment(const Simulation& simulation, std::size_t side, double co
   const System& system = simulation.system();
   const Side& at = simulation.assembly().sides[side];
   return compression * inside * (at.end - at.start).norm() /
-         (load_on(system, simulation.walker().state()) * size_of(simulation.equilibrium()));
+         (load_on(system, simulation.walker().state()) * simulation.equilibrium().extent());
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ Numbers numbers_of(const Simulation& simulation, const InterfacePoint& point) {
 
 std::vector<std::string> unlikely_numbers(const Simulation& simulation) {
   const Equilibrium& equilibrium = simulation.equilibrium();
-  const double size = size_of(equilibrium);
+  const double size = equilibrium.extent();
   std::set<int> seen;
   std::vector<std::string> out;
   for (std::size_t p = 0; p < equilibrium.num_active(); ++p) {

@@ -1,6 +1,7 @@
 // The parts of following a path, each alone: on the bar of one interface, half way down its softening branch.
 #include <gmock/gmock.h>
 
+#include "continuation/follow/goals.hpp"
 #include "continuation/follow/judge.hpp"
 #include "continuation/follow/landings.hpp"
 #include "continuation/follow/pace.hpp"
@@ -94,6 +95,25 @@ TEST_F(OnTheWayDown, TheLimitPointIsSoughtWhereTheTangentsMeet) {
   const auto share = before_peak(path, next);
   ASSERT_TRUE(share);
   EXPECT_NEAR(*share, 0.5, 1e-9);
+}
+
+TEST_F(OnTheWayDown, AFallenLoadIsAGoalUnlessThePathHasTurnedRound) {
+  PathState fallen = bar_.state();
+  EXPECT_TRUE(fallen.memory.has_cracked_since_peak);
+  settle(fallen);
+  EXPECT_EQ(fallen.ending.kind, Ending::Kind::goal_reached);
+  EXPECT_THAT(fallen.ending.reason, HasSubstr("load below 50 %"));
+  PathState turned = bar_.state();
+  turned.memory.has_cracked_since_peak = false;
+  PathState let_go = bar_.state();
+  let_go.memory = turned.memory;
+  turned.memory.largest_displacement = 2 * bar_.elongation();
+  let_go.memory.largest_displacement = bar_.elongation();
+  settle(turned);
+  EXPECT_EQ(turned.ending.kind, Ending::Kind::stopped_early);
+  EXPECT_THAT(turned.ending.reason, HasSubstr("turned round"));
+  settle(let_go);
+  EXPECT_EQ(let_go.ending.kind, Ending::Kind::goal_reached) << "it has moved on: friction has let go";
 }
 
 TEST_F(OnTheWayDown, NoStepMayChangeTheLoadByMoreThanItsPeak) {

@@ -82,6 +82,22 @@ TEST(Motion, ABodyThatGainsSpeedByFrictionGetsNothingBack) {
   }
 }
 
+TEST(Motion, AVibrationAboutALoadGivesNothingBack) {
+  MovingBody soft = body(box(0, 0, 1, 1));
+  soft.block.stiffness *= 1e-4;
+  const MovingScene of = scene(0, {body(box(-5, -1, 9, 0), true), soft}, {0, -gravity});
+  Motion motion(of, {}, undeformed(of), at_rest(of), {.time = 1, .stops_at_rest = false, .step = 2e-3});
+  double fallen = 0, largest = 0, before = 0;
+  while (motion.advance()) {
+    const MotionLedger& ledger = motion.ledger();
+    fallen += std::max(0.0, before - ledger.numerical);
+    largest = std::max(largest, std::abs(ledger.external));
+    before = ledger.numerical;
+  }
+  EXPECT_GT(motion.ledger().stored.strain, 0);
+  EXPECT_LT(fallen / largest, 2e-3);
+}
+
 TEST(Motion, StacksBearTheirWeights) {
   constexpr int count = 20;
   std::vector<MovingBody> bodies{body(box(-5, -1, 5, 0), true)};

@@ -42,7 +42,7 @@ class Acceptance : public testing::Test {
 };
 
 TEST_F(Acceptance, WhatMovesFartherThanTheStructureIsLargeIsHeldByNothing) {
-  const SoundnessLimits limits{.size = size_of(equilibrium_), .largest_load = 0};
+  const SoundnessLimits limits{.size = equilibrium_.extent(), .largest_load = 0};
   const auto objection = [&](double by) {
     return objection_to(holding_of(system_, moved(by, 1)), limits, equilibrium_);
   };

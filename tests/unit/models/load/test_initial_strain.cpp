@@ -71,7 +71,8 @@ TEST(InitialStrain, OfAFreeColumnIsItsStrainWithoutStress) {
   }
 }
 
-/// −C ε0 in every block that is held everywhere: −E αT/(1 − ν) in plane stress, −E αT/(1 − 2ν) in plane strain.
+/// −C ε0 in every block that is held everywhere: −E αT/(1 − ν) in plane stress, −E αT/(1 − 2ν) in plane strain, in all
+/// three directions; out of the plane of a plate it swells by αT (1 + ν)/(1 − ν).
 TEST(InitialStrain, OfWhatIsHeldIsAllStress) {
   constexpr double nu = 0.25, warming = 1e-3 * 30;
   for (const bool is_strain : {false, true}) {
@@ -84,6 +85,7 @@ TEST(InitialStrain, OfWhatIsHeldIsAllStress) {
     EXPECT_NEAR(gauge(loading, "soft", nothing, 1), 2 * by_modulus, 1e-15);
     EXPECT_NEAR(gauge(loading, "hard", nothing, 0.5), 6 * by_modulus / 2, 1e-15);
     EXPECT_NEAR(gauge(loading, "both", nothing, 1), 4 * by_modulus, 1e-15);
+    EXPECT_NEAR(loading.out_of_plane(0, 1), is_strain ? 2 * by_modulus : warming * (1 + nu) / (1 - nu), 1e-15);
   }
 }
 
@@ -122,6 +124,7 @@ TEST(InitialStrain, RefusesWhatMeansNothing) {
   EXPECT_THAT(refusal("{type: initial_strain, xx: 1e-3, materials: [sft]}"),
               HasSubstr("unknown material 'sft'"));
   EXPECT_THAT(refusal("{type: initial_stress, xx: 1, regions: [sft]}"), HasSubstr("unknown region 'sft'"));
+  EXPECT_THAT(refusal("{type: initial_stress, xx: 1, zz: 1}"), HasSubstr("`plane: strain`"));
 }
 
 /// A rigid platen shortens both columns alike: F = δ (E₁ + E₂) A/h, with the springs of foot and platen in series.

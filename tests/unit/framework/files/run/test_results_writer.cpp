@@ -100,10 +100,11 @@ TEST(ResultsWriter, ShowsTensorsAndComponents) {
   Snapshot here = snapshot(3);
   here.fields.push_back({"strain", "", FieldPlace::block, 3, {1, 2, 3, 4, 5, 6}, "xx yy 2xy"});
   here.fields.push_back({"opening", "mm", FieldPlace::segment, 2, {0.1, -0.2}, "n s"});
+  here.fields.insert(here.fields.begin(), {"stress_zz", "MPa", FieldPlace::block, 1, {7, 8}, ""});
   ResultsWriter(scratch.path(), small_mesh(), {}).store(here);
   const Hdf5File file = reading(scratch, "fields/000003.h5");
   EXPECT_THAT(file.numbers("/stress_tensor"),
-              ElementsAre(3, 3, 0, 3, 2, 0, 0, 0, 0, 4, 6, 0, 6, 5, 0, 0, 0, 0));
+              ElementsAre(3, 3, 0, 3, 2, 0, 0, 0, 7, 4, 6, 0, 6, 5, 0, 0, 0, 8));
   EXPECT_THAT(file.numbers("/strain_tensor"),
               ElementsAre(1, 1.5, 0, 1.5, 2, 0, 0, 0, 0, 4, 3, 0, 3, 5, 0, 0, 0, 0));
   EXPECT_THAT(file.numbers("/segments/opening_n"), ElementsAre(0.1));

@@ -1,0 +1,205 @@
+#!/usr/bin/env python3
+"""Random walls, towers, piers, arches and gates of dry blocks that weight holds and a load brings down, against limit analysis.
+
+    dry_masonry.py PROGRAM --count 40 --seed 1 [--control arc_length] [--folder DIR]
+
+Nothing is wanted of a gauge: a path ends where the blocks have become a mechanism. No load beyond that of the linear program
+of rigid blocks (`limit_analysis.py`) is in equilibrium; and where in that mechanism nothing slides but what parts as well, no
+mechanism goes on under less, so that it is reached, both to 1e-6. What its own weight brings down stops early. Printed is a line
+for each that is wrong, and how many are right; exit code 1 when one is wrong.
+"""
+import argparse
+import math
+import os
+import random
+import sys
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+
+TESTS = Path(__file__).resolve().parents[1]
+sys.path[:0] = [str(TESTS.parent / "python"), str(TESTS / "robustness")]
+
+import numpy as np
+
+import ddapath  # noqa: E402
+from contact_scenes import TREATMENTS, rectangle, region  # noqa: E402
+from ddapath.verify import verify  # noqa: E402
+from limit_analysis import collapse_factor, contact_points, weight, wrench  # noqa: E402
+
+TOLERANCE = 1e-6
+WEIGHT = 20.0  # per volume [kN/m³]
+
+
+@dataclass
+class Masonry:
+    """Blocks, anticlockwise; the first `feet` of them are held."""
+
+    blocks: list
+    feet: int
+    friction: float
+    load: dict
+    live: list  # wrenches of the load
+
+    @property
+    def problem(self):
+        dead = [weight(block, (0, -WEIGHT), 1) for block in self.blocks]
+        return self.blocks, set(range(self.feet)), (dead, self.live), self.friction, "vertices"
+
+
+def wall(choose):
+    rows, width, height = choose.randint(2, 6), choose.uniform(1, 4), choose.uniform(0.2, 0.6)
+    blocks = [rectangle(0, -0.3, width, 0)]
+    for row in range(rows):
+        bricks = choose.randint(1, 4)
+        parts = [choose.uniform(0.4, 1) for _ in range(bricks)]
+        ends = [width * sum(parts[:i]) / sum(parts) for i in range(bricks + 1)]
+        blocks += [rectangle(a, row * height, b, (row + 1) * height) for a, b in zip(ends, ends[1:])]
+    return blocks, 1
+
+
+def pier(choose):
+    """Courses that become narrower and lean."""
+    left, width, level = 0.0, choose.uniform(0.5, 2), 0.0
+    blocks = [rectangle(left, -0.3, left + width, 0)]
+    for _ in range(choose.randint(2, 7)):
+        height = choose.uniform(0.2, 0.6)
+        blocks.append(rectangle(left, level, left + width, level + height))
+        level += height
+        left += choose.uniform(0, 0.1) * width
+        width *= choose.uniform(0.8, 0.9)
+    return blocks, 1
+
+
+def arch(choose, posts=0):
+    """Voussoirs between skewbacks, or on posts of square courses."""
+    inner, thick = choose.uniform(1, 3), choose.uniform(0.25, 0.7)
+    count, lift = choose.randint(5, 13), 0.0 if posts else choose.uniform(0, 0.6)
+
+    def ring(first, last):
+        rays = [(math.cos(a), math.sin(a)) for a in (first, last)]
+        return [[radius * x, posts + radius * y] for radius, (x, y) in
+                ((inner, rays[0]), (inner + thick, rays[0]), (inner + thick, rays[1]), (inner, rays[1]))]
+
+    angles = [lift + (math.pi - 2 * lift) * i / count for i in range(count + 1)]
+    voussoirs = [ring(*pair) for pair in zip(angles, angles[1:])]
+    if not posts:
+        return [ring(lift - 0.2, lift), ring(math.pi - lift, math.pi - lift + 0.2), *voussoirs], 2
+    broad = thick + choose.uniform(0.2, 0.9)
+    levels = [-0.3, *range(posts + 1)]
+    courses = [rectangle(left, low, left + broad, high) for low, high in zip(levels, levels[1:]) for left in (inner, -inner - broad)]
+    return courses + voussoirs, 2
+
+
+def gate(choose):
+    return arch(choose, posts=choose.randint(1, 4))
+
+
+def loaded(choose, blocks, feet):
+    """The load of the deck, and what it is on each block."""
+    angle = math.radians(choose.choice([0, 0, 180, choose.uniform(-60, 60), choose.uniform(120, 240)]))
+    force = [WEIGHT * math.cos(angle), WEIGHT * math.sin(angle)]
+    if choose.random() < 0.6:
+        return {"type": "body_force", "force": force, "materials": ["stone"]}, [weight(block, force, 1) for block in blocks]
+    sides = [(start, end, i) for i, block in enumerate(blocks[feet:], feet) for start, end in zip(block, block[1:] + block[:1])]
+    start, end, struck = max(sides, key=lambda side: side[0][1] + side[1][1])
+    middle = [(a + b) / 2 for a, b in zip(start, end)]
+    live = [wrench(force if i == struck else (0, 0), middle) for i in range(len(blocks))]
+    return {"type": "point_load", "over": [start, end], "force": force}, live
+
+
+def masonry(seed, control="staged"):
+    """A random structure, and the deck of it."""
+    choose = random.Random(seed)
+    blocks, feet = choose.choice([wall, pier, arch, gate])(choose)
+    degrees = choose.choice([15, 25, 30, 35, 40, 50, 60])
+    load, live = loaded(choose, blocks, feet)
+    joint = {"law": {"type": "friction", "friction_angle": degrees}, "points": "vertices", "treatment": choose.choice(TREATMENTS)}
+    elastic = {"type": "linear_elastic", "young_modulus": 10 ** choose.uniform(5, 8)}
+    deck = {"units": {"length": "m", "force": "kN"}, "thickness": 1,
+            "scene": {"regions": [region(f"b{i}", "foot" if i < feet else "stone", block) for i, block in enumerate(blocks)],
+                      "boundaries": {f"foot{i}": lower_side(blocks[i]) for i in range(feet)}, "subdivision": {"type": "given"}},
+            "materials": {"stone": elastic, "foot": elastic},
+            "interfaces": {"joint": {"between": ["stone", "stone"], **joint}, "bed": {"between": ["stone", "foot"], **joint}},
+            "supports": {f"foot{i}": {"boundary": f"foot{i}", "fix": "xy"} for i in range(feet)},
+            "stages": [{"name": "weight", "loads": [{"type": "body_force", "force": [0, -WEIGHT], "materials": ["stone"]}]},
+                       {"name": "load", "loads": [load]}],
+            "path": {"control": control}, "record": {"fields_every": 1}}
+    return Masonry(blocks, feet, math.tan(math.radians(degrees)), load, live), deck
+
+
+def lower_side(block):
+    """Of a foot the side on which nothing stands."""
+    sides = list(zip(block, block[1:] + block[:1]))
+    return list(map(list, min(sides, key=lambda side: side[0][1] + side[1][1])))
+
+
+def motions(run, step):
+    """Of every block the coefficients of 1, x, y in its displacement, 3 × 2."""
+    out = []
+    for _, corners in run.fields(step).vertices.groupby(level="block"):
+        places = np.column_stack([np.ones(len(corners)), corners[["x", "y"]]])
+        out.append(np.linalg.lstsq(places, corners[["displacement_x", "displacement_y"]].to_numpy(), rcond=None)[0])
+    return out
+
+
+def turns_about_hinges(structure, run):
+    """Whether in the last step every contact point that slides parts, too: the flow rule of limit analysis."""
+    hardly = 1e-6  # of what moves farthest
+    before, after = (motions(run, step) for step in run.steps[-2:])
+    moved = [there - here for here, there in zip(before, after)]
+    ways = []
+    for one, other, place, normal in contact_points(structure.blocks, "vertices"):
+        way = np.array([1, *place]) @ (moved[other] - moved[one])
+        ways.append((way @ normal, abs(way @ [-normal[1], normal[0]])))
+    parting, sliding = np.array(ways).T
+    farthest = np.abs(ways).max()
+    return bool((parting > -hardly * farthest).all() and ((parting >= structure.friction * sliding) | (sliding < hardly * farthest)).all())
+
+
+def what_is_wrong(structure, run):
+    """"" for a run that limit analysis agrees with and the checker holds with."""
+    refused = [finding.check for finding in verify(run.folder) if not finding.holds]
+    if refused:
+        return f"refused: {', '.join(refused)}"
+    status, reason = run.summary["status"], run.summary["reason"]
+    try:
+        most = collapse_factor(*structure.problem)
+    except ValueError:
+        return "" if status == "stopped_early" and "cannot be carried" in reason else f"stands although its weight is too much: {reason}"
+    found = run.curve["load_factor"].max()
+    if found > most * (1 + TOLERANCE):
+        return f"bears {found:.9g}, more than the {most:.9g} of limit analysis"
+    if np.isinf(most):
+        return ""
+    if status != "goal_reached":
+        return reason
+    if turns_about_hinges(structure, run) and found < most * (1 - TOLERANCE):
+        return f"bears {found:.9g} of the {most:.9g} of limit analysis: {reason}"
+    return ""
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program")
+    parser.add_argument("--count", type=int, default=40)
+    parser.add_argument("--seed", type=int, default=1, help="of the first; each further one is one more")
+    parser.add_argument("--control", default="staged")
+    parser.add_argument("--folder", type=Path, help="where decks and runs stay")
+    asked = parser.parse_args()
+    os.environ["DDA"] = asked.program
+    right = 0
+    with tempfile.TemporaryDirectory() as scratch:
+        for seed in range(asked.seed, asked.seed + asked.count):
+            structure, deck = masonry(seed, asked.control)
+            run = ddapath.run(deck, folder=(asked.folder or Path(scratch)) / str(seed), overwrite=True, check=False)
+            wrong = what_is_wrong(structure, run)
+            right += not wrong
+            if wrong:
+                print(f"{seed}: {len(structure.blocks)} blocks, {deck['interfaces']['joint']['treatment']}: {wrong}", flush=True)
+    print(f"{right} of {asked.count} are right")
+    return 0 if right == asked.count else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
