@@ -85,7 +85,8 @@ TEST(InitialStrain, OfWhatIsHeldIsAllStress) {
     EXPECT_NEAR(gauge(loading, "soft", nothing, 1), 2 * by_modulus, 1e-15);
     EXPECT_NEAR(gauge(loading, "hard", nothing, 0.5), 6 * by_modulus / 2, 1e-15);
     EXPECT_NEAR(gauge(loading, "both", nothing, 1), 4 * by_modulus, 1e-15);
-    EXPECT_NEAR(loading.out_of_plane(0, 1), is_strain ? 2 * by_modulus : warming * (1 + nu) / (1 - nu), 1e-15);
+    EXPECT_NEAR(loading.out_of_plane(0, 1), is_strain ? 2 * by_modulus : warming * (1 + nu) / (1 - nu),
+                1e-15);
   }
 }
 
