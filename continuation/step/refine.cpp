@@ -35,8 +35,6 @@ std::string stray(const PathState& path, const Candidate& candidate, const State
 }  // namespace
 
 std::optional<Outcome> refuse_stray(PathState& path, const Candidate& candidate, Stride& stride) {
-  // Piece by piece along an arc: a mechanism begins there.
-  if (stride.move.kind == StepKind::arc_length && only_touches(path, candidate)) return {};
   const std::string why = stray(path, candidate, path.walker.ahead(stride.amount));
   if (why.empty()) return {};
   stride.why = why;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "continuation/follow/mechanism.hpp"
 #include "continuation/follow/pace.hpp"
 #include "continuation/follow/trial.hpp"
 #include "continuation/step/rungs.hpp"
@@ -10,11 +11,22 @@
 
 namespace dda {
 
+namespace {
+
+/// Whether what has gone on as a mechanism comes back as one, under the load that stays until gaps have closed.
+bool goes_back_freely(const PathState& path) {
+  return path.walker.system().has_contacts() && moves_freely(path) &&
+         path.displacement_rate(path.walker.leaving()) * path.displacement_of(path.walker.state()) < 0;
+}
+
+}  // namespace
+
 std::optional<Point> unload_step(PathState& path) {
   const Landing goal = path.leg().until.front();
   const double rest = goal.value - path.walker.value(goal.gauge);
   if (path.walker.leaving().d.empty())
     return path.stop_early(Stop::singular, "the tangent stiffness is singular here");
+  if (goes_back_freely(path)) return controlled_step(path, displacement_move(path));
   const double rate = path.walker.leaving().rate(goal.gauge);
   const bool has_turned = !(rate * rest > 0);
   if (has_turned && path.walker.leaving().dissipates)

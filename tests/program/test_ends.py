@@ -100,6 +100,25 @@ class Ends(unittest.TestCase):
             self.assertEqual(any("ends in a mechanism" in notice for notice in run.summary["notices"]), is_offered)
         self.assertAlmostEqual(run.curve["load_factor"].iloc[-1], 5, delta=1e-6)
 
+    def test_what_rocks_comes_back_under_the_load_at_which_it_rocks(self):
+        """A block of 100 × 400 mm turns about its corner at weight · 50/350, there and back, and spends nothing."""
+        side = [[50, 350], [50, 450]]
+        scene = copy.deepcopy(BLOCKS["scene"])
+        scene["regions"][1]["vertices"] = [[50, 50], [150, 50], [150, 450], [50, 450]]
+        law = {"law": {"type": "friction", "friction_angle": 60}, "points": "vertices"}
+        push = {"name": "push", "loads": [{"type": "point_load", "over": side, "force": [1, 0]}], "until": {"push": 2}}
+        run = self.run_(BLOCKS, scene_=scene, interfaces={"joint": law}, gauges={"push": {"type": "displacement", "over": side, "direction": [1, 0]}},
+                        stages_=[BLOCKS["stages"][0], push, {"name": "back", "until": {"load_factor": 0}, "unload": True}],
+                        path={"stop": {"load_below": 0}})
+        self.assertEqual((run.summary["status"], run.summary["reason"]), ("goal_reached", "load_factor reached 0"))
+        rocking = 100 * 400 * 10 * 1e-3 * 50 / 350
+        self.assertAlmostEqual(run.curve["load_factor"].max() / rocking, 1, delta=1e-6)
+        back = run.curve[run.curve.index > run.curve["push"].idxmax()]
+        coming = back[back["push"] > 0.1]["load_factor"]
+        self.assertGreater(len(coming), 3)
+        self.assertLess(abs(coming / rocking - 1).max(), 1e-6)
+        self.assertLess(run.curve["dissipated_energy"].iloc[-1], 1e-4 * rocking * 2)
+
     def test_load_control_names_the_mechanism_at_which_it_ends(self):
         run = self.run_(BLOCKS, path={"control": "load", "stop": {"gauges": {"push": 5}, "load_below": 0}})
         self.assertEqual((run.summary["status"], run.summary["stop"]), ("stopped_early", "limit-point"))
