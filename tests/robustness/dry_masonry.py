@@ -8,7 +8,6 @@ of rigid blocks (`limit_analysis.py`) is in equilibrium; and where in that mecha
 mechanism goes on under less, so that it is reached, both to 1e-6. What its own weight brings down stops early. Printed is a line
 for each that is wrong, and how many are right; exit code 1 when one is wrong.
 """
-import argparse
 import math
 import os
 import random
@@ -23,6 +22,7 @@ sys.path[:0] = [str(TESTS.parent / "python"), str(TESTS / "robustness")]
 import numpy as np
 
 import ddapath  # noqa: E402
+from campaign import campaign_parser  # noqa: E402
 from contact_scenes import TREATMENTS, rectangle, region  # noqa: E402
 from ddapath.verify import verify  # noqa: E402
 from limit_analysis import collapse_factor, contact_points, weight, wrench  # noqa: E402
@@ -180,13 +180,7 @@ def what_is_wrong(structure, run):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("program")
-    parser.add_argument("--count", type=int, default=40)
-    parser.add_argument("--seed", type=int, default=1, help="of the first; each further one is one more")
-    parser.add_argument("--control", default="staged")
-    parser.add_argument("--folder", type=Path, help="where decks and runs stay")
-    asked = parser.parse_args()
+    asked = campaign_parser(__doc__, count=40, seed=1).parse_args()
     os.environ["DDA"] = asked.program
     right = 0
     with tempfile.TemporaryDirectory() as scratch:

@@ -7,7 +7,6 @@ A seed is a wall: pressure, size of bricks, law and points of the joints (`rando
 Printed is a line for each that does not arrive, and how many do; where displacement control stops the drift snaps back, which
 `--control staged` shows. Exit code 1 when one stops for another reason, or `dda verify` refuses one.
 """
-import argparse
 import os
 import sys
 import tempfile
@@ -17,18 +16,14 @@ TESTS = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(TESTS.parent / "python"), str(TESTS / "program")]
 
 import ddapath  # noqa: E402
+from campaign import campaign_parser  # noqa: E402
 from ddapath.verify import verify  # noqa: E402
 from test_mortar_walls import random_wall  # noqa: E402
 
 
 def arguments():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("program")
-    parser.add_argument("--count", type=int, default=60)
-    parser.add_argument("--seed", type=int, default=500, help="of the first; each further one is one more")
-    parser.add_argument("--control", default="staged")
+    parser = campaign_parser(__doc__, count=60, seed=500)
     parser.add_argument("--treatment", help="of the joints")
-    parser.add_argument("--folder", type=Path, help="where decks and runs stay")
     return parser.parse_args()
 
 
