@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "models/interface/coulomb.hpp"
+
 namespace dda {
 namespace {
 
@@ -29,8 +31,8 @@ ContactPiece piece_at(const Contact& c, const Vec2& q, bool slides) {
   if (q.x() > 0) return ContactPiece::open;
   if (c.coefficient == 0) return ContactPiece::forward;
   const double direction = q.y() < c.slip ? -1 : 1, over = excess(c, direction, q);
-  constexpr double round_off = 1e-11;
-  if (over <= (slides ? -round_off : round_off) * c.coefficient * std::abs(q.x())) return ContactPiece::stuck;
+  if (over <= (slides ? -at_limit_from : beyond_limit) * c.coefficient * std::abs(q.x()))
+    return ContactPiece::stuck;
   return direction < 0 ? ContactPiece::backward : ContactPiece::forward;
 }
 

@@ -82,7 +82,7 @@ double next_contact_change(const Walker& walker);
 /// That change: how far it is along the leaving tangent, and whose it is.
 struct ContactChange {
   double amount = 0;  ///< to it
-  double beyond = 0;  ///< a hair more: 1e-9 of the widest opening
+  double beyond = 0;  ///< a hair more: across the corner by 1e-9 of the widest opening
   std::size_t point = 0;
   Vec2 across = Vec2::Zero();  ///< normal to the corner, towards the piece behind
 };

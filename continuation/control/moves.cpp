@@ -81,7 +81,7 @@ std::optional<ContactChange> find_contact_change(const Walker& walker) {
     fastest = std::max(fastest, rates[p].norm());
     widest = std::max(widest, laws.opening[p].norm());
   }
-  constexpr double round_off = 1e-10, hair = 1e-9;
+  constexpr double round_off = 1e-10, hair = 1e-9, grazing = 1e-6;
   std::optional<ContactChange> nearest;
   for (std::size_t p = 0; p < rates.size(); ++p) {
     const InterfacePoint& point = system.equilibrium().point(p);
@@ -93,7 +93,8 @@ std::optional<ContactChange> find_contact_change(const Walker& walker) {
     if (!is_ahead || (nearest && end->length >= nearest->amount)) continue;
     const Vec2 normal = change_between(*contact, piece, end->to).v;
     const Vec2 across = normal.dot(rates[p]) < 0 ? Vec2(-normal) : normal;
-    nearest = {end->length, end->length + hair * widest / rates[p].norm(), p, across};
+    const double crossing = std::max(across.normalized().dot(rates[p]), grazing * rates[p].norm());
+    nearest = {end->length, end->length + hair * widest / crossing, p, across};
   }
   return nearest;
 }

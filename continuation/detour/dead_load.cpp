@@ -22,13 +22,17 @@ std::string land_on_strength(Walker& walker, const Candidate& beyond) {
   return {};
 }
 
+/// Why only weak springs would hold a state; "" where the structure does.
+std::string objection_to_holding(const State& at, const System& system) {
+  const Holding holding = holding_of(system, at);
+  return objection_to(holding, {system.equilibrium().extent(), holding.load}, system.equilibrium());
+}
+
 /// Why what a release has led to is no equilibrium that holds; "" when it is one.
 std::string objection_to(const Candidate& found, const Walker& walker) {
-  const System& system = walker.system();
   if (!(found.residual <= walker.parameters().newton.tolerance))
     return fmt::format("the relative residual is {:.1e}", found.residual);
-  const Holding holding = holding_of(system, found.state);
-  return objection_to(holding, {system.equilibrium().extent(), holding.load}, system.equilibrium());
+  return objection_to_holding(found.state, walker.system());
 }
 
 /// Takes the strength of what stands at it, and of all that this overloads, while the load stays. Returns ""
@@ -68,9 +72,11 @@ std::string apply_full_stage(Walker& walker) {
     const double wanted = std::min(step, rest);
     const Attempt tried =
         walker.attempt(*control, wanted, walker.ahead(wanted / walker.leaving().load_factor));
-    if (!tried.converged) {
+    const std::string refused =
+        tried.converged ? objection_to_holding(tried.state, walker.system()) : tried.reason;
+    if (!refused.empty()) {
       step = 0.25 * wanted;
-      if (step < smallest) return tried.reason;
+      if (step < smallest) return refused;
       continue;
     }
     Candidate candidate = walker.evaluate(tried);

@@ -8,6 +8,7 @@
 
 #include "continuation/detour/release.hpp"
 #include "continuation/follow/advice.hpp"
+#include "continuation/follow/mechanism.hpp"
 
 namespace dda {
 namespace {
@@ -32,13 +33,13 @@ std::string reached(const PathState& path, const Landing& goal) {
   return fmt::format("{} reached {} and stands at {}", goal.name, goal.value, now);
 }
 
-/// Whether no load is left of a structure that has cracked.
-bool has_ruptured(const PathState& path) {
+/// Whether no load is left of a structure that has cracked, nor would it bear one again.
+bool has_ruptured(PathState& path) {
   constexpr double nothing = 1e-6;
   const bool at_leg_start = path.memory.leg > 0 && path.walker.effort().accepted == path.memory.leg_start;
   return !path.leg().unloads && !at_leg_start && path.memory.peak_load > 0 &&
          path.walker.here().dissipated > 0 &&
-         std::abs(path.load_of(path.walker.state())) <= nothing * path.memory.peak_load;
+         std::abs(path.load_of(path.walker.state())) <= nothing * path.memory.peak_load && !bears_load(path);
 }
 
 /// Whether the load has fallen to the share of its peak at which a path ends.
@@ -62,7 +63,7 @@ std::string fallen_load(const PathState& path) {
 }
 
 /// Which of the stopping rules is met here; "" when none is.
-std::string goal_of_path(const PathState& path) {
+std::string goal_of_path(PathState& path) {
   for (const Landing& landing : path.route.landings)
     if (landing.ends_leg)
       if (std::string text = reached(path, landing); !text.empty()) return text;

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "continuation/contact/contact_piece.hpp"
 #include "continuation/follow/goals.hpp"
 #include "continuation/follow/landings.hpp"
+#include "continuation/state/history_guard.hpp"
 #include "continuation/state/residual_stiffness.hpp"
 
 namespace dda {
@@ -110,6 +112,25 @@ bool goes_on_beside(PathState& path, const std::vector<Landing>& goals) {
   return way > far * memory.mechanism_way;
 }
 
+/// Along which the structure would bear the live load anew, nothing cracking or sliding on; empty when it is singular.
+Tangent reloading(Walker& walker) {
+  System& system = walker.system();
+  const HistoryGuard back(system);
+  std::vector<History> still = system.history();
+  for (History& h : still) h.loading = h.sliding = false;
+  system.set_history(std::move(still));
+  return arriving_tangent(system, walker.state());
+}
+
+/// Whether a mechanism has come to its end in the step that led here, a joint having closed: to move on takes load.
+bool has_locked(const PathState& path, double load) {
+  constexpr double noticeable = 1e-3;
+  const double moved = std::abs(path.displacement_rate(path.walker.leaving())),
+               along = mechanism_way * std::abs(path.displacement_of(path.walker.state()));
+  return std::abs(load_rate(path)) * along >
+         noticeable * std::max(std::abs(load), path.smallest_load()) * moved;
+}
+
 /// Whether a joint that is open closes within an amount of the leaving tangent.
 bool closes_within(const PathState& path, double amount) {
   constexpr double noticeable = 1e-6;
@@ -167,6 +188,14 @@ bool moves_freely(const PathState& path) {
          std::abs(load_rate(path)) * along / moved <= standing_load(path, path.load_of(path.walker.state()));
 }
 
+bool bears_load(PathState& path) {
+  constexpr double far = 10;
+  const Tangent anew = reloading(path.walker);
+  if (anew.d.empty()) return false;
+  const double moved = std::abs(path.displacement_rate(anew)), load = std::abs(anew.rate(path.load));
+  return moved * path.memory.peak_load <= far * path.memory.largest_displacement * load;
+}
+
 Move displacement_move(const PathState& path) {
   return {.kind = StepKind::displacement,
           .equation = make_gauge_equation(path.displacement),
@@ -203,7 +232,7 @@ void note_mechanism(PathState& path, Point& point, const Departure& before) {
   if (path.ending.kind != Ending::Kind::running || path.parameters.stop.after_steps > 0) return;
   const std::vector<Landing> goals = present_goals(path);
   if (!goals.empty() && !goes_on_beside(path, goals)) return;
-  if (!is_free_beyond(path)) return;
+  if (has_locked(path, load) || !is_free_beyond(path)) return;
   if (goals.empty())
     path.end(Ending::Kind::goal_reached, text);
   else

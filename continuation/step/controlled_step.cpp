@@ -91,6 +91,13 @@ bool is_at_rest(const PathState& path) {
          path.walker.here().stored == 0;
 }
 
+/// Whether an arc leads no farther that the displacement on which the load works may still lead on: at corners where bodies
+/// that only touch begin to part, openings before and after may all but be at right angles, and iterated multipliers, held
+/// meanwhile, turn them farther.
+bool has_no_arc(const PathState& path, const Move& move) {
+  return move.kind == StepKind::arc_length && path.walker.system().joins_by_contact();
+}
+
 /// Why a path ends whose control finds no next equilibrium.
 std::optional<Point> end_of_control(PathState& path, const Stride& stride) {
   if (const auto turned = turning_point(path)) return path.stop_early(turned->stop, turned->text);
@@ -100,7 +107,7 @@ std::optional<Point> end_of_control(PathState& path, const Stride& stride) {
   }
   constexpr double hardly_any = 1e-3;
   const double left = std::abs(path.load_of(path.walker.state())) / path.memory.peak_load;
-  if (left < hardly_any)
+  if (left < hardly_any && !bears_load(path))
     return path.end(Ending::Kind::goal_reached,
                     fmt::format("complete rupture: what is left is a mechanism ({:.1e} of the peak)", left));
   if (!path.walker.leaving().keeps_equilibrium) {
@@ -145,6 +152,7 @@ std::optional<Point> controlled_step(PathState& path, const Move& move) {
     if (outcome.point) return std::move(outcome.point);
   }
   if (auto point = rupture(path)) return point;
+  if (has_no_arc(path, move)) return controlled_step(path, displacement_move(path));
   if (path.control->may_be_rescued())
     if (auto point = sequential_step(path, StepKind::sequentially_linear, path.memory.last_quantum))
       return point;

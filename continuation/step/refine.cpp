@@ -39,6 +39,8 @@ std::optional<Outcome> refuse_stray(PathState& path, const Candidate& candidate,
   if (why.empty()) return {};
   stride.why = why;
   path.reject(to_string(stride.move.kind), why);
+  if (stride.cuts++ > 0)
+    if (auto point = land_on_contact_change(path, stride.amount)) return Outcome{std::move(point)};
   stride.amount *= path.parameters.step.cut;
   return Outcome{};
 }
@@ -67,6 +69,8 @@ std::optional<Outcome> look_between(PathState& path, const Candidate& candidate,
 std::optional<Outcome> refine_coarse(PathState& path, const Candidate& candidate, Stride& stride) {
   if (!is_coarse(path, candidate)) return {};
   if (stride.refinements++ < most_refinements) {
+    if (!path.walker.leaving().dissipates && stride.refinements > 1)
+      if (auto point = land_on_contact_change(path, stride.amount)) return Outcome{std::move(point)};
     if (auto point = snap(path, candidate, stride)) return Outcome{std::move(point)};
     return shorten(path, stride, "the step leaves too much energy unaccounted for", 0.5);
   }

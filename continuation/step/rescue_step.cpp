@@ -45,7 +45,7 @@ std::optional<Point> driven_step(PathState& path) {
 std::optional<Point> end_without_equilibrium(PathState& path, Stop stop, const std::string& why) {
   constexpr double hardly_any = 0.01;
   const double left = std::abs(path.load_of(path.walker.state())) / path.memory.peak_load;
-  if (left < hardly_any)
+  if (left < hardly_any && !bears_load(path))
     return path.end(Ending::Kind::goal_reached,
                     fmt::format("complete rupture: {:.1e} of the peak was left", left));
   return path.stop_early(stop, why);

@@ -1,4 +1,5 @@
 #include "continuation/follow/landings.hpp"
+#include "continuation/follow/mechanism.hpp"
 #include "continuation/follow/trial.hpp"
 #include "continuation/step/steps.hpp"
 
@@ -29,6 +30,7 @@ std::optional<Point> rupture(PathState& path) {
   const double load = path.walker.state().value(path.load);
   const double rate = path.walker.leaving().rate(path.load);
   if (load * rate >= 0 || path.memory.peak_load <= path.smallest_load()) return {};
+  if (std::abs(load) <= path.smallest_load()) return {};  // it stands there
   const std::string attempted = "load, landing on rupture";
   const auto equation = make_gauge_equation(path.load);
   const double ahead = -load / rate;
@@ -41,7 +43,7 @@ std::optional<Point> rupture(PathState& path) {
   if (const auto crossing = first_crossing(path, *candidate))
     return land(path, *candidate, *crossing, StepKind::load);
   Point point = keep(path, *std::move(candidate), StepKind::load);
-  point.landed.push_back("complete rupture");
+  if (!bears_load(path)) point.landed.emplace_back("complete rupture");
   return point;
 }
 

@@ -58,7 +58,7 @@ std::optional<Point> land_on_turn(PathState& path, const Stride& stride, bool on
 }
 
 std::optional<Point> land_on_contact_change(PathState& path, double amount) {
-  if (!path.walker.leaving().dissipates || !path.walker.system().has_contacts()) return {};
+  if (!path.walker.system().has_contacts()) return {};
   const auto change = find_contact_change(path.walker);
   if (!change || change->amount >= amount || change->amount < near * amount) return {};
   const auto candidate = try_step(path, contact_move(path.walker, *change), change->beyond);

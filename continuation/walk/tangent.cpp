@@ -1,5 +1,6 @@
 #include "continuation/walk/tangent.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -176,7 +177,9 @@ class RateProblem {
       if (!ray) continue;
       set(ray->goes_on);
       Way found{tangent()};
-      if (found.tangent.d.empty() || !is_settled(found.tangent) || !goes_beyond(found.tangent)) continue;
+      if (found.tangent.d.empty()) continue;
+      if (turns_back(found.tangent, *ray)) reverse(found.tangent);
+      if (!is_settled(found.tangent) || !goes_beyond(found.tangent)) continue;
       found.leads_back = leads_back(system_, found.tangent, heading_);
       if (best && !is_better(found, *best, arriving)) continue;
       best = std::move(found);
@@ -184,6 +187,15 @@ class RateProblem {
     }
     if (best) system_.set_history(std::move(flags));
     return best;
+  }
+
+  /// Whether joints slide on only the other way round, under a load that falls while it does negative work: the path snaps
+  /// back where nothing cracks.
+  bool turns_back(Tangent found, const RateRay& ray) const {
+    if (found.dissipates || heading_ || is_settled(found) || std::ranges::count(ray.goes_on, true) == 0)
+      return false;
+    reverse(found);
+    return is_settled(found);
   }
 
   /// True where nothing is asked for; what spends nothing may lead either way.

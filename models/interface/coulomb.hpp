@@ -4,6 +4,10 @@
 
 namespace dda {
 
+/// Of the limit of friction: what is beyond it by more than rounding slides; what has been told to slide on does so from a
+/// little below it, as near as a step is solved.
+inline constexpr double beyond_limit = 1e-11, at_limit_from = 1e-7;
+
 /// Coulomb friction of a part of a point that carries no cohesion any more, as an elastic-perfectly plastic
 /// spring under the contact pressure.
 ///
