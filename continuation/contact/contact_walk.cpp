@@ -156,9 +156,9 @@ class Walk {
         pieces_[i] = piece_at(*contact, opening(x, i), problem_.points[i].slides);
   }
 
-  /// Moves x off all corners by next to nothing, so that no two points cross theirs at once, and none leaves the
-  /// piece on which it stands a hair beyond one: by a small part of what is left of F, so that walks that follow
-  /// each other settle.
+  /// Moves x off all corners by next to nothing, so that no two points cross theirs at once, nor one goes back over that
+  /// beyond which it has come to stand: by a small part of what is left of F, so that walks that follow each other
+  /// settle.
   void disturb(double left) {
     constexpr double little = 1e-6, part = 0.01;
     const double most = little * x_.head(2 * count()).lpNorm<Eigen::Infinity>(),
@@ -168,10 +168,10 @@ class Walk {
       x_.segment<2>(place(i)) += within_piece(i, {of(2 * i), of(2 * i + 1)});
     }
   }
-  /// An amount by which a point may move, turned so that it stays on its piece if any turn does.
+  /// An amount by which a point may move, turned so that one that is open or slides goes on to if any turn does.
   Vec2 within_piece(std::size_t i, const Vec2& by) const {
     const ContactProblem::Point& point = problem_.points[i];
-    if (!point.contact) return by;
+    if (!point.contact || pieces_[i] == ContactPiece::stuck) return by;
     for (const Vec2& turned : {by, Vec2(-by), Vec2(by.x(), -by.y()), Vec2(-by.x(), by.y())})
       if (piece_at(*point.contact, opening(x_, i) + turned, point.slides) == pieces_[i]) return turned;
     return by;

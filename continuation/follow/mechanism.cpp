@@ -128,7 +128,7 @@ bool has_locked(const PathState& path, double load) {
   const double moved = std::abs(path.displacement_rate(path.walker.leaving())),
                along = mechanism_way * std::abs(path.displacement_of(path.walker.state()));
   return std::abs(load_rate(path)) * along >
-         noticeable * std::max(std::abs(load), path.smallest_load()) * moved;
+         noticeable * std::max(std::abs(load), noticeable * path.memory.largest_force) * moved;
 }
 
 /// Whether a joint that is open closes within an amount of the leaving tangent.

@@ -9,16 +9,31 @@
 #include "continuation/follow/advice.hpp"
 #include "continuation/follow/mechanism.hpp"
 #include "continuation/step/steps.hpp"
+#include "continuation/walk/snap_back.hpp"
 
 namespace dda {
 
 namespace {
+
+/// Leaves an equilibrium from which nothing leads on with the live forces by what leads on against them, if anything does.
+/// Of the controls only arc length follows that; others jump, or end.
+void snap_back(Walker& walker) {
+  if (walker.leaving().keeps_equilibrium) return;
+  System& system = walker.system();
+  std::vector<History> flags = system.history();
+  system.set_history(walker.here().history);
+  if (auto way = snapping_tangent(system, walker.state(), walker.here().arriving))
+    walker.turn_to(*std::move(way), system.history());
+  else
+    system.set_history(std::move(flags));
+}
 
 /// Under the control; where all that has cracked slides on under the load that friction bears, a mechanism.
 std::optional<Point> cracking_step(PathState& path, const Move& move) {
   if (!path.walker.system().has_contacts()) return controlled_step(path, move);
   const Departure before(path.walker);
   auto point = controlled_step(path, move);
+  if (point && move.kind == StepKind::arc_length) snap_back(path.walker);
   constexpr double carried = 1e-3;
   if (point && path.load_of(path.walker.state()) > carried * path.memory.peak_load)
     note_mechanism(path, *point, before);

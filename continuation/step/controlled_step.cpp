@@ -44,7 +44,7 @@ Outcome after_failure(PathState& path, Stride& stride, bool is_cut) {
   const bool is_again = stride.cuts++ > 0;
   if (auto point = land_on_turn(path, stride, is_cut || is_again)) return {std::move(point)};
   if (is_again)
-    if (auto point = land_on_contact_change(path, stride.amount)) return {std::move(point)};
+    if (auto point = land_on_contact_change(path, stride.amount, stride.move.kind)) return {std::move(point)};
   stride.amount *= path.parameters.step.cut;
   return {};
 }

@@ -40,7 +40,8 @@ std::optional<Outcome> refuse_stray(PathState& path, const Candidate& candidate,
   stride.why = why;
   path.reject(to_string(stride.move.kind), why);
   if (stride.cuts++ > 0)
-    if (auto point = land_on_contact_change(path, stride.amount)) return Outcome{std::move(point)};
+    if (auto point = land_on_contact_change(path, stride.amount, stride.move.kind))
+      return Outcome{std::move(point)};
   stride.amount *= path.parameters.step.cut;
   return Outcome{};
 }
@@ -70,7 +71,8 @@ std::optional<Outcome> refine_coarse(PathState& path, const Candidate& candidate
   if (!is_coarse(path, candidate)) return {};
   if (stride.refinements++ < most_refinements) {
     if (!path.walker.leaving().dissipates && stride.refinements > 1)
-      if (auto point = land_on_contact_change(path, stride.amount)) return Outcome{std::move(point)};
+      if (auto point = land_on_contact_change(path, stride.amount, stride.move.kind))
+        return Outcome{std::move(point)};
     if (auto point = snap(path, candidate, stride)) return Outcome{std::move(point)};
     return shorten(path, stride, "the step leaves too much energy unaccounted for", 0.5);
   }

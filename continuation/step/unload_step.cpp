@@ -47,7 +47,7 @@ std::optional<Point> unload_step(PathState& path) {
     const auto candidate = try_step(path, move, amount);
     if (!candidate) {
       if (auto point = land_on_turn(path, {.move = move, .amount = amount}, true)) return point;
-      if (auto point = land_on_contact_change(path, amount)) return point;
+      if (auto point = land_on_contact_change(path, amount, move.kind)) return point;
     }
     if (!candidate || refuse_jump(path, *candidate, to_string(move.kind))) continue;
     resize(path, *candidate, amount, move);

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "continuation/contact/rate_walk.hpp"
+#include "continuation/walk/snap_back.hpp"
 
 namespace dda {
 namespace {
@@ -123,19 +124,10 @@ class RateProblem {
     }
   }
 
-  /// Takes off whatever unloads or sticks until the rest goes on; where something that was taken off would go
-  /// on after all, or the path would turn back, walks from hinge to hinge (rate_walk.hpp).
+  /// The direction in which the path goes on; flags as it needs them.
   Tangent solve(Tangent arriving) {
-    Tangent found = pruned(arriving);
-    if (found.d.empty()) return found;
-    const bool keeps = is_settled(found), turns = leads_back(system_, found, heading_);
-    if (keeps && !turns) return found;
-    const std::vector<History> flags = system_.history();
-    const auto other = walked(arriving);
-    if (other && !(keeps && other->leads_back)) return other->tangent;
-    system_.set_history(flags);
-    found = tangent();
-    found.keeps_equilibrium = keeps;
+    Tangent found = kept(std::move(arriving));
+    if (!found.d.empty()) let_rest(found);
     return found;
   }
   /// A direction that goes on beyond a change of contact; flags as it needs them.
@@ -143,6 +135,18 @@ class RateProblem {
     const std::vector<History> flags = system_.history();
     beyond_ = change;
     if (auto found = walked(change.arriving)) return std::move(found->tangent);
+    system_.set_history(flags);
+    return {};
+  }
+  /// A direction along which joints slide on while the load falls and does negative work; flags as it needs them.
+  std::optional<Tangent> solve_snapping(const Tangent& arriving) {
+    const std::vector<History> flags = system_.history();
+    may_snap_back_ = true;
+    auto found = walked(arriving);
+    if (found && found->tangent.load_factor < 0) {
+      let_rest(found->tangent);
+      return std::move(found->tangent);
+    }
     system_.set_history(flags);
     return {};
   }
@@ -158,6 +162,34 @@ class RateProblem {
     Tangent tangent;
     bool leads_back = false;
   };
+
+  /// Takes off whatever unloads or sticks until the rest goes on; where something that was taken off would go
+  /// on after all, or the path would turn back, walks from hinge to hinge (rate_walk.hpp).
+  Tangent kept(Tangent arriving) {
+    Tangent found = pruned(arriving);
+    if (found.d.empty()) return found;
+    const bool keeps = is_settled(found), turns = leads_back(system_, found, heading_);
+    if (keeps && !turns) return found;
+    const std::vector<History> flags = system_.history();
+    const auto other = walked(arriving);
+    if (other && !(keeps && other->leads_back)) return other->tangent;
+    system_.set_history(flags);
+    found = tangent();
+    found.keeps_equilibrium = keeps;
+    return found;
+  }
+
+  /// What stands at its limit of friction and does not move is not said to slide.
+  void let_rest(const Tangent& found) {
+    constexpr double round_off = 1e-9;
+    double fastest = 0;
+    for (std::size_t i = 0; i < flags_.size(); ++i) fastest = std::max(fastest, std::abs(rate(i, found)));
+    std::vector<History> history = system_.history();
+    for (std::size_t i = 0; i < flags_.size(); ++i)
+      if (flags_[i].side == &History::sliding && std::abs(rate(i, found)) <= round_off * fastest)
+        history[flags_[i].point].sliding = false;
+    system_.set_history(std::move(history));
+  }
 
   Tangent pruned(Tangent found) {
     while (!found.d.empty() && unflag(found)) found = tangent();
@@ -178,7 +210,7 @@ class RateProblem {
       set(ray->goes_on);
       Way found{tangent()};
       if (found.tangent.d.empty()) continue;
-      if (turns_back(found.tangent, *ray)) reverse(found.tangent);
+      if (may_snap_back_ && snaps_back(found.tangent, *ray)) reverse(found.tangent);
       if (!is_settled(found.tangent) || !goes_beyond(found.tangent)) continue;
       found.leads_back = leads_back(system_, found.tangent, heading_);
       if (best && !is_better(found, *best, arriving)) continue;
@@ -189,11 +221,13 @@ class RateProblem {
     return best;
   }
 
-  /// Whether joints slide on only the other way round, under a load that falls while it does negative work: the path snaps
-  /// back where nothing cracks.
-  bool turns_back(Tangent found, const RateRay& ray) const {
+  /// Whether joints slide on only the other way round. Along a mechanism, where the load does far more than on the elastic
+  /// structure, they do so by rounding.
+  bool snaps_back(Tangent found, const RateRay& ray) const {
+    constexpr double far = 10;
     if (found.dissipates || heading_ || is_settled(found) || std::ranges::count(ray.goes_on, true) == 0)
       return false;
+    if (std::abs(live_power(system_, state_, found).of_forces) > far * elastic_power_) return false;
     reverse(found);
     return is_settled(found);
   }
@@ -225,6 +259,7 @@ class RateProblem {
   std::optional<HingedRates> hinged_rates() {
     const Tangent elastic = direction(system_, state_);
     if (elastic.d.empty()) return {};
+    elastic_power_ = std::abs(live_power(system_, state_, elastic).of_forces);
     const auto n = static_cast<Eigen::Index>(flags_.size());
     HingedRates out{Eigen::MatrixXd(n, n), Eigen::VectorXd(n)};
     for (std::size_t i = 0; i < flags_.size(); ++i)
@@ -318,6 +353,8 @@ class RateProblem {
   std::optional<BeyondChange> beyond_;
   std::vector<Flag> flags_;
   std::vector<Vec2> gradients_;
+  bool may_snap_back_ = false;
+  double elastic_power_ = 0;  ///< of the live load while nothing is flagged, per unit of its factor
 };
 
 }  // namespace
@@ -344,6 +381,10 @@ Tangent leaving_tangent(System& system, const State& state, Tangent arriving,
 std::optional<Tangent> tangent_beyond(System& system, const State& state,
                                       const std::optional<Heading>& heading, const BeyondChange& change) {
   return RateProblem(system, state, RateProblem::Sense::dissipates, heading).solve_beyond(change);
+}
+
+std::optional<Tangent> snapping_tangent(System& system, const State& state, const Tangent& arriving) {
+  return RateProblem(system, state, RateProblem::Sense::dissipates).solve_snapping(arriving);
 }
 
 Tangent starting_tangent(System& system, const State& state) {

@@ -4,12 +4,14 @@
 """
 
 import copy
+import math
 import subprocess
 import tempfile
 import unittest
 from pathlib import Path
 
 import ddapath
+from ddapath.verify import verify
 
 BEAM = {
     "units": {"length": "mm", "force": "N"},
@@ -118,6 +120,16 @@ class Ends(unittest.TestCase):
         self.assertGreater(len(coming), 3)
         self.assertLess(abs(coming / rocking - 1).max(), 1e-6)
         self.assertLess(run.curve["dissipated_energy"].iloc[-1], 1e-4 * rocking * 2)
+
+    def test_no_load_is_no_rupture_where_friction_would_bear_it_again(self):
+        deck = Path(__file__).parent / "dam_on_friction.yaml"
+        run = ddapath.run(deck, folder=Path(self.scratch.name) / "run", overwrite=True, check=False)
+        loads = run.curve["load"]
+        nothing = loads[loads <= 0].index[0]
+        weight = (32 + 5) / 2 * 40 * 2.4 * 9.81
+        self.assertGreater(loads[nothing:].max(), weight * math.tan(math.radians(40)))
+        self.assertNotIn("rupture", run.summary["reason"])
+        self.assertEqual([finding.check for finding in verify(run.folder) if not finding.holds], [])
 
     def test_load_control_names_the_mechanism_at_which_it_ends(self):
         run = self.run_(BLOCKS, path={"control": "load", "stop": {"gauges": {"push": 5}, "load_below": 0}})
