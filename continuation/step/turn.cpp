@@ -23,10 +23,10 @@ bool goes_on(const PathState& path, const Candidate& candidate) {
   return change * path.walker.leaving().rate(*gauge) > 0;
 }
 
-/// Whether a place may be landed on: nothing that a step ends at or looks for lies before it.
+/// Whether a place may be landed on: nothing that a step ends at or looks for lies before it, and its tangent tells the way on.
 bool is_next(const PathState& path, const Candidate& candidate) {
-  return goes_on(path, candidate) && !first_crossing(path, candidate) && !before_peak(path, candidate) &&
-         !is_coarse(path, candidate);
+  return !candidate.arriving.d.empty() && goes_on(path, candidate) && !first_crossing(path, candidate) &&
+         !before_peak(path, candidate) && !is_coarse(path, candidate);
 }
 
 }  // namespace
