@@ -3,12 +3,9 @@
 #include <cmath>
 #include <utility>
 
+#include "continuation/linear/dense/two_by_two.hpp"
+
 namespace dda {
-namespace {
-
-Eigen::Index place(std::size_t point) { return 2 * static_cast<Eigen::Index>(point); }
-
-}  // namespace
 
 bool ContactMatrix::move_to(const ContactProblem& problem, const std::vector<Mat2>& changes) {
   if (!has_factors()) return factor(problem, changes);
@@ -32,14 +29,14 @@ bool ContactMatrix::factor(const ContactProblem& problem, const std::vector<Mat2
   for (std::size_t i = 0; i < changes.size(); ++i) {
     if (changes[i].isZero(0)) continue;
     points.push_back(i);
-    places.insert(places.end(), {place(i), place(i) + 1});
+    places.insert(places.end(), {pair_at(i), pair_at(i) + 1});
   }
-  const Eigen::Index last = place(changes.size());
+  const Eigen::Index last = pair_at(changes.size());
   places.push_back(last);
   Eigen::MatrixXd columns(last + 1, std::ssize(places));
   for (std::size_t a = 0; a < points.size(); ++a) {
-    const Eigen::Index at = place(points[a]);
-    auto pair = columns.middleCols<2>(place(a));
+    const Eigen::Index at = pair_at(points[a]);
+    auto pair = columns.middleCols<2>(pair_at(a));
     pair = problem.couplings.middleCols<2>(at).lazyProduct(changes[points[a]]);
     pair.middleRows<2>(at) += Mat2::Identity();
     pair.row(last) += problem.control.segment<2>(at).transpose();
@@ -55,8 +52,8 @@ bool ContactMatrix::factor(const ContactProblem& problem, const std::vector<Mat2
 double ContactMatrix::add(const ContactProblem& problem, const RankOne& change) {
   changes_[change.point] = change.sum;
   constexpr double singular = 1e-11;
-  const auto columns = problem.couplings.middleCols<2>(place(change.point));
-  const double ratio = inverse_.add(columns.lazyProduct(change.u), place(change.point), change.v);
+  const auto columns = problem.couplings.middleCols<2>(pair_at(change.point));
+  const double ratio = inverse_.add(columns.lazyProduct(change.u), pair_at(change.point), change.v);
   is_nearly_singular_ = is_nearly_singular_ || !(std::abs(ratio) >= singular);
   return ratio;
 }

@@ -6,13 +6,13 @@
 #include <limits>
 #include <unordered_set>
 
+#include "continuation/linear/dense/two_by_two.hpp"
+
 namespace dda {
 namespace {
 
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
-
-Eigen::Index place(std::size_t point) { return 2 * static_cast<Eigen::Index>(point); }
 
 /// A number in (1, 1.3) that belongs to an index: breaks ties, and repeats.
 double tie_breaker(std::size_t index) {
@@ -39,6 +39,9 @@ Limits limits_of(Patience patience, std::size_t per_point, std::size_t points) {
   return {all, patience == Patience::little ? few : all};
 }
 
+/// How a point at a corner is read: as on the piece on which it has come to stand, or on the one it is moved onto.
+enum class Corners { as_they_came, as_they_lie };
+
 class Walk {
  public:
   Walk(const ContactProblem& problem, ContactMatrix& matrix, const WalkRule& rule)
@@ -48,8 +51,9 @@ class Walk {
         pieces_(size(), ContactPiece::stuck),
         centre_(Vector::Zero(2 * count())) {}
 
-  std::optional<Vector> from(const Vector& start) {
+  std::optional<Vector> from(const Vector& start, Corners corners) {
     x_ = start;
+    corners_ = corners;
     set_centre(start);
     disturb(residual(x_, rule_.share).lpNorm<Eigen::Infinity>());
     read_pieces();
@@ -66,7 +70,7 @@ class Walk {
     x_ -= matrix_.solve(residual(x_, rule_.share));
     Vector overlap = Vector::Zero(x_.size());
     for (std::size_t i = 0; i < size(); ++i)
-      if (problem_.points[i].contact) overlap[place(i)] = -tie_breaker(i);
+      if (problem_.points[i].contact) overlap[pair_at(i)] = -tie_breaker(i);
     tau_ = covering(overlap);
     x_ += tau_ * overlap;
     // Ends by itself, but where strong friction wedges bricks many joints are let go and held again on the way.
@@ -76,7 +80,7 @@ class Walk {
  private:
   std::size_t size() const { return problem_.points.size(); }
   Eigen::Index count() const { return static_cast<Eigen::Index>(size()); }
-  Vec2 opening(const Vector& x, std::size_t i) const { return x.segment<2>(place(i)); }
+  Vec2 opening(const Vector& x, std::size_t i) const { return x.segment<2>(pair_at(i)); }
 
   /// What is left of a point's traction t and what is added: a t + b P (q − c).
   struct Residual {
@@ -100,7 +104,7 @@ class Walk {
     const Response now = response_on(*point.contact, pieces_[i], q);
     const Mat2 trial = point.trial.asDiagonal();
     const Residual r = residual_of(i, share);
-    return {r.of_law * now.traction + r.of_spring * (trial * (q - centre_.segment<2>(place(i)))),
+    return {r.of_law * now.traction + r.of_spring * (trial * (q - centre_.segment<2>(pair_at(i)))),
             r.of_law * now.tangent + r.of_spring * trial};
   }
 
@@ -110,7 +114,7 @@ class Walk {
     for (std::size_t i = 0; i < size(); ++i) {
       const Vec2 q = opening(start, i);
       const Vec2 held = respond(i, q, 0).traction.cwiseQuotient(problem_.points[i].trial);
-      centre_.segment<2>(place(i)) = holds_jump(i) ? q : Vec2(q - held);
+      centre_.segment<2>(pair_at(i)) = holds_jump(i) ? q : Vec2(q - held);
     }
   }
 
@@ -119,7 +123,7 @@ class Walk {
     for (std::size_t i = 0; i < size(); ++i) {
       const ContactProblem::Point& point = problem_.points[i];
       const Vec2 q = opening(x, i);
-      z.segment<2>(place(i)) =
+      z.segment<2>(pair_at(i)) =
           point.weight * (respond(i, q, share).traction - point.base * (q - point.multiplier));
     }
     const Eigen::Index last = 2 * count();
@@ -143,7 +147,7 @@ class Walk {
   /// ∂F/∂x v of a v without load factor.
   Vector times(const Vector& v) const {
     Vector z(2 * count());
-    for (std::size_t i = 0; i < size(); ++i) z.segment<2>(place(i)) = change_of(i) * opening(v, i);
+    for (std::size_t i = 0; i < size(); ++i) z.segment<2>(pair_at(i)) = change_of(i) * opening(v, i);
     Vector out = v + problem_.couplings * z;
     out[2 * count()] += problem_.control.dot(v);
     return out;
@@ -152,8 +156,11 @@ class Walk {
   void read_pieces() { read_pieces_at(x_); }
   void read_pieces_at(const Vector& x) {
     for (std::size_t i = 0; i < size(); ++i)
-      if (const auto& contact = problem_.points[i].contact)
-        pieces_[i] = piece_at(*contact, opening(x, i), problem_.points[i].slides);
+      if (problem_.points[i].contact) pieces_[i] = piece_of(i, opening(x, i));
+  }
+  ContactPiece piece_of(std::size_t i, const Vec2& q) const {
+    const ContactProblem::Point& point = problem_.points[i];
+    return piece_at(*point.contact, q, point.slides && corners_ == Corners::as_they_came);
   }
 
   /// Moves x off all corners by next to nothing, so that no two points cross theirs at once, nor one goes back over that
@@ -165,15 +172,15 @@ class Walk {
                  far = std::min(most, part * left);
     for (std::size_t i = 0; i < size(); ++i) {
       const auto of = [&](std::size_t k) { return far * (tie_breaker(k) - 1.15); };
-      x_.segment<2>(place(i)) += within_piece(i, {of(2 * i), of(2 * i + 1)});
+      x_.segment<2>(pair_at(i)) += within_piece(i, {of(2 * i), of(2 * i + 1)});
     }
   }
   /// An amount by which a point may move, turned so that one that is open or slides goes on to if any turn does.
   Vec2 within_piece(std::size_t i, const Vec2& by) const {
-    const ContactProblem::Point& point = problem_.points[i];
-    if (!point.contact || pieces_[i] == ContactPiece::stuck) return by;
+    if (corners_ == Corners::as_they_lie || !problem_.points[i].contact || pieces_[i] == ContactPiece::stuck)
+      return by;
     for (const Vec2& turned : {by, Vec2(-by), Vec2(by.x(), -by.y()), Vec2(-by.x(), by.y())})
-      if (piece_at(*point.contact, opening(x_, i) + turned, point.slides) == pieces_[i]) return turned;
+      if (piece_of(i, opening(x_, i) + turned) == pieces_[i]) return turned;
     return by;
   }
 
@@ -186,7 +193,7 @@ class Walk {
       const Vec2 q = opening(x_, i);
       const double lever =
           contact->coefficient > 0 ? std::abs(q.y() - contact->slip) / contact->coefficient : 0;
-      out = std::max(out, (q.x() + lever) / -overlap[place(i)]);
+      out = std::max(out, (q.x() + lever) / -overlap[pair_at(i)]);
       largest = std::max(largest, q.norm());
     }
     return 1.1 * out + largest;
@@ -273,7 +280,7 @@ class Walk {
     for (std::size_t i = 0; i < size(); ++i) {
       const auto& contact = problem_.points[i].contact;
       if (!contact) continue;
-      const auto end = end_of_piece(*contact, pieces_[i], opening(x_, i), along.segment<2>(place(i)));
+      const auto end = end_of_piece(*contact, pieces_[i], opening(x_, i), along.segment<2>(pair_at(i)));
       if (!end || (out && end->length >= out->length)) continue;
       if (static_cast<int>(i) == last_ && end->to == left_ && is_here(i, end->length, along)) continue;
       out = NextEnd{end->length, i, end->to};
@@ -322,6 +329,7 @@ class Walk {
   const ContactProblem& problem_;
   ContactMatrix& matrix_;
   const WalkRule rule_;
+  Corners corners_ = Corners::as_they_came;
   std::vector<ContactPiece> pieces_;
   Vector centre_;  ///< w that the residual stiffness pulls to
   Vector x_, way_;
@@ -335,7 +343,8 @@ class Walk {
 
 std::optional<Vector> walk_from(const ContactProblem& problem, const Vector& start, ContactMatrix& matrix,
                                 const WalkRule& rule) {
-  return Walk(problem, matrix, rule).from(start);
+  if (auto found = Walk(problem, matrix, rule).from(start, Corners::as_they_came)) return found;
+  return Walk(problem, matrix, rule).from(start, Corners::as_they_lie);
 }
 
 std::optional<Vector> walk_proximally(const ContactProblem& problem, Vector start, ContactMatrix& matrix,

@@ -122,13 +122,16 @@ Tangent reloading(Walker& walker) {
   return arriving_tangent(system, walker.state());
 }
 
-/// Whether a mechanism has come to its end in the step that led here, a joint having closed: to move on takes load.
+/// Whether a mechanism has come to its end in the step that led here, a joint having closed: to move on takes load, and far
+/// more of it than weak springs and the friction that they bring about.
 bool has_locked(const PathState& path, double load) {
-  constexpr double noticeable = 1e-3;
-  const double moved = std::abs(path.displacement_rate(path.walker.leaving())),
+  constexpr double noticeable = 1e-3, far = 100;
+  const Tangent& leaving = path.walker.leaving();
+  const double moved = std::abs(path.displacement_rate(leaving)), rate = std::abs(load_rate(path)),
                along = mechanism_way * std::abs(path.displacement_of(path.walker.state()));
-  return std::abs(load_rate(path)) * along >
-         noticeable * std::max(std::abs(load), noticeable * path.memory.largest_force) * moved;
+  return rate * along >
+             noticeable * std::max(std::abs(load), noticeable * path.memory.largest_force) * moved &&
+         rate * moved > far * residual_power(path.walker.system().equilibrium(), leaving.opening);
 }
 
 /// Whether a joint that is open closes within an amount of the leaving tangent.

@@ -5,21 +5,14 @@
 #include <functional>
 #include <utility>
 
+#include "continuation/linear/dense/two_by_two.hpp"
 #include "framework/base/threads.hpp"
 
 namespace dda {
 
 namespace {
 
-/// Equal but for rounding: what is left of a symmetric tangent beside its symmetric part is no update.
-bool is_same(const Mat2& a, const Mat2& b) {
-  constexpr double round_off = 1e-14;
-  return (a - b).cwiseAbs().maxCoeff() <= round_off * b.cwiseAbs().maxCoeff();
-}
-
-bool is_symmetric(const Mat2& a) { return is_same(a.transpose(), a); }
-
-Mat2 symmetric_part(const Mat2& a) { return 0.5 * (a + a.transpose()); }
+bool is_exactly_symmetric(const Mat2& a) { return is_same(a.transpose(), a); }
 
 /// Whether the traction of a joint falls in some direction in which it opens.
 bool softens(const Mat2& a) {
@@ -119,7 +112,7 @@ bool LinearSystem::factor_base() {
   ++num_factorisations_;
   if (columns_) num_solves_ += columns_->num_solves();
   columns_.reset();
-  if (!std::ranges::all_of(base_, is_symmetric)) {
+  if (!std::ranges::all_of(base_, is_exactly_symmetric)) {
     if (!general_) general_.emplace(MumpsMatrix::Symmetry::none);
     general_->set(matrix_with(base_));
     return general_->factor();

@@ -6,14 +6,13 @@
 #include <utility>
 
 #include "continuation/linear/dense/dense_inertia.hpp"
+#include "continuation/linear/dense/two_by_two.hpp"
 #include "continuation/linear/linear_system.hpp"
 
 namespace dda {
 namespace {
 
 using Vector = Eigen::VectorXd;
-
-Mat2 symmetric_part(const Mat2& a) { return 0.5 * (a + a.transpose()); }
 
 bool is_symmetric(const Mat2& a) {
   constexpr double round_off = 1e-12;

@@ -11,7 +11,7 @@ namespace {
 constexpr double never = std::numeric_limits<double>::infinity();
 
 /// The opening along the ray, less κ.
-struct Excess {
+struct ExcessAlong {
   const LawAt& point;
   const Vec2& a;
   const Vec2& b;
@@ -22,7 +22,7 @@ struct Excess {
 };
 
 /// The last root in (low, high), where the excess is positive at `high`.
-double last_root(const Excess& excess, double low, double high) {
+double last_root(const ExcessAlong& excess, double low, double high) {
   double x = high;
   for (int iteration = 0; iteration < 100; ++iteration) {
     const double value = excess.value(x), slope = excess.slope(x);
@@ -36,7 +36,7 @@ double last_root(const Excess& excess, double low, double high) {
 }
 
 /// A place on the last stretch where the opening is beyond κ; infinite when it stays below.
-double beyond(const Excess& excess, double from) {
+double beyond(const ExcessAlong& excess, double from) {
   double x = from + 1;
   const double speed = excess.point.opening(excess.b);
   if (speed > 0) x = from + 2 * excess.kappa / speed;
@@ -50,7 +50,7 @@ double beyond(const Excess& excess, double from) {
 }  // namespace
 
 double reach(const LawAt& point, const Vec2& a, const Vec2& b) {
-  const Excess excess{point, a, b, point.kappa()};
+  const ExcessAlong excess{point, a, b, point.kappa()};
   if (b.isZero(0) || !std::isfinite(excess.kappa)) return never;
   std::array<double, 3> ends{never, never, never};
   for (int i = 0; i < 2; ++i)

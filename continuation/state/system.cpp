@@ -6,16 +6,12 @@
 #include <cmath>
 #include <limits>
 
+#include "continuation/state/at_once.hpp"
 #include "continuation/state/least_memory.hpp"
 #include "framework/base/threads.hpp"
 #include "models/stiffness_parts.hpp"
 
 namespace dda {
-namespace {
-
-constexpr std::size_t points_at_once = 2000, blocks_at_once = 8000, numbers_at_once = 50'000;
-
-}  // namespace
 
 System::System(const Equilibrium& equilibrium, const DirectSolverChoice& solver, LinearSystem::Update update)
     : equilibrium_(equilibrium),

@@ -1,15 +1,11 @@
 // Energies of a system.
 #include <cmath>
 
+#include "continuation/state/at_once.hpp"
 #include "continuation/state/system.hpp"
 #include "framework/base/threads.hpp"
 
 namespace dda {
-namespace {
-
-constexpr std::size_t points_at_once = 2000, blocks_at_once = 8000, numbers_at_once = 50'000;
-
-}  // namespace
 
 double System::dissipated(const std::vector<History>& history) const {
   double sum = 0;

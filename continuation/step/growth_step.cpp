@@ -12,7 +12,7 @@
 namespace dda {
 namespace {
 
-constexpr double at_strength = 1 - 1e-6;
+constexpr double at_its_strength = 1 - 1e-6;
 
 /// Whether some point stands beyond its strength.
 bool is_exceeded(const System& system, const State& at) {
@@ -98,7 +98,7 @@ std::optional<int> crack_to_grow(PathState& path) {
   System& system = path.walker.system();
   const auto laws = system.laws_at(path.walker.state());
   std::optional<int> out;
-  double most = at_strength;
+  double most = at_its_strength;
   for (std::size_t p = 0; p < laws->opening.size(); ++p) {
     const InterfacePoint& point = system.equilibrium().point(p);
     if (!point.is_awaited) continue;

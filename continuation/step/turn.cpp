@@ -13,7 +13,7 @@ namespace {
 
 /// Share of a step from which on a place is landed on: beyond nearer ones a shorter step may lead, and two points could
 /// hand a crack or a contact to and fro for ever.
-constexpr double near = 0.01;
+constexpr double hardly = 0.01;
 
 /// Whether what the control prescribes goes on to a place; of one that prescribes no gauge it is told by nothing.
 bool goes_on(const PathState& path, const Candidate& candidate) {
@@ -38,7 +38,7 @@ std::optional<Point> land_on_turn(PathState& path, const Stride& stride, bool on
         Initiation::new_one}}};
   const auto& [amount, kind] = std::ranges::min(turns, {}, [](const auto& turn) { return turn.first; });
   const bool is_passed_once = kind == Initiation::corner;  // by the point whose curve has it
-  if (!(amount < 2 * stride.amount) || (!is_passed_once && amount < near * stride.amount)) return {};
+  if (!(amount < 2 * stride.amount) || (!is_passed_once && amount < hardly * stride.amount)) return {};
   const Move landing{.kind = kind == Initiation::corner ? StepKind::corner : StepKind::initiation,
                      .equation = make_event_equation(path.walker.system(), kind),
                      .rate = 1,
@@ -61,7 +61,7 @@ std::optional<Point> land_on_contact_change(PathState& path, double amount, Step
   if (!path.walker.leaving().dissipates && kind != StepKind::arc_length) return {};
   if (!path.walker.system().has_contacts()) return {};
   const auto change = find_contact_change(path.walker);
-  if (!change || change->amount >= amount || change->amount < near * amount) return {};
+  if (!change || change->amount >= amount || change->amount < hardly * amount) return {};
   const auto candidate = try_step(path, contact_move(path.walker, *change), change->beyond);
   if (!candidate || !is_next(path, *candidate)) return {};
   if (path.cracks && share_to_strength(path, *candidate) < 1)

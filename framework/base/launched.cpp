@@ -7,7 +7,7 @@
 namespace dda {
 namespace {
 
-std::optional<int> number_in(const char* name) {
+std::optional<int> count_in(const char* name) {
   const char* const text = std::getenv(name);
   if (!text) return {};
   char* end = nullptr;
@@ -30,9 +30,9 @@ constexpr LauncherNames known[] = {
 
 Launched launched() {
   for (const LauncherNames& names : known) {
-    const auto size = number_in(names.size), rank = number_in(names.rank);
+    const auto size = count_in(names.size), rank = count_in(names.rank);
     if (!size || !rank || *size < 1 || *rank < 0 || *rank >= *size) continue;
-    return {*size, *rank, std::clamp(number_in(names.size_here).value_or(*size), 1, *size)};
+    return {*size, *rank, std::clamp(count_in(names.size_here).value_or(*size), 1, *size)};
   }
   return {};
 }

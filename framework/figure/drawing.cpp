@@ -14,8 +14,7 @@
 namespace dda::svg {
 namespace {
 
-constexpr double small = 10, normal = 11.5, large = 14;  // font sizes [px]
-constexpr double margin = drawing_margin, bar_width = 14;
+constexpr double bar_width = 14;
 
 /// Values of strokes and what they look like.
 struct Scale {
@@ -108,14 +107,14 @@ double paint_bar(Canvas& canvas, const Scale& scale, const Box& room) {
     const double y =
         room.bottom() - room.height * ((tick.value - axis.range.low) / (axis.range.high - axis.range.low));
     canvas.line({room.x + bar_width, y, room.x + bar_width + 4, y}, {ink, 1});
-    canvas.text(room.x + bar_width + 7, y + 3.5, tick.label, {small});
-    widest = std::max(widest, text_width(tick.label, small));
+    canvas.text(room.x + bar_width + 7, y + 3.5, tick.label, {small_text});
+    widest = std::max(widest, text_width(tick.label, small_text));
   }
-  canvas.text(room.x, room.y - 8, axis.scale, {small});
-  const double x = room.x + bar_width + 7 + widest + normal + 4;
-  canvas.text(x, room.y + room.height / 2, fitted(scale.label, normal, room.height),
-              {normal, Anchor::middle, false, -90});
-  return std::max(x + 8 - room.x, text_width(axis.scale, small));
+  canvas.text(room.x, room.y - 8, axis.scale, {small_text});
+  const double x = room.x + bar_width + 7 + widest + normal_text + 4;
+  canvas.text(x, room.y + room.height / 2, fitted(scale.label, normal_text, room.height),
+              {normal_text, Anchor::middle, false, -90});
+  return std::max(x + 8 - room.x, text_width(axis.scale, small_text));
 }
 
 /// Breaks a text into lines at spaces.
@@ -124,7 +123,8 @@ std::vector<std::string> lines_of(const std::string& text, double room) {
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find(' ', begin), text.size());
     const std::string word = text.substr(begin, end - begin);
-    if (!lines.back().empty() && text_width(lines.back() + " " + word, normal) > room) lines.emplace_back();
+    if (!lines.back().empty() && text_width(lines.back() + " " + word, normal_text) > room)
+      lines.emplace_back();
     lines.back() += (lines.back().empty() ? "" : " ") + word;
     begin = end + 1;
   }
@@ -135,8 +135,8 @@ double paint_caption(Canvas& canvas, const std::string& caption, const Box& room
   if (caption.empty()) return 0;
   double y = room.y;
   for (const std::string& line : lines_of(caption, room.width)) {
-    y += normal + 5;
-    canvas.text(room.x, y, fitted(line, normal, room.width), {normal});
+    y += normal_text + 5;
+    canvas.text(room.x, y, fitted(line, normal_text, room.width), {normal_text});
   }
   return y - room.y;
 }
@@ -147,30 +147,31 @@ std::string to_svg(const Drawing& drawing) {
   Canvas canvas;
   View view = view_of(drawing);
   const Scale scale = scale_of(drawing);
-  view.move_by(0, (drawing.title.empty() ? 0 : large + 10) + (scale.shown() ? 14 : 0) +
-                      (drawing.notes.empty() ? 0 : 2 * small));
+  view.move_by(0, (drawing.title.empty() ? 0 : large_text + 10) + (scale.shown() ? 14 : 0) +
+                      (drawing.notes.empty() ? 0 : 2 * small_text));
   const Box& frame = view.frame();
   const double reach = drawing.symbols.empty() ? 0 : symbol_reach;
   double right = frame.right() + reach;
   if (scale.shown()) right += 20 + paint_bar(canvas, scale, {right + 20, frame.y, 0, frame.height});
   if (!drawing.key.empty()) right += 12 + paint_key(canvas, drawing.key, {right + 12, frame.y});
-  right = std::max(right, margin + std::min(text_width(drawing.title, large), drawing.width));
-  canvas.text(margin, margin + large, fitted(drawing.title, large, right - margin),
-              {large, Anchor::start, true});
+  right = std::max(right, drawing_margin + std::min(text_width(drawing.title, large_text), drawing.width));
+  canvas.text(drawing_margin, drawing_margin + large_text,
+              fitted(drawing.title, large_text, right - drawing_margin), {large_text, Anchor::start, true});
   paint_polygons(canvas, view, drawing);
   paint_strokes(canvas, view, drawing, scale);
   paint_marks(canvas, view, drawing);
   paint_symbols(canvas, view, drawing.symbols);
   for (const Note& note : drawing.notes)
-    canvas.text(view.across(note.at), view.down(note.at), note.text, {small, Anchor::middle});
+    canvas.text(view.across(note.at), view.down(note.at), note.text, {small_text, Anchor::middle});
   if (drawing.polygons.empty() && drawing.strokes.empty()) {
     canvas.text(frame.x + frame.width / 2, frame.y + frame.height / 2, "nothing to draw",
-                {normal, Anchor::middle});
+                {normal_text, Anchor::middle});
   }
   const double bottom =
       std::max(frame.bottom() + reach, frame.y + key_line * static_cast<double>(drawing.key.size()));
-  const double caption = paint_caption(canvas, drawing.caption, {margin, bottom + 8, right - margin, 0});
-  return canvas.document(right + margin, bottom + 8 + caption + margin);
+  const double caption =
+      paint_caption(canvas, drawing.caption, {drawing_margin, bottom + 8, right - drawing_margin, 0});
+  return canvas.document(right + drawing_margin, bottom + 8 + caption + drawing_margin);
 }
 
 }  // namespace dda::svg

@@ -11,7 +11,6 @@
 namespace dda::svg {
 namespace {
 
-constexpr double small = 10, normal = 11.5, large = 14;  // font sizes [px]
 constexpr double plot_width = 300, plot_height = 225, margin = 14;
 constexpr std::size_t most_columns = 3;
 constexpr int most_ticks = 6;
@@ -59,9 +58,9 @@ class PanelPainter {
     Canvas unused;
     double widest = 0;
     for (const Tick& tick : PanelPainter(unused, panel, {}).y_.ticks) {
-      widest = std::max(widest, text_width(tick.label, small));
+      widest = std::max(widest, text_width(tick.label, small_text));
     }
-    return widest + 8 + (panel.y_label.empty() ? 0 : normal + 10);
+    return widest + 8 + (panel.y_label.empty() ? 0 : normal_text + 10);
   }
 
   void paint(const Colours& colours) {
@@ -72,7 +71,7 @@ class PanelPainter {
     }
     if (all_tracks().empty()) {
       canvas_.text(frame_.x + frame_.width / 2, frame_.y + frame_.height / 2, "no data",
-                   {normal, Anchor::middle});
+                   {normal_text, Anchor::middle});
     }
     markers();
   }
@@ -114,30 +113,30 @@ class PanelPainter {
   void labels() {
     double free_from = -1e9;
     for (const Tick& tick : x_.ticks) {
-      const double half = text_width(tick.label, small) / 2;
+      const double half = text_width(tick.label, small_text) / 2;
       if (px(tick.value) - half < free_from) continue;
-      canvas_.text(px(tick.value), frame_.bottom() + 15, tick.label, {small, Anchor::middle});
+      canvas_.text(px(tick.value), frame_.bottom() + 15, tick.label, {small_text, Anchor::middle});
       free_from = px(tick.value) + half + 4;
     }
     for (const Tick& tick : y_.ticks) {
-      canvas_.text(frame_.x - 6, py(tick.value) + 3.5, tick.label, {small, Anchor::end});
+      canvas_.text(frame_.x - 6, py(tick.value) + 3.5, tick.label, {small_text, Anchor::end});
     }
     titles();
   }
 
   void titles() {
     const double middle = frame_.x + frame_.width / 2;
-    canvas_.text(frame_.right(), frame_.bottom() + 27, x_.scale, {small, Anchor::end});
-    const double room = frame_.width - (x_.scale.empty() ? 0 : 2 * text_width(x_.scale, small) + 16);
-    canvas_.text(middle, frame_.bottom() + 32, fitted(panel_.x_label, normal, room),
-                 {normal, Anchor::middle});
-    canvas_.text(frame_.x, frame_.y - 6, y_.scale, {small});
-    const double x = frame_.x - left_room(panel_) + normal;
-    canvas_.text(x, frame_.y + frame_.height / 2, fitted(panel_.y_label, normal, frame_.height),
-                 {normal, Anchor::middle, false, -90});
+    canvas_.text(frame_.right(), frame_.bottom() + 27, x_.scale, {small_text, Anchor::end});
+    const double room = frame_.width - (x_.scale.empty() ? 0 : 2 * text_width(x_.scale, small_text) + 16);
+    canvas_.text(middle, frame_.bottom() + 32, fitted(panel_.x_label, normal_text, room),
+                 {normal_text, Anchor::middle});
+    canvas_.text(frame_.x, frame_.y - 6, y_.scale, {small_text});
+    const double x = frame_.x - left_room(panel_) + normal_text;
+    canvas_.text(x, frame_.y + frame_.height / 2, fitted(panel_.y_label, normal_text, frame_.height),
+                 {normal_text, Anchor::middle, false, -90});
     const double rise = y_.scale.empty() ? 8 : 19;
-    canvas_.text(middle, frame_.y - rise, fitted(panel_.title, normal, frame_.width),
-                 {normal, Anchor::middle, true});
+    canvas_.text(middle, frame_.y - rise, fitted(panel_.title, normal_text, frame_.width),
+                 {normal_text, Anchor::middle, true});
   }
 
   std::vector<Track> tracks(const Series& series) const {
@@ -185,9 +184,9 @@ class PanelPainter {
     for (const Marker& marker : panel_.markers) {
       if (!shown(marker)) continue;
       canvas_.circle(px(marker.x), py(marker.y), 4);
-      const std::string label = fitted(marker.label, small, inner.width - 20);
-      const Box box = placer.place(px(marker.x), py(marker.y), text_width(label, small), small);
-      canvas_.text(box.x + box.width / 2, box.bottom() - 1.5, label, {small, Anchor::middle});
+      const std::string label = fitted(marker.label, small_text, inner.width - 20);
+      const Box box = placer.place(px(marker.x), py(marker.y), text_width(label, small_text), small_text);
+      canvas_.text(box.x + box.width / 2, box.bottom() - 1.5, label, {small_text, Anchor::middle});
     }
   }
 
@@ -224,8 +223,8 @@ double paint_legend(Canvas& canvas, const std::vector<LegendEntry>& entries, con
     double used = 0;
     std::vector<std::string> names;
     for (std::size_t i = first; i < entries.size(); ++i) {
-      const std::string name = fitted(entries[i].name, small, room.width - sample - gap);
-      const double more = sample + 6 + text_width(name, small) + gap;
+      const std::string name = fitted(entries[i].name, small_text, room.width - sample - gap);
+      const double more = sample + 6 + text_width(name, small_text) + gap;
       if (!names.empty() && used + more > room.width) break;
       names.push_back(name);
       used += more;
@@ -233,8 +232,8 @@ double paint_legend(Canvas& canvas, const std::vector<LegendEntry>& entries, con
     double x = room.x + std::max(0.0, (room.width - used + gap) / 2);
     for (std::size_t i = 0; i < names.size(); ++i) {
       canvas.line({x, y + 8, x + sample, y + 8}, entries[first + i].style);
-      canvas.text(x + sample + 6, y + 11.5, names[i], {small});
-      x += sample + 6 + text_width(names[i], small) + gap;
+      canvas.text(x + sample + 6, y + 11.5, names[i], {small_text});
+      x += sample + 6 + text_width(names[i], small_text) + gap;
     }
     first += names.size();
     y += row_height;
@@ -259,9 +258,9 @@ std::string to_svg(const Figure& figure) {
   const double width = static_cast<double>(columns) * cell_width + margin;
   double y = margin;
   if (!figure.title.empty()) {
-    canvas.text(width / 2, y + large, fitted(figure.title, large, width - 2 * margin),
-                {large, Anchor::middle, true});
-    y += large + 8;
+    canvas.text(width / 2, y + large_text, fitted(figure.title, large_text, width - 2 * margin),
+                {large_text, Anchor::middle, true});
+    y += large_text + 8;
   }
   for (std::size_t i = 0; i < figure.panels.size(); ++i) {
     const Box frame{margin + static_cast<double>(i % columns) * cell_width + left,

@@ -25,6 +25,9 @@ inline constexpr const char* mark_outline = "#e00000";  ///< of blocks that have
 /// Lengths on and off [px].
 inline constexpr std::array dashes = {5, 9}, dots = {1, 4};
 
+/// Sizes of fonts [px].
+inline constexpr double small_text = 10, normal_text = 11.5, large_text = 14;
+
 inline constexpr int colour_steps = 64;  ///< of a colour bar
 
 /// Parts of a range that axes add at both ends.

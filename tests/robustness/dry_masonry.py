@@ -102,7 +102,9 @@ def loaded(choose, blocks, feet):
     if choose.random() < 0.6:
         return {"type": "body_force", "force": force, "materials": ["stone"]}, [weight(block, force, 1) for block in blocks]
     sides = [(start, end, i) for i, block in enumerate(blocks[feet:], feet) for start, end in zip(block, block[1:] + block[:1])]
-    start, end, struck = max(sides, key=lambda side: side[0][1] + side[1][1])
+    inner = {(tuple(end), tuple(start)) for start, end, _ in sides}
+    outer = [side for side in sides if (tuple(side[0]), tuple(side[1])) not in inner]
+    start, end, struck = max(outer, key=lambda side: side[0][1] + side[1][1])
     middle = [(a + b) / 2 for a, b in zip(start, end)]
     live = [wrench(force if i == struck else (0, 0), middle) for i in range(len(blocks))]
     return {"type": "point_load", "over": [start, end], "force": force}, live

@@ -1,18 +1,11 @@
 // What a factorisation with a border leaves for others, and takes from them.
 #include <algorithm>
 
+#include "continuation/linear/cholesky/cholmod_arrays.hpp"
 #include "continuation/linear/cholesky/cholmod_matrix.hpp"
 #include "continuation/linear/dense/dense_cholesky.hpp"
 
 namespace dda {
-namespace {
-
-int* integers(void* p) { return static_cast<int*>(p); }
-double* reals(void* p) { return static_cast<double*>(p); }
-
-std::size_t count(int i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
 
 void CholmodMatrix::to_factor(std::span<double> x) const {
   turned_.resize(x.size());

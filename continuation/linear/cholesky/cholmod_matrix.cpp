@@ -8,15 +8,12 @@
 #include <stdexcept>
 #include <string>
 
+#include "continuation/linear/cholesky/cholmod_arrays.hpp"
+
 namespace dda {
 namespace {
 
 constexpr int upper = 1, lower = -1;  // stype: which triangle is stored
-
-int* integers(void* p) { return static_cast<int*>(p); }
-double* reals(void* p) { return static_cast<double*>(p); }
-
-std::size_t count(int i) { return static_cast<std::size_t>(i); }
 
 /// A matrix of this thread for sparse right-hand sides, zero between the calls.
 Eigen::Map<Eigen::MatrixXd> scratch(std::size_t rows, Eigen::Index columns) {

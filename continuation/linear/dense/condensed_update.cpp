@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "continuation/linear/dense/dense_product.hpp"
+#include "continuation/linear/dense/two_by_two.hpp"
 #include "framework/base/threads.hpp"
 
 namespace dda {
@@ -11,16 +12,10 @@ namespace {
 
 using Matrix = Eigen::MatrixXd;
 
-Eigen::Index at(std::size_t i) { return 2 * static_cast<Eigen::Index>(i); }
-
-bool is_same(const Mat2& a, const Mat2& b) {
-  constexpr double round_off = 1e-14;
-  return (a - b).cwiseAbs().maxCoeff() <= round_off * b.cwiseAbs().maxCoeff();
-}
-
 Matrix rows_of(const Matrix& of, const std::vector<std::size_t>& points) {
-  Matrix out(at(points.size()), of.cols());
-  for (std::size_t i = 0; i < points.size(); ++i) out.middleRows<2>(at(i)) = of.middleRows<2>(at(points[i]));
+  Matrix out(pair_at(points.size()), of.cols());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    out.middleRows<2>(pair_at(i)) = of.middleRows<2>(pair_at(points[i]));
   return out;
 }
 
@@ -44,7 +39,7 @@ bool CondensedUpdate::eliminate(const std::vector<Mat2>& e, const std::vector<bo
   }
   Matrix h = couplings(steady_, steady_);
   for (std::size_t i = 0; i < steady_.size(); ++i)
-    h.middleCols<2>(at(i)) = (h.middleCols<2>(at(i)) * e[steady_[i]]).eval();
+    h.middleCols<2>(pair_at(i)) = (h.middleCols<2>(pair_at(i)) * e[steady_[i]]).eval();
   h.diagonal().array() += 1;
   to_steady_.resize(h.rows(), 0);
   from_outside_.resize(h.rows(), 0);
@@ -74,7 +69,7 @@ void CondensedUpdate::set(const std::vector<Mat2>& e) {
   Matrix matrix = between_;
   for (std::size_t i = 0; i < changing_.size(); ++i) {
     const Mat2 change = e[changing_[i]] - e_steady_[changing_[i]];
-    matrix.middleCols<2>(at(i)) = (matrix.middleCols<2>(at(i)) * change).eval();
+    matrix.middleCols<2>(pair_at(i)) = (matrix.middleCols<2>(pair_at(i)) * change).eval();
   }
   matrix.diagonal().array() += 1;
   small_.compute(std::move(matrix));  // a singular one gives no number
@@ -88,13 +83,14 @@ void CondensedUpdate::add_changing(const Points& points) {
     changing_.push_back(p);
   }
   if (!steady_.empty()) {
-    to_steady_.conservativeResize(Eigen::NoChange, at(changing_.size()));
-    to_steady_.rightCols(at(points.size())) = lu_.solve(couplings(steady_, points));
-    from_outside_.conservativeResize(Eigen::NoChange, at(outside_.size()));
+    to_steady_.conservativeResize(Eigen::NoChange, pair_at(changing_.size()));
+    to_steady_.rightCols(pair_at(points.size())) = lu_.solve(couplings(steady_, points));
+    from_outside_.conservativeResize(Eigen::NoChange, pair_at(outside_.size()));
     for (std::size_t i = first_outside; i < outside_.size(); ++i)
       for (std::size_t s = 0; s < steady_.size(); ++s)
-        from_outside_.block<2, 2>(at(s), at(i)) =
-            (g_.block<2, 2>(at(changing_[outside_[i]]), at(steady_[s])) * e_steady_[steady_[s]]).transpose();
+        from_outside_.block<2, 2>(pair_at(s), pair_at(i)) =
+            (g_.block<2, 2>(pair_at(changing_[outside_[i]]), pair_at(steady_[s])) * e_steady_[steady_[s]])
+                .transpose();
   }
   fill_changing(first);
 }
@@ -104,31 +100,32 @@ void CondensedUpdate::fill_changing(std::size_t first) {
   const std::size_t count = changing_.size(),
                     first_outside = static_cast<std::size_t>(std::ranges::lower_bound(outside_, first) -
                                                              outside_.begin());
-  between_.conservativeResize(at(count), at(count));
+  between_.conservativeResize(pair_at(count), pair_at(count));
   const auto fill = [&](std::size_t begin, Eigen::Index column, Eigen::Index columns) {
-    Matrix product = Matrix::Zero(at(outside_.size() - begin), columns);
+    Matrix product = Matrix::Zero(pair_at(outside_.size() - begin), columns);
     if (!steady_.empty())
       product = product_of_transpose(from_outside_.rightCols(product.rows()),
                                      to_steady_.middleCols(column, columns));
     for (std::size_t i = begin; i < outside_.size(); ++i)
       for (Eigen::Index c = column; c < column + columns; c += 2)
-        between_.block<2, 2>(at(outside_[i]), c) =
-            g_.block<2, 2>(at(changing_[outside_[i]]), at(changing_[static_cast<std::size_t>(c / 2)])) -
-            product.block<2, 2>(at(i - begin), c - column);
+        between_.block<2, 2>(pair_at(outside_[i]), c) =
+            g_.block<2, 2>(pair_at(changing_[outside_[i]]),
+                           pair_at(changing_[static_cast<std::size_t>(c / 2)])) -
+            product.block<2, 2>(pair_at(i - begin), c - column);
   };
   for (std::size_t i = 0; i < count; ++i)
     if (const int place = place_[changing_[i]]; place >= 0)
-      between_.middleRows<2>(at(i)) = to_steady_.middleRows<2>(2 * place);
-  fill(0, at(first), at(count - first));
-  if (first > 0) fill(first_outside, 0, at(first));
+      between_.middleRows<2>(pair_at(i)) = to_steady_.middleRows<2>(2 * place);
+  fill(0, pair_at(first), pair_at(count - first));
+  if (first > 0) fill(first_outside, 0, pair_at(first));
 }
 
 Eigen::MatrixXd CondensedUpdate::couplings(const Points& rows, const Points& columns) const {
-  Matrix out(at(rows.size()), at(columns.size()));
+  Matrix out(pair_at(rows.size()), pair_at(columns.size()));
   constexpr std::size_t columns_at_once = 64;
   parallel_for(columns.size(), columns_at_once, [&](std::size_t c) {
     for (std::size_t r = 0; r < rows.size(); ++r)
-      out.block<2, 2>(at(r), at(c)) = g_.block<2, 2>(at(rows[r]), at(columns[c]));
+      out.block<2, 2>(pair_at(r), pair_at(c)) = g_.block<2, 2>(pair_at(rows[r]), pair_at(columns[c]));
   });
   return out;
 }
@@ -139,20 +136,22 @@ Eigen::MatrixXd CondensedUpdate::condensed(const Matrix& b) const {
   if (!steady_.empty()) {
     const Matrix from = from_outside_.transpose() * of_steady;
     for (std::size_t i = 0; i < outside_.size(); ++i)
-      y.middleRows<2>(at(outside_[i])) -= from.middleRows<2>(at(i));
+      y.middleRows<2>(pair_at(outside_[i])) -= from.middleRows<2>(pair_at(i));
     for (std::size_t i = 0; i < changing_.size(); ++i)
       if (const int place = place_[changing_[i]]; place >= 0)
-        y.middleRows<2>(at(i)) = of_steady.middleRows<2>(2 * place);
+        y.middleRows<2>(pair_at(i)) = of_steady.middleRows<2>(2 * place);
   }
   y = small_.solve(std::move(y));
   for (std::size_t i = 0; i < changing_.size(); ++i)
-    out.middleRows<2>(at(changing_[i])) = y.middleRows<2>(at(i));
+    out.middleRows<2>(pair_at(changing_[i])) = y.middleRows<2>(pair_at(i));
   if (steady_.empty()) return out;
   for (std::size_t i = 0; i < changing_.size(); ++i)
-    y.middleRows<2>(at(i)) = ((e_[changing_[i]] - e_steady_[changing_[i]]) * y.middleRows<2>(at(i))).eval();
+    y.middleRows<2>(pair_at(i)) =
+        ((e_[changing_[i]] - e_steady_[changing_[i]]) * y.middleRows<2>(pair_at(i))).eval();
   of_steady.noalias() -= to_steady_ * y;
   for (std::size_t i = 0; i < steady_.size(); ++i)
-    if (!is_changing_[steady_[i]]) out.middleRows<2>(at(steady_[i])) = of_steady.middleRows<2>(at(i));
+    if (!is_changing_[steady_[i]])
+      out.middleRows<2>(pair_at(steady_[i])) = of_steady.middleRows<2>(pair_at(i));
   return out;
 }
 
@@ -163,7 +162,7 @@ void CondensedUpdate::subtract_product(const Matrix& y, Matrix& x) const {
     for (std::size_t p = 0; p < e_.size(); ++p)
       for (Eigen::Index c = 0; c < x.cols() && !e_[p].isZero(0); ++c)
         x.col(c).segment(first, rows).noalias() -=
-            g_.block(first, at(p), rows, 2) * Vec2(e_[p] * y.col(c).segment<2>(at(p)));
+            g_.block(first, pair_at(p), rows, 2) * Vec2(e_[p] * y.col(c).segment<2>(pair_at(p)));
   });
 }
 
@@ -178,7 +177,8 @@ double CondensedUpdate::refine(const Matrix& b, Matrix& x) const {
     subtract_product(known, x);
     Matrix miss = Matrix::Zero(x.rows(), x.cols());
     for (std::size_t p = 0; p < e_.size(); ++p)
-      if (is_known(p)) miss.middleRows<2>(at(p)) = x.middleRows<2>(at(p)) - known.middleRows<2>(at(p));
+      if (is_known(p))
+        miss.middleRows<2>(pair_at(p)) = x.middleRows<2>(pair_at(p)) - known.middleRows<2>(pair_at(p));
     missed = miss.cwiseAbs().maxCoeff() / std::max(x.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff());
     if (!(missed > rounding) || steady_.empty()) break;
     known += condensed(miss);

@@ -8,8 +8,6 @@
 namespace dda {
 namespace {
 
-Eigen::Index row_of(std::size_t block) { return block_unknowns * static_cast<Eigen::Index>(block); }
-
 Eigen::Index columns_of(const SharedMatrix::Entries& entries) {
   Eigen::Index out = 0;
   for (const HalfSolver::Entry& entry : entries) out = std::max(out, 2 * entry.pair + 2);
@@ -44,7 +42,7 @@ SharedMatrix::Entries SharedMatrix::entries_in(const Entries& entries, std::size
 void SharedMatrix::add_entries(const Entries& entries, BetweenColumns& to) const {
   for (const HalfSolver::Entry& entry : entries)
     if (const Place& at = place_[entry.block.value()]; at.is_between)
-      to.at[at.of - to.first].block<6, 2>(row_of(at.index), 2 * entry.pair) += entry.rows;
+      to.at[at.of - to.first].block<6, 2>(first_row_of(at.index), 2 * entry.pair) += entry.rows;
 }
 
 std::vector<BetweenColumns> SharedMatrix::add_groups(std::span<const Entries> groups,

@@ -10,8 +10,6 @@
 namespace dda {
 namespace {
 
-Eigen::Index row_of(std::size_t block) { return block_unknowns * static_cast<Eigen::Index>(block); }
-
 int next_name() {
   static int last = 0;
   return ++last;
@@ -106,7 +104,8 @@ bool SharedMatrix::factor(const BlockMatrix& a) {
     for (std::size_t s = a.row_start()[block]; s < a.row_start()[block + 1]; ++s) {
       const Place &row = place_[block], &column = place_[a.columns()[s]];
       if (row.is_between && column.is_between && row.of == column.of)
-        between_.diagonal(row.of).block<6, 6>(row_of(row.index), row_of(column.index)) += a.value(s);
+        between_.diagonal(row.of).block<6, 6>(first_row_of(row.index), first_row_of(column.index)) +=
+            a.value(s);
     }
   bool is_definite = true;
   flops_ = between_.factor_flops();
@@ -143,7 +142,7 @@ void SharedMatrix::solve(std::span<double> x, int columns) {
   for (std::size_t block = 0; block < place_.size(); ++block)
     if (const Place& at = place_[block]; at.is_between)
       for (int c = 0; c < columns; ++c)
-        between.at[at.of].col(c).segment<6>(row_of(at.index)) =
+        between.at[at.of].col(c).segment<6>(first_row_of(at.index)) =
             Eigen::Map<const Vec6>(x.data() + static_cast<std::size_t>(c) * n + block_unknowns * block);
   const auto of_strip = [&](std::size_t k) {
     std::vector<double> out;
@@ -214,7 +213,7 @@ void SharedMatrix::scatter(const BetweenColumns& x, std::span<double> to) const 
     if (const Place& at = place_[block]; at.is_between)
       for (std::size_t c = 0; c * num_rows() < to.size(); ++c)
         Eigen::Map<Vec6>(to.data() + c * num_rows() + block_unknowns * block) =
-            x.at[at.of].col(static_cast<Eigen::Index>(c)).segment<6>(row_of(at.index));
+            x.at[at.of].col(static_cast<Eigen::Index>(c)).segment<6>(first_row_of(at.index));
 }
 
 }  // namespace dda

@@ -14,6 +14,11 @@
 
 namespace dda {
 
+/// Of a block, in a vector of all.
+inline Eigen::Index first_row_of(std::size_t block) {
+  return block_unknowns * static_cast<Eigen::Index>(block);
+}
+
 /// A positive definite matrix whose Cholesky factorisation, solutions and half solutions are shared by the ranks of a
 /// run: each has a strip of the structure (strips.hpp, strip_part.hpp), rank 0 what lies between them as well.
 ///

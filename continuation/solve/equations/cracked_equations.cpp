@@ -8,15 +8,10 @@
 #include <map>
 #include <utility>
 
+#include "continuation/linear/dense/two_by_two.hpp"
 #include "framework/base/threads.hpp"
 
 namespace dda {
-namespace {
-
-auto pair(Eigen::VectorXd& v, std::size_t i) { return v.segment<2>(2 * static_cast<Eigen::Index>(i)); }
-auto pair(const Eigen::VectorXd& v, std::size_t i) { return v.segment<2>(2 * static_cast<Eigen::Index>(i)); }
-
-}  // namespace
 
 CrackedEquations::CrackedEquations(const System& system, LinearSystem& linear, const ControlSum& control)
     : system_(system),
@@ -27,7 +22,7 @@ CrackedEquations::CrackedEquations(const System& system, LinearSystem& linear, c
       live_(length()),
       update_(linear_.couplings()) {
   for (std::size_t i = 0; i < points_.size(); ++i)
-    pair(live_, i) = system.equilibrium().opening(points_[i], linear_.reference_solution());
+    pair_of(live_, i) = system.equilibrium().opening(points_[i], linear_.reference_solution());
   only_touch_ = std::ranges::all_of(
       points_, [&](std::size_t p) { return system.equilibrium().point(p).is_separate(); });
   if (!control.gauge) return;
@@ -51,7 +46,7 @@ Iterate CrackedEquations::begin_walks(const State& start, const State& guess, co
 Eigen::VectorXd CrackedEquations::openings(const State& at) const {
   Vector out(length() + 1);
   for (std::size_t i = 0; i < points_.size(); ++i)
-    pair(out, i) = system_.jump(points_[i], at.d) + multiplier(i);
+    pair_of(out, i) = system_.jump(points_[i], at.d) + multiplier(i);
   out[length()] = at.load_factor;
   return out;
 }
@@ -62,7 +57,7 @@ Iterate CrackedEquations::start_at(const State& guess, const Rule& rule, bool wa
   const std::vector<double>& dead = origin_ ? *origin_ : linear_.dead_solution();
   z_origin_ = Vector::Zero(length());
   for (std::size_t i = 0; i < points_.size(); ++i)
-    pair(dead_, i) = system_.equilibrium().opening(points_[i], dead) + multiplier(i);
+    pair_of(dead_, i) = system_.equilibrium().opening(points_[i], dead) + multiplier(i);
   q_ = openings(guess).head(length());
   if (control_.gauge) gauge_dead_ = control_.gauge->value(dead, 0);
   load_factor_ = guess.load_factor;
@@ -84,8 +79,8 @@ std::shared_ptr<const std::vector<double>> CrackedEquations::pulled_by_multiplie
   const std::vector<Vec2>& multipliers = system_.multipliers();
   Vector tractions(2 * std::ssize(multipliers));
   for (std::size_t p = 0; p < multipliers.size(); ++p)
-    pair(tractions, p) = linear_.base()[p] * multipliers[p];
-  for (const std::size_t p : points_) pair(tractions, p).setZero();
+    pair_of(tractions, p) = linear_.base()[p] * multipliers[p];
+  for (const std::size_t p : points_) pair_of(tractions, p).setZero();
   if (tractions.isZero(0)) return {};
   std::vector<double> out = linear_.dead_solution(), change(out.size(), 0.0);
   system_.equilibrium().scatter_add({tractions.data(), 2 * multipliers.size()}, change);
@@ -134,8 +129,8 @@ std::vector<bool> CrackedEquations::steady_points() const {
   constexpr double further = 1.001, round_off = 1e-12;
   std::vector<bool> out(points_.size(), false);
   for (const std::size_t i : active_) {
-    const Mat2 there = system_.respond(points_[i], further * pair(q_, i)).tangent;
-    const Mat2 here = system_.respond(points_[i], pair(q_, i)).tangent;
+    const Mat2 there = system_.respond(points_[i], further * pair_of(q_, i)).tangent;
+    const Mat2 here = system_.respond(points_[i], pair_of(q_, i)).tangent;
     out[i] = (there - here).cwiseAbs().maxCoeff() <= round_off * here.cwiseAbs().maxCoeff();
   }
   return out;
@@ -212,7 +207,7 @@ void CrackedEquations::refine() {
   }
   const State at = state_here();
   for (std::size_t i = 0; i < points_.size(); ++i)
-    pair(dead_, i) = system_.jump(points_[i], at.d) + multiplier(i) - load_factor_ * pair(live_, i);
+    pair_of(dead_, i) = system_.jump(points_[i], at.d) + multiplier(i) - load_factor_ * pair_of(live_, i);
   if (control_.gauge) gauge_dead_ = at.value(*control_.gauge) - load_factor_ * gauge_live_;
 }
 
@@ -224,7 +219,7 @@ std::vector<double> CrackedEquations::unbalanced(const State& at) const {
   system_.residual(at.d, at.load_factor, laws, out);
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const std::size_t p = points_[i];
-    const Vec2 q = pair(q_, i);
+    const Vec2 q = pair_of(q_, i);
     Eigen::Map<Vec2> difference(&differences[2 * p]);
     difference =
         system_.respond(p, q).traction - laws.traction[p] - linear_.base()[p] * (q - laws.opening[p]);
@@ -248,7 +243,7 @@ double CrackedEquations::residual_norm(const State& at) const {
     const Vec2 jump = system_.jump(p, at.d);
     const Vec2 missed =
         point.weight * (system_.respond(p, jump + multiplier(i)).traction - linear_.base()[p] * jump) -
-        pair(z_, i);
+        pair_of(z_, i);
     point.for_each_part([&](BlockId node, const Mat26& rows) {
       forces.try_emplace(node, Vec6::Zero()).first->second += rows.transpose() * missed;
     });
@@ -306,17 +301,17 @@ void CrackedEquations::evaluate() {
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const std::size_t p = points_[i];
     const InterfacePoint& point = system_.equilibrium().point(p);
-    const Vec2 q = pair(q_, i), jump = q - multiplier(i);
+    const Vec2 q = pair_of(q_, i), jump = q - multiplier(i);
     const Response now = system_.respond(p, q);
     carried_ = std::max(carried_, now.traction.norm() / point.spring_unit);
     if (control_.spends) {
       const Spending spending = point.law->spending(q, system_.history()[p], point.stiffness);
       spent_ += point.weight * spending.value;
-      pair(spending_, i) = point.weight * spending.gradient;
+      pair_of(spending_, i) = point.weight * spending.gradient;
     }
     if (linear_.is_as_in_base(p, jump, now)) continue;
     active_.push_back(i);
-    pair(z_, i) = point.weight * (now.traction - linear_.base()[p] * jump);
+    pair_of(z_, i) = point.weight * (now.traction - linear_.base()[p] * jump);
     change_[i] = point.weight * (now.tangent - linear_.base()[p]);
   }
   difference_ = z_ - z_origin_;
@@ -328,7 +323,8 @@ std::size_t CrackedEquations::pieces() const {
   std::size_t hash = 1469598103934665603ull;  // FNV-1a
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const InterfacePoint& point = system_.equilibrium().point(points_[i]);
-    const std::size_t piece = point.law->piece(pair(q_, i), system_.history()[points_[i]], point.stiffness);
+    const std::size_t piece =
+        point.law->piece(pair_of(q_, i), system_.history()[points_[i]], point.stiffness);
     hash = (hash ^ (piece + 32 * (piece ? points_[i] + 1 : 0))) * 1099511628211ull;
   }
   return hash;

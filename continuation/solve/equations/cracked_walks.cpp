@@ -2,14 +2,10 @@
 
 #include <cmath>
 
+#include "continuation/linear/dense/two_by_two.hpp"
 #include "continuation/solve/equations/cracked_equations.hpp"
 
 namespace dda {
-namespace {
-
-auto pair(const Eigen::VectorXd& v, std::size_t i) { return v.segment<2>(2 * static_cast<Eigen::Index>(i)); }
-
-}  // namespace
 
 Verdict CrackedEquations::judge_walks(int iterations) {
   using enum Verdict::Kind;
@@ -91,7 +87,7 @@ ContactProblem::Point CrackedEquations::point_of(std::size_t i) const {
   const std::size_t p = points_[i];
   const InterfacePoint& point = system_.equilibrium().point(p);
   const History& h = system_.history()[p];
-  const Vec2 q = pair(q_, i);
+  const Vec2 q = pair_of(q_, i);
   const Response now = system_.respond(p, q);
   ContactProblem::Point out{.weight = point.weight,
                             .trial = point.trial_stiffness(),

@@ -5,14 +5,13 @@
 #include <numbers>
 
 #include "models/crack/front.hpp"
+#include "studies/dda/record/json_of.hpp"
 #include "studies/dda/record/measures.hpp"
 
 namespace dda {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json at(const Vec2& x) { return Json::array({x.x(), x.y()}); }
 
 std::vector<GrownSegment> of_crack(const std::vector<GrownSegment>& grown, int crack) {
   std::vector<GrownSegment> out;
@@ -64,8 +63,8 @@ Json cuts_of(const CrackFront& front, const std::vector<GrownSegment>& segments,
     if (cut.crack != segment->crack || cut.is_provisional) continue;
     Json entry{{"block", cut.block.value()}};
     if (cut.side) entry["side"] = *cut.side;
-    entry["from"] = at(cut.start);
-    entry["to"] = at(cut.end);
+    entry["from"] = json_of(cut.start);
+    entry["to"] = json_of(cut.end);
     entry["step"] = segment->step;
     entry["load"] = segment->load;
     add_points(c, fields, end, entry);
@@ -92,10 +91,10 @@ Json cracks_summary(const CrackFront& front, const std::vector<GrownSegment>& gr
   const Fields::Interface here = fields.interface_at(end);
   for (int crack = 0; crack < static_cast<int>(front.num_cracks()); ++crack) {
     const std::vector<GrownSegment> segments = of_crack(grown, crack);
-    Json path = Json::array({at(beginning(front, crack))});
+    Json path = Json::array({json_of(beginning(front, crack))});
     double length = 0;
     for (const GrownSegment& segment : segments) {
-      path.push_back(at(segment.to));
+      path.push_back(json_of(segment.to));
       length += (segment.to - segment.from).norm();
     }
     Json entry{{"path", std::move(path)}, {"length", length}};

@@ -2,12 +2,12 @@
 
 #include <cmath>
 
+#include "studies/dda/record/json_of.hpp"
+
 namespace dda {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json at(const Vec2& x) { return Json::array({x.x(), x.y()}); }
 
 /// What the points of one interface have come to.
 struct Tally {
@@ -32,9 +32,9 @@ struct Tally {
   Json json(const FirstCrack& first) const {
     Json out{{"dissipated_energy", dissipated}, {"cracked_share", area > 0 ? cracked_area / area : 0}};
     if (first.step < 0) return out;
-    out["first_crack"] = {{"step", first.step}, {"at", at(first.at)}};
-    out["widest"] = {{"opening", opening}, {"at", at(widest)}};
-    out["farthest"] = {{"sliding", sliding}, {"at", at(farthest)}};
+    out["first_crack"] = {{"step", first.step}, {"at", json_of(first.at)}};
+    out["widest"] = {{"opening", opening}, {"at", json_of(widest)}};
+    out["farthest"] = {{"sliding", sliding}, {"at", json_of(farthest)}};
     return out;
   }
 };

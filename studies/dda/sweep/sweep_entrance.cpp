@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr auto pause = std::chrono::milliseconds(100);
+constexpr auto between_tries = std::chrono::milliseconds(100);
 constexpr double leases_to_arrange = 5;  ///< no sign of life is given meanwhile
 
 fs::path all_claims(const fs::path& folder) { return folder / "claims"; }
@@ -38,7 +38,7 @@ class Arranging {
  public:
   Arranging(const fs::path& folder, double lease) : claims_(all_claims(folder), leases_to_arrange * lease) {
     WaitingNote note;
-    for (;; std::this_thread::sleep_for(pause)) {
+    for (;; std::this_thread::sleep_for(between_tries)) {
       const auto& claims = claims_.look();
       if (auto claim = claims_.take("arrangement", {{"since", utc_now()}})) {
         claim_ = std::move(*claim);
@@ -98,7 +98,7 @@ void refuse_others(const fs::path& folder, double lease) {
     WaitingNote note;
     for (auto left = doubtful(folder, claims.look()); !left.empty(); left = doubtful(folder, claims.look())) {
       note.show(left.front());
-      std::this_thread::sleep_for(pause);
+      std::this_thread::sleep_for(between_tries);
     }
   }
 }

@@ -92,7 +92,7 @@ TEST(ContactWalk, MovesToRestWhereItWouldGoRoundInLoops) {
 }
 
 /// Pressed points that all stand at their limits of friction, and a body that moves off freely at the load factor 1:
-/// the way by which its gap shall open is prescribed, and nothing else moves, so that none is said to slide.
+/// the way by which its gap shall open is prescribed, and nothing else moves.
 struct Mechanism {
   ContactProblem problem;
   Vector before, after;  ///< where it stands, and where it has moved by 1
@@ -109,6 +109,7 @@ Mechanism mechanism(Random& random, int pressed) {
   for (int i = 0; i < pressed; ++i) {
     const double pressure = random.between(0.5, 1);
     out.before.segment<2>(2 * i) << -pressure, (random.coin() ? 3 : -3) * pressure;
+    problem.points[static_cast<std::size_t>(i)].slides = true;
   }
   out.before[last] = 1;
   out.before[n] = 1;

@@ -14,7 +14,7 @@ Choice<Law, double> choose(const std::string& text) {
   return laws().choose(*parse_yaml("law: " + text, "a.yaml").find("law"));
 }
 
-std::string refusal(const std::string& text) {
+std::string refusal_of_kind(const std::string& text) {
   return messages([&] { choose(text); });
 }
 
@@ -25,16 +25,17 @@ TEST(Family, BothFormsOfTheDeck) {
 }
 
 TEST(Family, RefusalsNameTheMember) {
-  EXPECT_EQ(refusal("softning"), "a.yaml:1:6: unknown test_law 'softning'; did you mean 'softening'?");
-  EXPECT_EQ(refusal("{type: elastic}"),
+  EXPECT_EQ(refusal_of_kind("softning"),
+            "a.yaml:1:6: unknown test_law 'softning'; did you mean 'softening'?");
+  EXPECT_EQ(refusal_of_kind("{type: elastic}"),
             "a.yaml:1:13: unknown test_law 'elastic'; known are bonded and softening");
-  EXPECT_EQ(refusal("{type: softening, strength: 3, energi: 1}"),
+  EXPECT_EQ(refusal_of_kind("{type: softening, strength: 3, energi: 1}"),
             "a.yaml:1:6: missing parameter 'energy' in test_law 'softening' (number in F/L, above 0)\n"
             "a.yaml:1:37: unknown parameter 'energi' in test_law 'softening'; did you mean 'energy'?");
-  EXPECT_THAT(refusal("{strength: 3}"), HasSubstr("missing 'type' of the test_law"));
-  EXPECT_THAT(refusal("[1]"), HasSubstr("found a list"));
-  EXPECT_THAT(refusal("{type: [1]}"), HasSubstr("expected the name of a test_law"));
-  EXPECT_THAT(refusal("{type: softening, strength: 1, energy: 200}"),
+  EXPECT_THAT(refusal_of_kind("{strength: 3}"), HasSubstr("missing 'type' of the test_law"));
+  EXPECT_THAT(refusal_of_kind("[1]"), HasSubstr("found a list"));
+  EXPECT_THAT(refusal_of_kind("{type: [1]}"), HasSubstr("expected the name of a test_law"));
+  EXPECT_THAT(refusal_of_kind("{type: softening, strength: 1, energy: 200}"),
               HasSubstr("too large for the strength"));
 }
 

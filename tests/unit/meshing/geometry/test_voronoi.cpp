@@ -10,8 +10,8 @@
 namespace dda {
 namespace {
 
-const Figure rectangle{{{{0, 0}, {4, 0}, {4, 1}, {0, 1}}}, {}};
-const Figure angle_section{{{{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}}}, {}};
+const Figure plate{{{{0, 0}, {4, 0}, {4, 1}, {0, 1}}}, {}};
+const Figure angle_plate{{{{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}}}, {}};
 const Figure frame{{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}}, {{{{1, 1}, {3, 1}, {3, 3}, {1, 3}}}}};
 
 double total(const std::vector<Polygon>& cells) {
@@ -21,7 +21,7 @@ double total(const std::vector<Polygon>& cells) {
 }
 
 RC_GTEST_PROP(Voronoi, CellsFillTheFigure, ()) {
-  const auto& figure = *rc::gen::element(rectangle, angle_section, frame);
+  const auto& figure = *rc::gen::element(plate, angle_plate, frame);
   const VoronoiWish wish{static_cast<std::size_t>(*rc::gen::inRange(1, 60)),
                          static_cast<std::uint64_t>(*rc::gen::inRange(0, 1000)), *rc::gen::inRange(0, 6)};
   const std::vector<Polygon> cells = centroidal_voronoi(figure, wish);
@@ -32,16 +32,16 @@ RC_GTEST_PROP(Voronoi, CellsFillTheFigure, ()) {
 
 TEST(Voronoi, AConvexFigureGivesOneConvexCellPerSite) {
   for (const std::size_t blocks : {1u, 2u, 3u, 7u, 130u, 455u}) {
-    const auto cells = centroidal_voronoi(rectangle, {blocks, 4, 5});
+    const auto cells = centroidal_voronoi(plate, {blocks, 4, 5});
     EXPECT_EQ(cells.size(), blocks);
     for (const Polygon& cell : cells) EXPECT_TRUE(is_convex(cell));
   }
 }
 
 TEST(Voronoi, ASeedGivesTheSameCellsAgainAndAnotherSeedOthers) {
-  const auto a = centroidal_voronoi(angle_section, {50, 7, 10}),
-             b = centroidal_voronoi(angle_section, {50, 7, 10});
-  const auto c = centroidal_voronoi(angle_section, {50, 8, 10});
+  const auto a = centroidal_voronoi(angle_plate, {50, 7, 10}),
+             b = centroidal_voronoi(angle_plate, {50, 7, 10});
+  const auto c = centroidal_voronoi(angle_plate, {50, 8, 10});
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i].vertices, b[i].vertices);
   EXPECT_NE(a[0].vertices, c[0].vertices);
@@ -50,7 +50,7 @@ TEST(Voronoi, ASeedGivesTheSameCellsAgainAndAnotherSeedOthers) {
 TEST(Voronoi, LloydEvensOutTheAreas) {
   const auto spread = [](int iterations) {
     double squares = 0;
-    for (const Polygon& cell : centroidal_voronoi(rectangle, {100, 1, iterations}))
+    for (const Polygon& cell : centroidal_voronoi(plate, {100, 1, iterations}))
       squares += std::pow(signed_area(cell), 2);
     return squares;
   };
@@ -87,7 +87,7 @@ TEST(Voronoi, CutCellsFollowALineThatEndsInside) {
 }
 
 RC_GTEST_PROP(Squares, FillTheFigureAtAnyAngle, ()) {
-  const auto& figure = *rc::gen::element(rectangle, angle_section, frame);
+  const auto& figure = *rc::gen::element(plate, angle_plate, frame);
   const double size = *rc::gen::element(0.13, 0.31, 0.7, 5.0), angle = 0.01 * *rc::gen::inRange(-314, 315);
   const std::vector<Polygon> cells = square_cells(figure, size, angle);
   RC_ASSERT(std::abs(total(cells) - area(figure)) < 1e-9);
@@ -98,7 +98,7 @@ TEST(Squares, AreSquaresInTheMiddleAndNoSliversAtTheOutline) {
   const double size = 0.1, angle = 0.5;
   const Vec2 along(std::cos(angle), std::sin(angle));
   int whole = 0;
-  for (const Polygon& cell : square_cells(rectangle, size, angle)) {
+  for (const Polygon& cell : square_cells(plate, size, angle)) {
     EXPECT_GT(signed_area(cell), size * size / 8);
     if (std::abs(signed_area(cell) - size * size) > 1e-6 * size * size) continue;
     ++whole;

@@ -28,25 +28,25 @@ struct Stressed {
 };
 
 double none(const Vec2&) { return 0; }
-double bending(const Vec2& x) { return 5 - x.y(); }
+double bent(const Vec2& x) { return 5 - x.y(); }
 double pushed(const Vec2&) { return -1; }
 /// Largest at x = 17; over three block sizes it bends by less than 1 %.
 double peak(const Vec2& x) { return (5 - x.y()) * (1 - std::pow((x.x() - 17) / 40, 2)); }
 
 TEST(CrackStarts, FindTheLoadAtWhichTheEdgeOfALinearFieldReachesTheStrength) {
-  for (const CrackStart& place : Stressed(none, bending).places(2)) {
+  for (const CrackStart& place : Stressed(none, bent).places(2)) {
     if (place.at.y() > 1e-9) continue;
     EXPECT_NEAR(place.load_factor, 2 / 5.0, 1e-12);
     EXPECT_NEAR(place.direction.y(), 1, 1e-12) << "across the tension, into the body";
   }
-  const auto places = Stressed(none, bending).places(2);
+  const auto places = Stressed(none, bent).places(2);
   ASSERT_FALSE(places.empty());
   EXPECT_NEAR(places.front().at.y(), 0, 1e-9);
 }
 
 TEST(CrackStarts, CountWhatIsThereWithoutLoad) {
-  EXPECT_NEAR(Stressed(pushed, bending).places(2).front().load_factor, 3 / 5.0, 1e-12);
-  EXPECT_EQ(Stressed(bending, none).places(2).front().load_factor, 0) << "beyond the strength already";
+  EXPECT_NEAR(Stressed(pushed, bent).places(2).front().load_factor, 3 / 5.0, 1e-12);
+  EXPECT_EQ(Stressed(bent, none).places(2).front().load_factor, 0) << "beyond the strength already";
   EXPECT_TRUE(Stressed(none, pushed).places(2).empty()) << "never";
 }
 

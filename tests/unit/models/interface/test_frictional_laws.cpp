@@ -5,15 +5,10 @@
 #include <numbers>
 
 #include "models/interface/law.hpp"
+#include "support/law_of.hpp"
 
 namespace dda {
 namespace {
-
-std::unique_ptr<InterfaceLaw> law_of(const std::string& text) {
-  return interface_laws().choose(parse_yaml(text, "d")).make();
-}
-
-double tangent_of(double degrees) { return std::tan(degrees * std::acos(-1.0) / 180); }
 
 TEST(ContactFriction, SticksThenSlidesThenSticksAgain) {
   const auto law = law_of("{type: friction, friction_angle: 30}");

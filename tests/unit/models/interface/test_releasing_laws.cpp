@@ -4,16 +4,11 @@
 #include <cmath>
 
 #include "support/law_case.hpp"
+#include "support/law_of.hpp"
 #include "support/random.hpp"
 
 namespace dda {
 namespace {
-
-std::unique_ptr<InterfaceLaw> law_of(const std::string& text) {
-  return interface_laws().choose(parse_yaml(text, "d")).make();
-}
-
-double tangent_of(double degrees) { return std::tan(degrees * std::acos(-1.0) / 180); }
 
 /// What a point does between two shares of its release; ft = 2, c = 3, φ = 30°, residual 20°; k = 100.
 class ReleasedPoint : public testing::Test {

@@ -9,7 +9,7 @@ namespace dda {
 namespace {
 
 /// Each block coupled with its neighbours.
-BlockMatrix lattice(std::size_t columns, std::size_t rows) {
+BlockMatrix graph(std::size_t columns, std::size_t rows) {
   return {columns * rows, neighbours_in_columns(columns, rows)};
 }
 
@@ -40,7 +40,7 @@ void expect_apart(const BlockMatrix& a, const Strips& strips) {
 
 TEST(Strips, AreKeptApartByWhatLiesBetween) {
   for (const std::size_t count : {1, 2, 3, 4, 7}) {
-    const BlockMatrix a = lattice(60, 5);
+    const BlockMatrix a = graph(60, 5);
     const Strips strips = strips_of(a, std::vector<double>(count, 1.0));
     EXPECT_EQ(strips.strips.size(), count);
     EXPECT_EQ(strips.between.size(), count - 1);
@@ -49,7 +49,7 @@ TEST(Strips, AreKeptApartByWhatLiesBetween) {
 }
 
 TEST(Strips, HaveTheirShares) {
-  const BlockMatrix a = lattice(200, 4);
+  const BlockMatrix a = graph(200, 4);
   const std::vector<double> shares{0.1, 0.3, 0.6};
   const Strips strips = strips_of(a, shares);
   ASSERT_EQ(strips.strips.size(), shares.size());
@@ -61,7 +61,7 @@ TEST(Strips, HaveTheirShares) {
 TEST(Strips, AreDividedWhereTheStructureIsNarrow) {
   // Two lattices of 10 × 6 blocks, joined by one block.
   std::vector<std::pair<BlockId, BlockId>> pairs;
-  const BlockMatrix one = lattice(10, 6);
+  const BlockMatrix one = graph(10, 6);
   for (const std::size_t first : {std::size_t{0}, std::size_t{61}})
     for (std::size_t r = 0; r < one.num_rows(); ++r)
       for (std::size_t s = one.row_start()[r]; s < one.row_start()[r + 1]; ++s)
@@ -78,7 +78,7 @@ TEST(Strips, AreDividedWhereTheStructureIsNarrow) {
 TEST(Strips, FewBlocksMakeFewStrips) {
   const std::vector<double> shares(8, 1.0);
   for (const std::size_t blocks : {1, 2, 3, 5, 9}) {
-    const BlockMatrix a = lattice(blocks, 1);
+    const BlockMatrix a = graph(blocks, 1);
     const Strips strips = strips_of(a, shares);
     EXPECT_LE(2 * strips.strips.size() - 1, blocks);
     for (const auto& strip : strips.strips) EXPECT_FALSE(strip.empty());
@@ -96,7 +96,7 @@ TEST(Strips, PiecesOfTheirOwnNeedNothingBetween) {
 }
 
 TEST(Strips, TheBorderIsWhatLiesBeforeAndBehind) {
-  const Strips strips = strips_of(lattice(30, 2), std::vector<double>(3, 1.0));
+  const Strips strips = strips_of(graph(30, 2), std::vector<double>(3, 1.0));
   EXPECT_EQ(strips.border_of(0), strips.between[0]);
   EXPECT_EQ(strips.border_of(1).size(), strips.between[0].size() + strips.between[1].size());
   EXPECT_EQ(strips.border_of(2), strips.between[1]);

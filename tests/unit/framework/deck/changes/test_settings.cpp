@@ -14,14 +14,14 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-Node parse(const std::string& text) { return parse_yaml(text, "a.yaml"); }
+Node tree_of(const std::string& text) { return parse_yaml(text, "a.yaml"); }
 
-const Node tree = parse("s: {seed: 1, list: [{seed: 2}, {x: {seed: 3}}]}\nseeds: 4");
+const Node tree = tree_of("s: {seed: 1, list: [{seed: 2}, {x: {seed: 3}}]}\nseeds: 4");
 
 TEST(Settings, SetsANodeThatKeepsItsPosition) {
-  Node root = parse("a: {b: 1}");
+  Node root = tree_of("a: {b: 1}");
   set_value(root, "a.c.d", *parse_yaml("v: [1, 2]", "s.yaml").find("v"), {"s.yaml", 7, 3});
-  EXPECT_TRUE(root == parse("a: {b: 1, c: {d: [1, 2]}}"));
+  EXPECT_TRUE(root == tree_of("a: {b: 1, c: {d: [1, 2]}}"));
   EXPECT_EQ(to_string(find_value(root, "a.c.d")->where), "s.yaml:1:4");
   EXPECT_EQ(to_string(root.find("a")->entries[1].where), "s.yaml:7:3");
   EXPECT_THAT(messages([&] {
@@ -45,8 +45,8 @@ TEST(Settings, PathsToAName) {
 TEST(Settings, AssignmentSetsTheSameValue) {
   for (const std::string text : {"3", "-0.5", "[1, [2, 3]]", "{a: {b: [1, {c: d}]}, e: ''}", "'3'",
                                  "'a: b, c'", "'null'", "", "{}", "'it''s'", "1e-05"}) {
-    const Node value = *parse("v: " + text).find("v");
-    Node root = parse("a: {b: 1}");
+    const Node value = *tree_of("v: " + text).find("v");
+    Node root = tree_of("a: {b: 1}");
     set_value(root, assignment("a.b", value));
     EXPECT_TRUE(*find_value(root, "a.b") == value) << text << " became " << assignment("a.b", value);
     EXPECT_EQ(assignment("a.b", value).find('\n'), std::string::npos);
@@ -54,9 +54,9 @@ TEST(Settings, AssignmentSetsTheSameValue) {
 }
 
 TEST(NodeJson, ScalarsBecomeWhatTheyRead) {
-  EXPECT_EQ(to_json(parse("{i: 3, n: 0.5, b: true, t: a b, q: '3', z: null, l: [1, {m: x}]}")).dump(),
+  EXPECT_EQ(to_json(tree_of("{i: 3, n: 0.5, b: true, t: a b, q: '3', z: null, l: [1, {m: x}]}")).dump(),
             R"({"i":3,"n":0.5,"b":true,"t":"a b","q":"3","z":null,"l":[1,{"m":"x"}]})");
-  EXPECT_EQ(to_json(parse("[1.0e-05, .inf, 1..3, -2]")).dump(), R"([1e-05,".inf","1..3",-2])");
+  EXPECT_EQ(to_json(tree_of("[1.0e-05, .inf, 1..3, -2]")).dump(), R"([1e-05,".inf","1..3",-2])");
 }
 
 TEST(DimensionOf, WalksSectionsMapsListsAndFamilies) {

@@ -13,14 +13,14 @@ using test::Scratch;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-ResultsMesh small_mesh() {
+ResultsMesh two_blocks() {
   return {.blocks = {{{0, 0}, {1, 0}, {1, 1}}, {{1, 0}, {2, 0}, {2, 1}, {1, 1}}},
           .block_region = {0, 1},
           .segments = {{Vec2{1, 0}, Vec2{1, 1}}},
           .length_unit = "m"};
 }
 
-Snapshot snapshot(int step) {
+Snapshot stored_step(int step) {
   const double x = step;
   return {step,
           x,
@@ -31,14 +31,14 @@ Snapshot snapshot(int step) {
 
 TEST(ResultsReader, ReadsWhatWasStored) {
   const Scratch scratch;
-  ResultsWriter written(scratch.path(), small_mesh(), {{"version", "0.1"}});
-  written.store(snapshot(3));
-  written.store(snapshot(7));
+  ResultsWriter written(scratch.path(), two_blocks(), {{"version", "0.1"}});
+  written.store(stored_step(3));
+  written.store(stored_step(7));
   const ResultsReader results(scratch.path());
   EXPECT_THAT(results.steps(), ElementsAre(3, 7));
-  EXPECT_EQ(results.mesh().blocks, small_mesh().blocks);
-  EXPECT_EQ(results.mesh().segments, small_mesh().segments);
-  EXPECT_EQ(results.mesh().block_region, small_mesh().block_region);
+  EXPECT_EQ(results.mesh().blocks, two_blocks().blocks);
+  EXPECT_EQ(results.mesh().segments, two_blocks().segments);
+  EXPECT_EQ(results.mesh().block_region, two_blocks().block_region);
   EXPECT_EQ(results.mesh().length_unit, "m");
   EXPECT_EQ(results.values(7, "displacement").size(), 21u);
   EXPECT_THAT(results.values(7, "segments/damage"), ElementsAre(0.7));
@@ -50,9 +50,9 @@ TEST(ResultsReader, ReadsWhatWasStored) {
 
 TEST(ResultsReader, TakesNothingElseForAStep) {
   const Scratch scratch;
-  ResultsWriter written(scratch.path(), small_mesh(), {});
-  written.store(snapshot(1000007));
-  written.store(snapshot(1000008));
+  ResultsWriter written(scratch.path(), two_blocks(), {});
+  written.store(stored_step(1000007));
+  written.store(stored_step(1000008));
   for (const char* other : {"000009.h5.part", "9.h5", "-00009.h5", "000009 copy.h5", "99999999999.h5"})
     test::put(scratch / (std::string("fields/") + other), "");
   EXPECT_THAT(ResultsReader(scratch.path()).steps(), ElementsAre(1000007, 1000008));
@@ -60,10 +60,10 @@ TEST(ResultsReader, TakesNothingElseForAStep) {
 
 TEST(ResultsReader, ReadsWhileAnotherStepIsWritten) {
   const Scratch scratch;
-  ResultsWriter written(scratch.path(), small_mesh(), {});
-  written.store(snapshot(3));
+  ResultsWriter written(scratch.path(), two_blocks(), {});
+  written.store(stored_step(3));
   const ResultsReader results(scratch.path());
-  written.store(snapshot(7));
+  written.store(stored_step(7));
   EXPECT_THAT(results.steps(), ElementsAre(3));
   EXPECT_THAT(results.values(3, "segments/damage"), ElementsAre(0.3));
 }
@@ -71,7 +71,7 @@ TEST(ResultsReader, ReadsWhileAnotherStepIsWritten) {
 TEST(ResultsReader, SaysWhichFileItCannotRead) {
   const Scratch scratch;
   EXPECT_THAT(message_of<InputError>([&] { ResultsReader{scratch.path()}; }), HasSubstr(mesh_file));
-  ResultsWriter(scratch.path(), small_mesh(), {}).store(snapshot(3));
+  ResultsWriter(scratch.path(), two_blocks(), {}).store(stored_step(3));
   test::put(scratch / "fields/000003.h5", "this is no HDF5");
   const ResultsReader results(scratch.path());
   const std::string message = message_of<InputError>([&] { results.values(3, "displacement"); });
