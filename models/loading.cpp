@@ -168,9 +168,10 @@ class StageMaker {
     for (const auto& [name, choice] : model_.gauge_names) {
       try {
         const auto gauge = choice.make();
-        out.gauges.push_back(
-            {name, gauge->functional({body_, out.reactions, out.dead_stress, out.reference_stress}),
-             gauge->dimension()});
+        out.gauges.push_back({name,
+                              gauge->functional({body_, out.reactions, out.dead_stress, out.reference_stress,
+                                                 out.dead_out_of_plane, out.reference_out_of_plane}),
+                              gauge->dimension()});
       } catch (const InputError& error) {
         if (report) findings_.add(error);
       }

@@ -15,6 +15,7 @@ struct GaugeSources {
   const Body& body;
   const std::map<std::string, Functional>& reactions;
   std::span<const Vec3> dead_stress = {}, reference_stress = {};  ///< σ0(λ) by block [F/L²]; empty when none
+  std::span<const double> dead_out_of_plane = {}, reference_out_of_plane = {};  ///< likewise, see StageLoads
 };
 
 /// A scalar of the state recorded at every step, linear in (d, λ).

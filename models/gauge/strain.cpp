@@ -8,7 +8,7 @@
 namespace dda {
 namespace {
 
-enum class Component { xx, yy, xy };
+enum class Component { xx, yy, xy, zz };
 
 struct MeanParameters : Place {
   std::vector<std::string> regions;
@@ -42,6 +42,7 @@ std::vector<Share> shares(const Body& body, const MeanParameters& p) {
   return out;
 }
 
+/// Of a component in the plane.
 Vec3 unit(Component component) { return Vec3::Unit(static_cast<int>(component)); }
 
 Vec6 row_of(const Vec3& of_strain) {
@@ -60,11 +61,33 @@ Functional rows_of(const Body& body, const MeanParameters& p, const Share& share
   return out;
 }
 
-/// Mean strain (εx, εy, γxy) of some blocks, e·ε.
+/// Mean of what comes about out of the plane in some blocks: σz in plane strain, εz in plane stress. Refuses the other
+/// one, which is nothing.
+Functional out_of_plane(const GaugeSources& sources, const MeanParameters& p, Plane where) {
+  Functional out;
+  const auto part = [](std::span<const double> of, BlockId id) { return of.empty() ? 0 : of[id.value()]; };
+  for (const Share& share : shares(sources.body, p)) {
+    const auto& [block, weight] = share;
+    const Material& material = sources.body.material(block);
+    if (material.plane() != where)
+      throw InputError(
+          p.where,
+          where == Plane::strain
+              ? "`zz` of a stress is 0 in plane stress; take that of the strain, or `plane: strain`"
+              : "`zz` of a strain is 0 in plane strain; take that of the stress, or `plane: stress`");
+    out.add(1, rows_of(sources.body, p, share, material.out_of_plane()));
+    out.constant += weight * part(sources.dead_out_of_plane, block);
+    out.per_load_factor += weight * part(sources.reference_out_of_plane, block);
+  }
+  return out;
+}
+
+/// Mean strain (εx, εy, γxy) of some blocks, e·ε, or εz.
 class StrainGauge final : public Gauge {
  public:
   explicit StrainGauge(MeanParameters p) : p_(std::move(p)) {}
   Functional functional(const GaugeSources& sources) const override {
+    if (p_.component == Component::zz) return out_of_plane(sources, p_, Plane::stress);
     Functional out;
     for (const Share& share : shares(sources.body, p_))
       out.add(1, rows_of(sources.body, p_, share, unit(p_.component)));
@@ -76,11 +99,12 @@ class StrainGauge final : public Gauge {
   MeanParameters p_;
 };
 
-/// Mean stress of some blocks, e·σ with σ = C ε + σ0(λ).
+/// Mean stress of some blocks, e·σ with σ = C ε + σ0(λ), or σz.
 class StressGauge final : public Gauge {
  public:
   explicit StressGauge(MeanParameters p) : p_(std::move(p)) {}
   Functional functional(const GaugeSources& sources) const override {
+    if (p_.component == Component::zz) return out_of_plane(sources, p_, Plane::strain);
     Functional out;
     const Vec3 e = unit(p_.component);
     const auto part = [&](std::span<const Vec3> stress, BlockId id) {
@@ -112,9 +136,11 @@ Schema<MeanParameters> schema(const std::string& what) {
                  "their mean."})
       .texts("regions", &P::regions,
              {.fallback = std::vector<std::string>{}, .text = "Regions whose mean over the area is meant."})
-      .one_of("component", &P::component,
-              {{"xx", Component::xx}, {"yy", Component::yy}, {"xy", Component::xy}},
-              {.text = "Which component; `xy` of a strain is γxy, twice the tensor's."})
+      .one_of(
+          "component", &P::component,
+          {{"xx", Component::xx}, {"yy", Component::yy}, {"xy", Component::xy}, {"zz", Component::zz}},
+          {.text = "Which component; `xy` of a strain is γxy, twice the tensor's; `zz`, out of the plane, is "
+                   "the stress in plane strain and the strain in plane stress."})
       .check([](const P& p, const Position& where, Findings& findings) {
         if (p.at.has_value() == !p.regions.empty())
           findings.add(where, "give either `at`, a point, or `regions`, the mean of which is meant");

@@ -93,20 +93,24 @@ class InitialStrain(Computed):
     def test_of_a_free_body_leaves_no_stress(self):
         free = COOLED.replace("west: {boundary: west, fix: x}", "west: {at: [0, 0], fix: x}") \
                      .replace("east: {boundary: east, fix: x}", "east: {at: [200, 0], fix: y}")
-        for plane in ("stress", "strain"):
-            run = self.run_deck(free + f"plane: {plane}\n", "--set", "materials.concrete.poisson_ratio=0.2",
+        for plane, beside, of_all in (("stress", "strain", -4e-4), ("strain", "stress", 30000 * 4e-4)):
+            gauges = f"  beside: {{type: {beside}, at: [50, 50], component: zz}}\n"
+            run = self.run_deck(free.replace("path:", gauges + "path:") + f"plane: {plane}\n", "--set", "materials.concrete.poisson_ratio=0.2",
                                 "--set", "path.control=load")
             last = run.curve.iloc[-1]
             held = 1.2 if plane == "strain" else 1.0  # αT of all directions, of which the third is held
             self.assertAlmostEqual(last.strain / (-held * 4e-4 * last.load_factor), 1, delta=1e-9)
             self.assertLess(abs(last.stress), 1e-9 * 30000 * 4e-4)
+            self.assertAlmostEqual(last.beside / (of_all * last.load_factor), 1, delta=1e-9)
             self.assertEqual(self.refusals(), [])
 
     def test_misspelt_or_incomplete_is_told(self):
         for wrong, told in ((COOLED.replace("temperature: cooling", "temprature: cooling"), "temperature"),
                             (COOLED.replace(", temperature: cooling}", ", regions: [wall]}").replace(", cooling: -40", ""), "go together"),
                             (COOLED.replace("temperature: cooling}", "temperature: cooling, regions: [wall]}"), "unknown region 'wall'"),
-                            (COOLED.replace("component: xx}\npath", "component: zz}\npath"), "component")):
+                            (COOLED.replace("component: xx}\npath", "component: yx}\npath"), "component"),
+                            (COOLED.replace("component: xx}\n  strain", "component: zz}\n  strain"), "0 in plane stress"),
+                            (COOLED.replace("component: xx}\npath", "component: zz}\npath") + "plane: strain\n", "0 in plane strain")):
             (self.folder / "deck.yaml").write_text(wrong, encoding="utf-8")
             said = self.dda("check", "deck.yaml", code=2)
             self.assertIn(told, said)

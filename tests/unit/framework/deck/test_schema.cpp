@@ -2,6 +2,9 @@
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
+#include <map>
+#include <string>
+
 #include "framework/deck/schema.hpp"
 #include "unit/framework/deck/deck_example.hpp"
 #include "unit/framework/deck/messages.hpp"
@@ -60,6 +63,26 @@ TEST(Schema, UnknownParameterIsSuggested) {
   EXPECT_EQ(
       refusal("young_modulus: 1\nrecord: {colour: 2}\n"),
       "beam.yaml:2:10: unknown parameter 'colour' in section 'record'; known are every, fields and stops");
+}
+
+/// Where a path ends: users write the gauge beside the other goals.
+TEST(Schema, NumbersThatBelongIntoAMapAreSentThere) {
+  struct Goals {
+    double load = 0;
+    std::map<std::string, double> gauges;
+  };
+  const auto schema =
+      Schema<Goals>("Goals.")
+          .number("load", &Goals::load, {.fallback = 0.0, .text = "A load."})
+          .map("gauges", &Goals::gauges, number_kind(), {.fallback = {{}}, .text = "By name."});
+  const auto said = [&](const char* text) {
+    return messages([&] { schema.read(parse_yaml(text, "d.yaml")); });
+  };
+  EXPECT_EQ(
+      said("drift: 3"),
+      "d.yaml:1:1: unknown parameter 'drift'; known are load and gauges; an entry of `gauges` stands as "
+      "`gauges: {drift: 3}`");
+  EXPECT_EQ(said("drift: [3]"), "d.yaml:1:1: unknown parameter 'drift'; known are load and gauges");
 }
 
 TEST(Schema, MissingParameterSaysWhatItIs) {
