@@ -98,7 +98,8 @@ struct PathMemory {
   int idle_looks = 0;                     ///< looks for a hidden peak, one after another, that found none
   int idle_turn_looks = 0;                ///< and for hidden turns of gauges
   bool has_slid = false;                  ///< a contact has changed since the start
-  bool has_cracked_since_peak = false;    ///< a crack has grown since the load was highest
+  double cracked_to_peak = 0;             ///< energy of growing cracks until the load was highest [FL]
+  double cracked_since_peak = 0;          ///< and since then
   bool is_mechanism = false;              ///< the load has stayed while the structure moved
   double mechanism_way = 0;    ///< displacement of the load when it began or last brought a goal nearer
   double mechanism_load = 0;   ///< and the load
@@ -114,9 +115,10 @@ struct PathMemory {
   /// The loads are others from here on: forgets what was measured by those before.
   void begin_stage() {
     peak_load = step = largest_displacement = last_quantum = control = 0;
+    cracked_to_peak = cracked_since_peak = 0;
     direction = idle_looks = idle_turn_looks = 0;
     step_kind.reset();
-    has_cracked_since_peak = is_mechanism = releases = false;
+    is_mechanism = releases = false;
   }
 
   template <class Self, class Visit>
@@ -138,7 +140,8 @@ struct PathMemory {
     visit("idle_looks", self.idle_looks);
     visit("idle_turn_looks", self.idle_turn_looks);
     visit("has_slid", self.has_slid);
-    visit("has_cracked_since_peak", self.has_cracked_since_peak);
+    visit("cracked_to_peak", self.cracked_to_peak);
+    visit("cracked_since_peak", self.cracked_since_peak);
     visit("is_mechanism", self.is_mechanism);
     visit("releases", self.releases);
     visit("mechanism_way", self.mechanism_way);

@@ -50,11 +50,14 @@ bool has_fallen(const PathState& path) {
          path.load_of(path.walker.state()) <= target;
 }
 
-/// Whether the path has gone back since its peak without a crack that grows: the structure unloads.
-bool has_turned_round(const PathState& path) {
-  constexpr double back = 0.9;
-  return !path.memory.has_cracked_since_peak &&
-         std::abs(path.displacement_of(path.walker.state())) < back * path.memory.largest_displacement;
+/// Whether the path has gone back since its peak while next to nothing cracked, less than a tenth of what had before, and
+/// would soon bear the peak load again: the structure unloads.
+bool has_turned_round(PathState& path) {
+  constexpr double back = 0.9, little = 0.1, near = 2;
+  const PathMemory& memory = path.memory;
+  return memory.cracked_since_peak <= little * memory.cracked_to_peak &&
+         std::abs(path.displacement_of(path.walker.state())) < back * memory.largest_displacement &&
+         bears_load(path, near);
 }
 
 std::string fallen_load(const PathState& path) {
@@ -156,8 +159,9 @@ void end_where_turned_round(PathState& path) {
   if (path.ending.kind != Ending::Kind::running || !has_fallen(path) || !has_turned_round(path)) return;
   path.stop_early(
       Stop::turned_round,
-      fmt::format("{}, but nothing has cracked since the peak: the path has turned round and unloads; {}",
-                  fallen_load(path), what_to_try));
+      fmt::format(
+          "{}, but hardly anything has cracked since the peak: the path has turned round and unloads; {}",
+          fallen_load(path), what_to_try));
 }
 
 void end_where_stuck(PathState& path) {

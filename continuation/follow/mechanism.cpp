@@ -191,12 +191,11 @@ bool moves_freely(const PathState& path) {
          std::abs(load_rate(path)) * along / moved <= standing_load(path, path.load_of(path.walker.state()));
 }
 
-bool bears_load(PathState& path) {
-  constexpr double far = 10;
+bool bears_load(PathState& path, double within) {
   const Tangent anew = reloading(path.walker);
   if (anew.d.empty()) return false;
   const double moved = std::abs(path.displacement_rate(anew)), load = std::abs(anew.rate(path.load));
-  return moved * path.memory.peak_load <= far * path.memory.largest_displacement * load;
+  return moved * path.memory.peak_load <= within * path.memory.largest_displacement * load;
 }
 
 Move displacement_move(const PathState& path) {

@@ -30,9 +30,9 @@ double load_rate(const PathState& path);
 /// Whether the structure moves on by as much as makes a mechanism while its load stays.
 bool moves_freely(const PathState& path);
 
-/// Whether what has cracked would bear its peak load again, nothing cracking or sliding on, by at most ten times its largest
-/// displacement so far: no rupture, whatever load is left. Weight on a crack that friction holds does.
-bool bears_load(PathState& path);
+/// Whether what has cracked would bear its peak load again, nothing cracking or sliding on, by at most so many times its
+/// largest displacement so far: no rupture, whatever load is left. Weight on a crack that friction holds does.
+bool bears_load(PathState& path, double within = 10);
 
 /// Prescribes the displacement on which the load works, which goes on where the load does not.
 Move displacement_move(const PathState& path);

@@ -90,18 +90,19 @@ bool refuse_jump(PathState& path, const Candidate& candidate, const std::string&
 
 namespace {
 
-/// Whether a crack grows on the way to a candidate.
-bool cracks(const Walker& walker, const Candidate& candidate) {
+/// What growing cracks spend on the way to a candidate, all of it where one has grown through blocks [FL].
+double cracking_energy(const Walker& walker, const Candidate& candidate) {
   const Equilibrium& equilibrium = walker.system().equilibrium();
   const std::vector<History>&before = walker.system().history(), &after = candidate.history;
-  if (after.size() != before.size()) return true;  // through blocks
+  if (after.size() != before.size()) return std::max(0.0, candidate.dissipated - walker.here().dissipated);
+  double sum = 0;
   for (std::size_t p = 0; p < after.size(); ++p) {
     if (after[p].dissipated <= before[p].dissipated) continue;
     const InterfacePoint& point = equilibrium.point(p);
     if (point.law->damage(after[p], point.stiffness) > point.law->damage(before[p], point.stiffness))
-      return true;
+      sum += point.weight * (after[p].dissipated - before[p].dissipated);
   }
-  return false;
+  return sum;
 }
 
 /// The point that a candidate is to be, and what the path remembers of its load and displacement.
@@ -120,14 +121,13 @@ Point noted(PathState& path, const Candidate& candidate, StepKind kind) {
   const double change = load - path.walker.state().value(path.load);
   if (path.memory.direction == 0 && is_loaded && kind != StepKind::growth)
     path.memory.direction = change > 0 ? 1 : -1;
+  path.memory.cracked_since_peak += cracking_energy(path.walker, candidate);
   constexpr double same = 1e-9;  // the first point of a plateau is the highest, whatever rounding adds
   if (const double here = path.load_of(candidate.state);
       is_loaded && here > (1 + same) * path.memory.peak_load) {
     path.memory.peak_load = here;
-    path.memory.has_cracked_since_peak = false;
+    path.memory.cracked_to_peak += std::exchange(path.memory.cracked_since_peak, 0);
     out.is_highest = true;
-  } else if (!path.memory.has_cracked_since_peak) {
-    path.memory.has_cracked_since_peak = cracks(path.walker, candidate);
   }
   path.memory.largest_displacement =
       std::max(path.memory.largest_displacement, std::abs(path.displacement_of(candidate.state)));

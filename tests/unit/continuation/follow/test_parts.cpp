@@ -99,12 +99,13 @@ TEST_F(OnTheWayDown, TheLimitPointIsSoughtWhereTheTangentsMeet) {
 
 TEST_F(OnTheWayDown, AFallenLoadIsAGoalUnlessThePathHasTurnedRound) {
   PathState fallen = bar_.state();
-  EXPECT_TRUE(fallen.memory.has_cracked_since_peak);
+  EXPECT_GT(fallen.memory.cracked_since_peak, 0.1 * fallen.memory.cracked_to_peak);
   settle(fallen);
   EXPECT_EQ(fallen.ending.kind, Ending::Kind::goal_reached);
   EXPECT_THAT(fallen.ending.reason, HasSubstr("load below 50 %"));
   PathState turned = bar_.state();
-  turned.memory.has_cracked_since_peak = false;
+  turned.memory.cracked_to_peak = fallen.memory.cracked_since_peak;
+  turned.memory.cracked_since_peak = 0.09 * turned.memory.cracked_to_peak;
   PathState let_go = bar_.state();
   let_go.memory = turned.memory;
   turned.memory.largest_displacement = 2 * bar_.elongation();
