@@ -343,7 +343,8 @@ class Walk {
 
 std::optional<Vector> walk_from(const ContactProblem& problem, const Vector& start, ContactMatrix& matrix,
                                 const WalkRule& rule) {
-  if (auto found = Walk(problem, matrix, rule).from(start, Corners::as_they_came)) return found;
+  auto found = Walk(problem, matrix, rule).from(start, Corners::as_they_came);
+  if (found || rule.patience == Patience::little) return found;
   return Walk(problem, matrix, rule).from(start, Corners::as_they_lie);
 }
 

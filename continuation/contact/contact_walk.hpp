@@ -26,6 +26,8 @@ struct WalkRule {
 /// regularised matrix on the equations as they are). Where these hardly move, another walk from there with a
 /// smaller ε finds the point that sticks. Where the way turns round near τ = 0 the equations as they are may
 /// have a solution that those with ε have not: a mechanism that moves on while joints stand at their limits.
+/// A point at a corner is on the piece on which it has come to stand; where much patience finds nothing from there, on the
+/// one on which its opening lies.
 /// Ends after finitely many corners, for any coefficient of friction, when it starts from closed and stuck
 /// joints pressed together (`covered`): then no ray leads to infinity. Nothing where the equations have no
 /// solution, as beyond the load of a mechanism. `matrix` is kept from walk to walk.
