@@ -21,16 +21,13 @@ std::string described(const KindInfo& kind) {
   return "(" + text + ")";
 }
 
-/// "; an entry of `gauges` stands as `gauges: {drift: 3}`": what an unknown name may be, beside a number, where a section has
-/// a map of numbers.
+/// "; or `gauges: {drift: ...}`": what an unknown name may be, beside a number, where a section has a map of numbers.
 std::string as_entry(const std::vector<Parameter>& parameters, const NodeEntry& entry) {
-  if (!entry.value.is_scalar()) return "";
   const auto of_numbers = std::ranges::find_if(parameters, [](const Parameter& p) {
     return p.kind.form == KindInfo::Form::map && p.kind.item && p.kind.item->form == KindInfo::Form::number;
   });
-  if (of_numbers == parameters.end()) return "";
-  return "; an entry of `" + of_numbers->name + "` stands as `" + of_numbers->name + ": {" + entry.key +
-         ": " + entry.value.text + "}`";
+  if (!entry.value.is_scalar() || of_numbers == parameters.end()) return "";
+  return "; or `" + of_numbers->name + ": {" + entry.key + ": ...}`";
 }
 
 }  // namespace
@@ -88,8 +85,9 @@ bool SchemaBase::reject_unknown(const Node& node, const Reading& reading) const 
   for (const NodeEntry& entry : node.entries) {
     if (std::find(names.begin(), names.end(), entry.key) != names.end()) continue;
     is_right = false;
-    reading.findings.add(entry.where, "unknown parameter '" + entry.key + "'" + in_context(reading) +
-                                          suggest(entry.key, names) + as_entry(parameters(), entry));
+    std::string near = suggest(entry.key, names);
+    if (near.starts_with("; known")) near += as_entry(parameters(), entry);
+    reading.findings.add(entry.where, "unknown parameter '" + entry.key + "'" + in_context(reading) + near);
   }
   return is_right;
 }

@@ -78,10 +78,9 @@ TEST(Schema, NumbersThatBelongIntoAMapAreSentThere) {
   const auto said = [&](const char* text) {
     return messages([&] { schema.read(parse_yaml(text, "d.yaml")); });
   };
-  EXPECT_EQ(
-      said("drift: 3"),
-      "d.yaml:1:1: unknown parameter 'drift'; known are load and gauges; an entry of `gauges` stands as "
-      "`gauges: {drift: 3}`");
+  EXPECT_EQ(said("drift: 3"),
+            "d.yaml:1:1: unknown parameter 'drift'; known are load and gauges; or `gauges: {drift: ...}`");
+  EXPECT_EQ(said("gauge: 3"), "d.yaml:1:1: unknown parameter 'gauge'; did you mean 'gauges'?");
   EXPECT_EQ(said("drift: [3]"), "d.yaml:1:1: unknown parameter 'drift'; known are load and gauges");
 }
 
