@@ -92,9 +92,10 @@ namespace {
 
 /// What growing cracks spend on the way to a candidate, all of it where one has grown through blocks [FL].
 double cracking_energy(const Walker& walker, const Candidate& candidate) {
+  const double spent = candidate.dissipated - walker.here().dissipated;
   const Equilibrium& equilibrium = walker.system().equilibrium();
   const std::vector<History>&before = walker.system().history(), &after = candidate.history;
-  if (after.size() != before.size()) return std::max(0.0, candidate.dissipated - walker.here().dissipated);
+  if (after.size() != before.size() || !(spent > 0)) return std::max(0.0, spent);
   double sum = 0;
   for (std::size_t p = 0; p < after.size(); ++p) {
     if (after[p].dissipated <= before[p].dissipated) continue;

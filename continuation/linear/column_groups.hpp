@@ -6,15 +6,13 @@
 #include <vector>
 
 #include "continuation/linear/cholesky/half_solver.hpp"
+#include "continuation/linear/dense/two_by_two.hpp"
 #include "models/equilibrium.hpp"
 
 namespace dda {
 
 /// Points whose half columns are made together: more share no more of their way through the factor.
 inline constexpr std::size_t largest_group = 4;
-
-/// First of the two rows, or columns, that belong to the point at a place.
-inline Eigen::Index row_of(std::size_t place) { return 2 * static_cast<Eigen::Index>(place); }
 
 /// Runs of points between the multiples of a number.
 std::vector<std::span<const std::size_t>> neighbours(std::span<const std::size_t> points, std::size_t most);

@@ -61,7 +61,7 @@ class HalfColumns final : public UpdateColumns {
   bool follow(std::span<const std::size_t> kept, std::span<const std::size_t> points, std::size_t nodes,
               Matrix& g) override {
     const auto rows = static_cast<Eigen::Index>(block_unknowns * nodes), before = border_rows();
-    const auto all = row_of(places_.size());
+    const auto all = pair_at(places_.size());
     if (before == 0) without_border_ = g;
     if (before > rows) g.topLeftCorner(all, all) = without_border_.topLeftCorner(all, all);
     if (kept.size() < places_.size()) {
@@ -119,7 +119,7 @@ class HalfColumns final : public UpdateColumns {
     parallel_for(groups_.size(), products_at_once, [&](std::size_t g) {
       Matrix common = solver_.product(groups_[g].y, of_gauge.y);
       add_border_product(groups_[g].border, of_gauge.border, 0, common);
-      out.segment(row_of(groups_[g].first), common.rows()) = common.col(0);
+      out.segment(pair_at(groups_[g].first), common.rows()) = common.col(0);
     });
     return out;
   }
@@ -164,8 +164,8 @@ class HalfColumns final : public UpdateColumns {
   static void keep(std::span<const std::size_t> kept, Matrix& g) {
     for (std::size_t i = 0; i < kept.size(); ++i)
       for (std::size_t j = 0; j < kept.size(); ++j) {
-        const Mat2 block = g.block<2, 2>(row_of(kept[i]), row_of(kept[j]));
-        g.block<2, 2>(row_of(i), row_of(j)) = block;
+        const Mat2 block = g.block<2, 2>(pair_at(kept[i]), pair_at(kept[j]));
+        g.block<2, 2>(pair_at(i), pair_at(j)) = block;
       }
   }
 
@@ -181,13 +181,13 @@ class HalfColumns final : public UpdateColumns {
   /// Adds to G what the nodes of the border give, from one on.
   void correct(std::size_t left, std::size_t right, std::size_t first_node, Matrix& g) const {
     const Group &a = groups_[left], &b = groups_[right];
-    Matrix common = g.block(row_of(a.first), row_of(b.first), a.y.columns, b.y.columns);
+    Matrix common = g.block(pair_at(a.first), pair_at(b.first), a.y.columns, b.y.columns);
     add_border_product(a.border, b.border, first_node, common);
     put(left, right, common, g);
   }
 
   void put(std::size_t left, std::size_t right, const Matrix& common, Matrix& g) const {
-    const Eigen::Index row = row_of(groups_[left].first), column = row_of(groups_[right].first);
+    const Eigen::Index row = pair_at(groups_[left].first), column = pair_at(groups_[right].first);
     g.block(column, row, common.cols(), common.rows()) = common.transpose();
     g.block(row, column, common.rows(), common.cols()) = common;
   }
@@ -200,7 +200,7 @@ class HalfColumns final : public UpdateColumns {
       for (end = a + 1; end < places.size() && places[end] == places[a] + (end - a) &&
                         places_[places[end]].group == at.group;)
         ++end;
-      const Eigen::VectorXd here = share.segment(row_of(a), row_of(end - a));
+      const Eigen::VectorXd here = share.segment(pair_at(a), pair_at(end - a));
       solver_.add(groups_[at.group].y, at.column, here, sum);
       jumps += groups_[at.group].border.middleCols(at.column, here.size()) * here;
     }

@@ -25,11 +25,11 @@ class SharedColumns final : public UpdateColumns {
     const std::size_t first = groups_.size(), first_place = places_.size();
     std::vector<SharedMatrix::Entries> entries;
     for (const std::span<const std::size_t> group : neighbours(points, group_size_)) {
-      for (std::size_t i = 0; i < group.size(); ++i) places_.push_back({groups_.size(), row_of(i)});
-      groups_.push_back({places_.size() - group.size(), row_of(group.size()), {}});
+      for (std::size_t i = 0; i < group.size(); ++i) places_.push_back({groups_.size(), pair_at(i)});
+      groups_.push_back({places_.size() - group.size(), pair_at(group.size()), {}});
       entries.push_back(entries_of(equilibrium_, group));
     }
-    const Eigen::Index all = row_of(places_.size()), old = row_of(first_place);
+    const Eigen::Index all = pair_at(places_.size()), old = pair_at(first_place);
     g.block(0, old, all, all - old).setZero();
     std::vector<BetweenColumns> between = matrix_.add_groups(
         entries, [&](std::size_t left, std::size_t right, std::span<const double> product) {
@@ -70,10 +70,10 @@ class SharedColumns final : public UpdateColumns {
       entries.push_back({block, Mat62::Zero()});
       entries.back().rows.col(0) = row;
     }
-    Eigen::VectorXd out = Eigen::VectorXd::Zero(row_of(places_.size()));
+    Eigen::VectorXd out = Eigen::VectorXd::Zero(pair_at(places_.size()));
     if (entries.empty()) return out;
     const auto rows_of = [&](std::size_t group) {
-      return out.segment(row_of(groups_[group].first), groups_[group].columns);
+      return out.segment(pair_at(groups_[group].first), groups_[group].columns);
     };
     const BetweenColumns between =
         matrix_.along(entries, [&](std::size_t group, std::size_t, std::span<const double> product) {
@@ -100,7 +100,7 @@ class SharedColumns final : public UpdateColumns {
   };
 
   Eigen::Block<Matrix> block_of(std::size_t left, std::size_t right, Matrix& g) const {
-    return g.block(row_of(groups_[left].first), row_of(groups_[right].first), groups_[left].columns,
+    return g.block(pair_at(groups_[left].first), pair_at(groups_[right].first), groups_[left].columns,
                    groups_[right].columns);
   }
 
@@ -120,7 +120,7 @@ class SharedColumns final : public UpdateColumns {
       for (end = a + 1; end < places.size() && places[end] == places[a] + (end - a) &&
                         places_[places[end]].group == at.group;)
         ++end;
-      out.push_back({at.group, at.column, share.segment(row_of(a), row_of(end - a))});
+      out.push_back({at.group, at.column, share.segment(pair_at(a), pair_at(end - a))});
     }
     return out;
   }

@@ -45,7 +45,7 @@ class WholeColumns final : public UpdateColumns {
     std::vector<double> product(solutions.size() * n(), 0.0);
     for (std::size_t c = 0; c < solutions.size(); ++c)
       for (std::size_t a = 0; a < places.size(); ++a)
-        add_rows(points_[places[a]], shares.block<2, 1>(row_of(a), static_cast<Eigen::Index>(c)),
+        add_rows(points_[places[a]], shares.block<2, 1>(pair_at(a), static_cast<Eigen::Index>(c)),
                  product.data() + c * n());
     solve(product, solutions.size());
     for (std::size_t c = 0; c < solutions.size(); ++c)
@@ -62,7 +62,7 @@ class WholeColumns final : public UpdateColumns {
     }
     for (std::size_t i = 0; i < points_.size(); ++i)
       for (std::size_t c = 0; c < 2; ++c)
-        out[row_of(i) + static_cast<Eigen::Index>(c)] =
+        out[pair_at(i) + static_cast<Eigen::Index>(c)] =
             keeps_z_ ? gauge.value({z_[i] + c * n(), n()}, 0) - gauge.constant
                      : equilibrium_.opening(points_[i], solution)[static_cast<Eigen::Index>(c)];
     return out;
@@ -120,10 +120,10 @@ class WholeColumns final : public UpdateColumns {
   void couple(std::size_t place, std::size_t first, std::span<const double> z, Matrix& g) const {
     for (std::size_t a = 0; a < points_.size(); ++a) {
       for (std::size_t c = 0; c < 2; ++c)
-        g.block<2, 1>(row_of(a), row_of(place) + static_cast<Eigen::Index>(c)) =
+        g.block<2, 1>(pair_at(a), pair_at(place) + static_cast<Eigen::Index>(c)) =
             equilibrium_.opening(points_[a], z.subspan(c * n(), n()));
       if (a < first)
-        g.block<2, 2>(row_of(place), row_of(a)) = g.block<2, 2>(row_of(a), row_of(place)).transpose();
+        g.block<2, 2>(pair_at(place), pair_at(a)) = g.block<2, 2>(pair_at(a), pair_at(place)).transpose();
     }
   }
 
@@ -134,7 +134,7 @@ class WholeColumns final : public UpdateColumns {
       const Eigen::Map<const Eigen::MatrixX2d> z(z_[places[a]], size, 2);
       for (std::size_t c = 0; c < solutions.size(); ++c)
         Eigen::Map<Eigen::VectorXd>(solutions[c].data(), size).noalias() -=
-            z * shares.block<2, 1>(row_of(a), static_cast<Eigen::Index>(c));
+            z * shares.block<2, 1>(pair_at(a), static_cast<Eigen::Index>(c));
     }
   }
 

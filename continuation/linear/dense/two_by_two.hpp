@@ -5,6 +5,7 @@
 // What stands in pairs: the two components of each point in a vector of all, and their blocks of 2 × 2.
 namespace dda {
 
+/// First of the two rows, or columns, that belong to a point.
 inline Eigen::Index pair_at(std::size_t point) { return 2 * static_cast<Eigen::Index>(point); }
 
 inline auto pair_of(Eigen::VectorXd& v, std::size_t point) { return v.segment<2>(pair_at(point)); }

@@ -13,6 +13,16 @@ namespace dda {
 
 inline constexpr double young = 1e10, density = 2500, gravity = 9.81, offset = 1e-3;
 
+/// A displacement u = v t.
+class Steady final : public TimeFunction {
+ public:
+  explicit Steady(double speed) : speed_(speed) {}
+  double at(double time) const override { return speed_ * time; }
+
+ private:
+  double speed_;
+};
+
 inline MovingBody body(const Polygon& outline, bool is_held = false) {
   const Moments of = moments(outline);
   MovingBody out;

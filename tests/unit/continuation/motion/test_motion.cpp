@@ -211,20 +211,10 @@ TEST(Motion, GivesBackWhatRestitutionSays) {
   }
 }
 
-/// A displacement u = v t.
-class SteadyAt final : public TimeFunction {
- public:
-  explicit SteadyAt(double speed) : speed_(speed) {}
-  double at(double time) const override { return speed_ * time; }
-
- private:
-  double speed_;
-};
-
 TEST(Motion, GoesWithAGroundThatIsDriven) {
   MovingScene of = scene(0.5, {body(box(-5, -1, 9, 0), true), body(box(0, 0, 1, 1))}, {0, -gravity});
-  of.drives.push_back({{0}, {1, 0}, std::make_shared<SteadyAt>(0.2)});
-  of.drives.push_back({{0}, {0, 1}, std::make_shared<SteadyAt>(0.5)});
+  of.drives.push_back({{0}, {1, 0}, std::make_shared<Steady>(0.2)});
+  of.drives.push_back({{0}, {0, 1}, std::make_shared<Steady>(0.5)});
   Motion motion(of, {}, undeformed(of), at_rest(of), {.time = 1, .stops_at_rest = false});
   run(motion);
   EXPECT_NEAR(motion.poses()[0][1], 0, 1e-12);  // −0.5 + 0.5
@@ -236,7 +226,7 @@ TEST(Motion, GoesWithAGroundThatIsDriven) {
 
 TEST(Motion, IsDraggedByAGroundThatSetsOutAtOnce) {
   MovingScene of = scene(0.5, {body(box(-5, -1, 9, 0), true), body(box(0, 0, 1, 1))}, {0, -gravity});
-  of.drives.push_back({{0}, {1, 0}, std::make_shared<SteadyAt>(0.8)});
+  of.drives.push_back({{0}, {1, 0}, std::make_shared<Steady>(0.8)});
   Motion motion(of, {}, undeformed(of), at_rest(of), {.time = 0.1, .stops_at_rest = false});
   run(motion);
   EXPECT_NEAR((motion.poses()[1][0] - 0.5) / (0.5 * gravity * 0.01 / 2), 1, 0.05);

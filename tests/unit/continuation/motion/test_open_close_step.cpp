@@ -151,15 +151,9 @@ TEST(Classic, GoesOnWhereItStoodWithTheSameBits) {
   EXPECT_EQ(later.ledger().numerical, whole.ledger().numerical);
 }
 
-/// A displacement u = v t.
-class Steady final : public TimeFunction {
- public:
-  double at(double time) const override { return 0.2 * time; }
-};
-
 TEST(Classic, GoesWithAGroundThatIsDriven) {
   MovingScene of = on_ground(box(0, 0, 1, 1), 0.5, {0, -gravity});
-  of.drives.push_back({{0}, {1, 0}, std::make_shared<Steady>()});
+  of.drives.push_back({{0}, {1, 0}, std::make_shared<Steady>(0.2)});
   Motion motion(of, {}, undeformed(of), at_rest(of),
                 {.time = 1, .stops_at_rest = false, .integrator = classic()});
   run(motion);

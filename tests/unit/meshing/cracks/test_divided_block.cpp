@@ -9,12 +9,12 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-const Polygon unit_square{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}};
+const Polygon outline{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}};
 constexpr DividedBlock::Smallest smallest{1e-9, 1e-9};
 const JumpId a{0}, b{1}, c{2};
 
 TEST(DividedBlock, WhatLiesRightOfACutJumps) {
-  DividedBlock block(unit_square);
+  DividedBlock block(outline);
   ASSERT_TRUE(block.divide(a, {1, 0}, {1, 4}, smallest));
   EXPECT_THAT(block.part_at({0.5, 2}).jumps, IsEmpty());
   EXPECT_THAT(block.part_at({3, 2}).jumps, ElementsAre(a));
@@ -23,7 +23,7 @@ TEST(DividedBlock, WhatLiesRightOfACutJumps) {
 
 /// Three strips, cut in either order and direction: across each cut the displacement jumps by its own jump alone.
 TEST(DividedBlock, PartsBeyondALaterCutMoveWithIt) {
-  DividedBlock block(unit_square);
+  DividedBlock block(outline);
   ASSERT_TRUE(block.divide(a, {1, 0}, {1, 4}, smallest));
   ASSERT_TRUE(block.divide(b, {3, 4}, {3, 0}, smallest));
   EXPECT_THAT(block.part_at({3.5, 2}).jumps, ElementsAre(a));
@@ -33,7 +33,7 @@ TEST(DividedBlock, PartsBeyondALaterCutMoveWithIt) {
 }
 
 TEST(DividedBlock, RefusesWhatIsNoCut) {
-  DividedBlock block(unit_square);
+  DividedBlock block(outline);
   EXPECT_FALSE(block.divide(a, {0, 0}, {4, 0}, smallest)) << "along an edge";
   EXPECT_FALSE(block.divide(a, {1, 0}, {1, 3}, smallest)) << "ends within";
   EXPECT_FALSE(block.divide(a, {1, 1}, {1, 4}, smallest)) << "begins within";
@@ -46,7 +46,7 @@ TEST(DividedBlock, RefusesWhatIsNoCut) {
 /// What is left of an upright cut is cut in two up to it: across it the lower piece and the upper one jump by what
 /// lies between them as well.
 TEST(DividedBlock, ACutMayEndOnAnother) {
-  DividedBlock block(unit_square);
+  DividedBlock block(outline);
   ASSERT_TRUE(block.divide(a, {2, 0}, {2, 4}, smallest));
   ASSERT_TRUE(block.divide(b, {0, 1}, {2, 1}, smallest));
   EXPECT_EQ(block.parts().size(), 3u);
@@ -61,7 +61,7 @@ TEST(DividedBlock, ACutMayEndOnAnother) {
 }
 
 TEST(DividedBlock, TakesASliver) {
-  DividedBlock block(unit_square);
+  DividedBlock block(outline);
   EXPECT_TRUE(block.divide(a, {4 - 1e-6, 0}, {4 - 1e-6, 4}, smallest));
   EXPECT_THAT(block.part_at({4, 2}).jumps, ElementsAre(a));
   EXPECT_THAT(block.part_at({3.9, 2}).jumps, IsEmpty());

@@ -2,6 +2,7 @@
 
 #include "framework/deck/document/node.hpp"
 #include "unit/framework/deck/messages.hpp"
+#include "unit/framework/deck/tree_of.hpp"
 
 namespace dda {
 namespace {
@@ -18,22 +19,20 @@ std::string refusal(const std::string& text, const std::string& assignment) {
   return messages([&] { after(text, assignment); });
 }
 
-Node parse(const std::string& text) { return parse_yaml(text, "a.yaml"); }
-
 TEST(SetValue, ReplacesAValue) {
-  EXPECT_TRUE(after("a: {b: 1, c: 2}", "a.b=5") == parse("a: {b: 5, c: 2}"));
-  EXPECT_TRUE(after("a: {b: 1}", "a=[1, {x: 2}]") == parse("a: [1, {x: 2}]"));
-  EXPECT_TRUE(after("a: 1", "a=") == parse("a:"));
-  EXPECT_TRUE(after("a: 1", "a=x=y") == parse("a: x=y"));
+  EXPECT_TRUE(after("a: {b: 1, c: 2}", "a.b=5") == tree_of("a: {b: 5, c: 2}"));
+  EXPECT_TRUE(after("a: {b: 1}", "a=[1, {x: 2}]") == tree_of("a: [1, {x: 2}]"));
+  EXPECT_TRUE(after("a: 1", "a=") == tree_of("a:"));
+  EXPECT_TRUE(after("a: 1", "a=x=y") == tree_of("a: x=y"));
 }
 
 TEST(SetValue, WalksListsByNumber) {
-  EXPECT_TRUE(after("s: [{l: [{f: 1}, {f: 2}]}]", "s.0.l.1.f=7") == parse("s: [{l: [{f: 1}, {f: 7}]}]"));
+  EXPECT_TRUE(after("s: [{l: [{f: 1}, {f: 2}]}]", "s.0.l.1.f=7") == tree_of("s: [{l: [{f: 1}, {f: 7}]}]"));
 }
 
 TEST(SetValue, CreatesMissingMaps) {
-  EXPECT_TRUE(after("", "path.control.type=arc_length") == parse("path: {control: {type: arc_length}}"));
-  EXPECT_TRUE(after("path:\n", "path.steps=3") == parse("path: {steps: 3}"));
+  EXPECT_TRUE(after("", "path.control.type=arc_length") == tree_of("path: {control: {type: arc_length}}"));
+  EXPECT_TRUE(after("path:\n", "path.steps=3") == tree_of("path: {steps: 3}"));
 }
 
 TEST(SetValue, PositionIsTheCommandLine) {

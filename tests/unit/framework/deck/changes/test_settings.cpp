@@ -7,14 +7,13 @@
 #include "framework/deck/writing/node_json.hpp"
 #include "unit/framework/deck/deck_example.hpp"
 #include "unit/framework/deck/messages.hpp"
+#include "unit/framework/deck/tree_of.hpp"
 
 namespace dda {
 namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-Node tree_of(const std::string& text) { return parse_yaml(text, "a.yaml"); }
 
 const Node tree = tree_of("s: {seed: 1, list: [{seed: 2}, {x: {seed: 3}}]}\nseeds: 4");
 
