@@ -56,6 +56,7 @@ Iterate CrackedEquations::start_at(const State& guess, const Rule& rule, bool wa
   origin_ = pulled_by_multipliers();
   const std::vector<double>& dead = origin_ ? *origin_ : linear_.dead_solution();
   z_origin_ = Vector::Zero(length());
+  load_origin_ = 0;
   for (std::size_t i = 0; i < points_.size(); ++i)
     pair_of(dead_, i) = system_.equilibrium().opening(points_[i], dead) + multiplier(i);
   q_ = openings(guess).head(length());
@@ -193,22 +194,22 @@ Verdict CrackedEquations::judge_newton(int iterations) {
 }
 
 void CrackedEquations::refine() {
-  const std::vector<double>& live = linear_.reference_solution();
   constexpr int times = 2;
   for (int i = 0; i < times; ++i) {
     const State at = state_here();
     std::vector<double> change = unbalanced(at), origin = at.d;
     linear_.solve_base(change, change);
-    for (std::size_t k = 0; k < change.size(); ++k) origin[k] -= change[k] + load_factor_ * live[k];
+    for (std::size_t k = 0; k < change.size(); ++k) origin[k] -= change[k];
     origin_ = std::make_shared<const std::vector<double>>(std::move(origin));
     z_origin_ = z_;
+    load_origin_ = load_factor_;
     difference_.setZero();
     coupled_.reset();
   }
   const State at = state_here();
   for (std::size_t i = 0; i < points_.size(); ++i)
-    pair_of(dead_, i) = system_.jump(points_[i], at.d) + multiplier(i) - load_factor_ * pair_of(live_, i);
-  if (control_.gauge) gauge_dead_ = at.value(*control_.gauge) - load_factor_ * gauge_live_;
+    pair_of(dead_, i) = system_.jump(points_[i], at.d) + multiplier(i);
+  if (control_.gauge) gauge_dead_ = at.value(*control_.gauge);
 }
 
 /// The equations of the whole structure at d, with the z of the iteration. Weak springs are none of it: where
@@ -254,7 +255,8 @@ double CrackedEquations::residual_norm(const State& at) const {
 }
 
 State CrackedEquations::state_here() {
-  return {linear_.combined({.origin = origin_, .load_factor = load_factor_, .z = difference_}), load_factor_};
+  return {linear_.combined({.origin = origin_, .load_factor = load_factor_ - load_origin_, .z = difference_}),
+          load_factor_};
 }
 
 double CrackedEquations::opening_scale() const {
@@ -279,7 +281,7 @@ bool CrackedEquations::is_solved(Accuracy accuracy) const {
 double CrackedEquations::rounding_of_value() const {
   constexpr double round_off = 1e-15;
   if (!control_.gauge) return 0;
-  return round_off * (std::abs(gauge_dead_) + std::abs(load_factor_ * gauge_live_) +
+  return round_off * (std::abs(gauge_dead_) + std::abs((load_factor_ - load_origin_) * gauge_live_) +
                       along_.cwiseAbs().dot(difference_.cwiseAbs()));
 }
 
@@ -330,16 +332,17 @@ std::size_t CrackedEquations::pieces() const {
   return hash;
 }
 
-/// q − q_dead − λ q_ref + G (z − z₀).
+/// q − q_dead − (λ − λ₀) q_ref + G (z − z₀).
 Eigen::VectorXd CrackedEquations::gap() const {
   if (!coupled_) coupled_ = linear_.coupled(difference_).head(length());
-  return q_ - dead_ - load_factor_ * live_ + *coupled_;
+  return q_ - dead_ - (load_factor_ - load_origin_) * live_ + *coupled_;
 }
 
 /// Gauge and energy spent, as the control adds them.
 double CrackedEquations::value() const {
   double out = control_.spends ? spent_ : 0;
-  if (control_.gauge) out += gauge_dead_ + load_factor_ * gauge_live_ - along_.dot(difference_);
+  if (control_.gauge)
+    out += gauge_dead_ + (load_factor_ - load_origin_) * gauge_live_ - along_.dot(difference_);
   return out;
 }
 

@@ -13,10 +13,10 @@ namespace dda {
 
 /// Equilibrium of the points with columns under one control, everything else being linear.
 ///
-///     F = q − q_dead − λ q_ref − m + G (z − z₀),     z = W (t(q; h) − D_base (q − m)),     N(q, λ) = 0
-///     d = d_dead + λ d_ref − Z (z − z₀)
+///     F = q − q_dead − (λ − λ₀) q_ref − m + G (z − z₀),     z = W (t(q; h) − D_base (q − m)),     N(q, λ) = 0
+///     d = d_dead + (λ − λ₀) d_ref − Z (z − z₀)
 ///
-/// with the base, Z and G of a LinearSystem and the iterated multipliers m; z₀ = 0 until refined. Multipliers of points
+/// with the base, Z and G of a LinearSystem and the iterated multipliers m; z₀ = 0 and λ₀ = 0 until refined. Multipliers of points
 /// that are held as in the base but for them, t = D_base q, are loads of d_dead. An iteration costs a dense solve of the
 /// size of the cracked components.
 class CrackedEquations final : public WalkedEquations {
@@ -45,8 +45,9 @@ class CrackedEquations final : public WalkedEquations {
   std::size_t num_points() const { return points_.size(); }
   /// Whether all of them are contacts, without damage.
   bool only_touch() const { return only_touch_; }
-  /// Makes the z found so far the origin z₀, d_dead being solved for with it: z itself may be large, as where
-  /// points slide that are held in the base, and then so are the errors of Z and G in its products. The
+  /// Makes the z and λ found so far the origin z₀, λ₀, d_dead being solved for with them: they may be large, as where
+  /// points slide that are held in the base, and then so are the errors of Z and G in their products, and the rounding
+  /// of sums in which they cancel: what drives a support would drag along all that hangs on it. The
   /// iteration goes on from there.
   void refine();
   /// The whole structure at an iterate.
@@ -114,6 +115,7 @@ class CrackedEquations final : public WalkedEquations {
   bool only_touch_ = false;
   std::shared_ptr<const std::vector<double>> origin_;  ///< d_dead where it is another one
   Vector z_origin_;                                    ///< z₀
+  double load_origin_ = 0;                             ///< λ₀
 
   // at the last iterate
   Vector q_, z_, difference_, spending_;

@@ -61,7 +61,8 @@ void CrackedEquations::linearise() {
   if (unit != unit_ || control_.spends) set_coefficients(unit);
   const double spent = control_.spends ? spent_ - spending_.dot(q_) : 0;
   problem_.constant.resize(n + 1);
-  problem_.constant << -dead_, unit * ((control_.gauge ? gauge_dead_ : 0) + spent - control_.target);
+  const double gauge = control_.gauge ? gauge_dead_ - load_origin_ * gauge_live_ : 0;
+  problem_.constant << load_origin_ * live_ - dead_, unit * (gauge + spent - control_.target);
   problem_.constant -= problem_.couplings * z_origin_;
   problem_.accuracy = 1e-3 * good * size_now;
   problem_.points.clear();
