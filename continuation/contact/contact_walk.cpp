@@ -350,12 +350,16 @@ std::optional<Vector> walk_from(const ContactProblem& problem, const Vector& sta
 
 std::optional<Vector> walk_proximally(const ContactProblem& problem, Vector start, ContactMatrix& matrix,
                                       const WalkRule& rule) {
-  constexpr double firm = 0.1, at_rest = 0.1;
+  constexpr double firm = 0.1, at_rest = 0.1, far = 100;
   constexpr int most_walks = 1000;
   const double wanted = rule.share;
   constexpr int firmest = -1;
   int level = 1;  // of the share, in powers of `firm`
   const Eigen::Index last = start.size() - 1;
+  const Vector origin = start;
+  const double size =
+      std::max({start.head(last).lpNorm<Eigen::Infinity>(), problem.constant.lpNorm<Eigen::Infinity>(),
+                std::abs(start[last]) * problem.live.lpNorm<Eigen::Infinity>()});
   double moved = 0, moved_then = 0;
   int patience = 1, stays = 0;
   bool is_trial = false;
@@ -373,6 +377,8 @@ std::optional<Vector> walk_proximally(const ContactProblem& problem, Vector star
     if (share <= wanted) return found;
     moved = (*found - start).head(last).lpNorm<Eigen::Infinity>();
     start = *found;
+    if (!((start - origin).head(last).lpNorm<Eigen::Infinity>() <= far * size))
+      return {};  // nothing holds it
     is_trial = ++stays >= patience || moved <= at_rest * moved_then;
     if (!is_trial) continue;
     ++level;

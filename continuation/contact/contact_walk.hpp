@@ -36,7 +36,8 @@ std::optional<Eigen::VectorXd> walk_from(const ContactProblem& problem, const Ei
 /// Solves it by many walks, each centred at the end of the one before (proximal point method), where a single
 /// one wanders, as among the many states in which bricks are wedged by strong friction: with more residual
 /// stiffness a walk ends soon, and from there with less again. Where less wanders, the same again, twice as
-/// often each time or until what moves is nearly at rest, as in viscous motion.
+/// often each time or until what moves is nearly at rest, as in viscous motion. Given up where it has moved much
+/// farther than the loads open joints: what no residual stiffness keeps near has no solution.
 std::optional<Eigen::VectorXd> walk_proximally(const ContactProblem& problem, Eigen::VectorXd start,
                                                ContactMatrix& matrix, const WalkRule& rule = {});
 /// Solves it by a walk that starts with all joints closed and held, so far overlapping that no ray leads to
