@@ -107,6 +107,7 @@ class StageMaker {
     add_borne(index, -1, out.reference, out.reference_work);
     add_reactions(out, reference);
     add_fading_reactions(index, out);
+    out.load_is_force = has_resultant(loads, resultant_of_borne(index));
     out.load = load_gauge(out, loads, {.first_driven = first_driven, .borne = resultant_of_borne(index)});
     add_gauges(out, index == present());
     driven_now_ = std::move(reference);
@@ -152,6 +153,10 @@ class StageMaker {
     for (std::size_t i = 0; i < borne_.size(); ++i)
       if (removed_[i].stage == stage) out += std::abs(borne_[i]);
     return out;
+  }
+
+  static bool has_resultant(const StageLoads& loads, double borne) {
+    return !loads.driven.empty() || loads.resultant + borne > 0;
   }
 
   /// λ Σ|force|; with driven springs the sum of their reactions; λ itself when the loads have no resultant.

@@ -24,6 +24,7 @@ enum class Stop {
   next_initiation,
   unloading,
   turned_round,
+  stages_left,
   singular,
   weak_springs,
   energies,
@@ -37,7 +38,7 @@ enum class Stop {
   overlap
 };
 
-inline constexpr std::array<std::pair<Stop, const char*>, 26> names_of_stops = {{
+inline constexpr std::array<std::pair<Stop, const char*>, 27> names_of_stops = {{
     {Stop::limit_point, "limit-point"},
     {Stop::snap_back, "snap-back"},
     {Stop::gauge_stands, "gauge-stands"},
@@ -53,6 +54,7 @@ inline constexpr std::array<std::pair<Stop, const char*>, 26> names_of_stops = {
     {Stop::next_initiation, "next-initiation"},
     {Stop::unloading, "unloading"},
     {Stop::turned_round, "turned-round"},
+    {Stop::stages_left, "stages-left"},
     {Stop::singular, "singular"},
     {Stop::weak_springs, "weak-springs"},
     {Stop::energies, "energies"},

@@ -53,12 +53,19 @@ double PathState::load_of(const State& state) const {
   return (memory.direction < 0 ? -1 : 1) * state.value(load);
 }
 
+double PathState::as_load(double force) const {
+  const System& system = walker.system();
+  if (system.loading().load_is_force) return force;
+  const double at_once = system.residual_norm(system.loading().reference);
+  return at_once > 0 ? force / at_once : 0;
+}
+
 double PathState::smallest_load() const {
   constexpr double margin = 10;
   if (!parameters.load_gauge.empty()) return 0;
   const StepperParameters& kept = walker.parameters();
   const double gap = walker.system().iterates_multipliers() ? kept.multipliers.tolerance : 0;
-  return margin * (kept.newton.tolerance + gap) * memory.largest_force;
+  return as_load(margin * (kept.newton.tolerance + gap) * memory.largest_force);
 }
 
 double PathState::displacement_of(const State& state) const { return state.value(displacement); }
@@ -78,6 +85,15 @@ std::optional<Point> PathState::stop_early(Stop stop, std::string reason) {
   return {};
 }
 
+std::optional<Point> PathState::end_with_structure(std::string reason) {
+  if (is_last_leg()) return end(Ending::Kind::goal_reached, std::move(reason));
+  std::vector<std::string> names;
+  for (auto next = static_cast<std::size_t>(memory.leg) + 1; next < route.legs.size(); ++next)
+    names.push_back("'" + route.legs[next].name + "'");
+  return stop_early(Stop::stages_left,
+                    fmt::format("{}; not followed any more: {}", reason, fmt::join(names, ", ")));
+}
+
 /// The end where every equilibrium that was found is unsound: of a path that is followed to rupture its goal,
 /// when hardly any load is left.
 void PathState::end_unsound(const std::string& reason) {
@@ -85,8 +101,8 @@ void PathState::end_unsound(const std::string& reason) {
   constexpr double hardly_any = 0.01;
   const double left = std::abs(load_of(walker.state())) / memory.peak_load;
   if (parameters.stop.load_below == 0 && walker.here().dissipated > 0 && left < hardly_any)
-    ending = {Ending::Kind::goal_reached,
-              fmt::format("complete rupture: {:.1e} of the peak was left; beyond, {}", left, refused.text)};
+    end_with_structure(
+        fmt::format("complete rupture: {:.1e} of the peak was left; beyond, {}", left, refused.text));
   else
     ending = {Ending::Kind::stopped_early, fmt::format("{} ({})", refused.text, reason), refused.stop};
 }

@@ -46,6 +46,8 @@ struct PathState {
   void look_up(const Aims& aims);
   /// The load, positive in the direction of the first loading.
   double load_of(const State& state) const;
+  /// A force as a load: where that is the load factor of loads without a resultant, the one at which they are as large.
+  double as_load(double force) const;
   /// A load below this is none: the tolerances of the equilibria leave as much of the other forces.
   double smallest_load() const;
   /// The displacement on which the load works, and its rate.
@@ -62,6 +64,8 @@ struct PathState {
   /// return.
   std::optional<Point> end(Ending::Kind kind, std::string reason);
   std::optional<Point> stop_early(Stop stop, std::string reason);
+  /// Ends it where the structure leads no further, which is a goal unless stages are left that were to follow.
+  std::optional<Point> end_with_structure(std::string reason);
   /// Counts a step that is not taken, remembers why, and tells the log.
   void reject(const std::string& control, const std::string& why);
   void report(const std::string& event, const std::string& text) const {

@@ -71,7 +71,6 @@ std::string goal_of_path(PathState& path) {
     if (landing.ends_leg)
       if (std::string text = reached(path, landing); !text.empty()) return text;
   if (has_fallen(path) && !has_turned_round(path)) return fallen_load(path);
-  if (has_ruptured(path)) return "complete rupture";
   return {};
 }
 
@@ -185,6 +184,10 @@ void settle(PathState& path) {
   while (path.ending.kind == Ending::Kind::running) {
     if (std::string text = goal_of_path(path); !text.empty()) {
       path.end(Ending::Kind::goal_reached, std::move(text));
+      return;
+    }
+    if (has_ruptured(path)) {
+      path.end_with_structure("complete rupture");
       return;
     }
     std::string end = end_of_leg(path);

@@ -129,8 +129,9 @@ bool has_locked(const PathState& path, double load) {
   const Tangent& leaving = path.walker.leaving();
   const double moved = std::abs(path.displacement_rate(leaving)), rate = std::abs(load_rate(path)),
                along = mechanism_way * std::abs(path.displacement_of(path.walker.state()));
-  return rate * along >
-             noticeable * std::max(std::abs(load), noticeable * path.memory.largest_force) * moved &&
+  return rate * along > noticeable *
+                            std::max(std::abs(load), noticeable * path.as_load(path.memory.largest_force)) *
+                            moved &&
          rate * moved > far * residual_power(path.walker.system().equilibrium(), leaving.opening);
 }
 
@@ -236,7 +237,7 @@ void note_mechanism(PathState& path, Point& point, const Departure& before) {
   if (!goals.empty() && !goes_on_beside(path, goals)) return;
   if (has_locked(path, load) || !is_free_beyond(path)) return;
   if (goals.empty())
-    path.end(Ending::Kind::goal_reached, text);
+    path.end_with_structure(text);
   else
     path.stop_early(Stop::mechanism, text + "; what is wanted of the gauges comes no nearer by it");
 }

@@ -12,10 +12,11 @@ namespace {
 
 /// What changes of the load are measured by: its largest so far, and where dead loads have cracked the
 /// structure before there is any, a hundredth of the forces that act.
-double load_size(const PathMemory& memory, const PathParameters& parameters) {
+double load_size(const PathState& path) {
   constexpr double hardly = 0.01;
-  const bool is_force = parameters.load_gauge.empty();
-  return std::max(memory.peak_load, is_force ? hardly * memory.largest_force : 0.0);
+  const bool is_of_loads = path.parameters.load_gauge.empty();
+  return std::max(path.memory.peak_load,
+                  is_of_loads ? path.as_load(hardly * path.memory.largest_force) : 0.0);
 }
 
 }  // namespace
@@ -62,13 +63,13 @@ double unit_of(const PathState& path, const Move& move) {
 double sliding_amount(const PathState& path) {
   constexpr double little = 0.001;
   const double load_rate = std::abs(path.walker.leaving().rate(path.load));
-  return load_rate > 0 ? little * load_size(path.memory, path.parameters) / load_rate : 0;
+  return load_rate > 0 ? little * load_size(path) / load_rate : 0;
 }
 
 double bounded(const PathState& path, const Move& move, double amount) {
   const double load_rate = std::abs(path.walker.leaving().rate(path.load));
   const double displacement_rate_now = std::abs(path.displacement_rate(path.walker.leaving()));
-  const double load_size_now = load_size(path.memory, path.parameters);
+  const double load_size_now = load_size(path);
   const bool only_slides = !path.walker.leaving().dissipates && can_slide(path);
   const double of_load =
       only_slides ? 1.5 : 1;  // steps of contacts alone are exact but for the order of changes
@@ -88,9 +89,8 @@ namespace {
 /// By how much the next step may grow for what this one has strayed from its tangent.
 double growth_by_deviation(const PathState& path, const Candidate& candidate, double amount) {
   const State predicted = path.walker.ahead(amount);
-  const double load =
-      std::abs(path.load_of(predicted) - path.load_of(candidate.state)) /
-      std::max(load_size(path.memory, path.parameters), std::abs(path.load_of(candidate.state)));
+  const double load = std::abs(path.load_of(predicted) - path.load_of(candidate.state)) /
+                      std::max(load_size(path), std::abs(path.load_of(candidate.state)));
   const double displacement =
       std::abs(path.displacement_of(predicted) - path.displacement_of(candidate.state)) /
       std::max(path.memory.largest_displacement, std::abs(path.displacement_of(candidate.state)));

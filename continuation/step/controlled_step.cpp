@@ -108,8 +108,8 @@ std::optional<Point> end_of_control(PathState& path, const Stride& stride) {
   constexpr double hardly_any = 1e-3;
   const double left = std::abs(path.load_of(path.walker.state())) / path.memory.peak_load;
   if (left < hardly_any && !bears_load(path))
-    return path.end(Ending::Kind::goal_reached,
-                    fmt::format("complete rupture: what is left is a mechanism ({:.1e} of the peak)", left));
+    return path.end_with_structure(
+        fmt::format("complete rupture: what is left is a mechanism ({:.1e} of the peak)", left));
   if (!path.walker.leaving().keeps_equilibrium) {
     path.unsound.reset();  // what was refused on the way is not why
     return path.stop_early(

@@ -76,8 +76,7 @@ std::optional<Point> linear_step(PathState& path) {
   if (rest <= round_off && path.walker.here().dissipated > 0)
     return path.stop_early(Stop::no_further_crack, "no interface can crack any further under this load");
   if (rest <= round_off)
-    return path.end(
-        Ending::Kind::goal_reached,
+    return path.end_with_structure(
         path.walker.system().has_contacts()
             ? "no joint slides, opens or closes under this load, however large; it is applied in full"
             : "nothing can crack; the full reference load is applied");

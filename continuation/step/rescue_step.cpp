@@ -46,8 +46,7 @@ std::optional<Point> end_without_equilibrium(PathState& path, Stop stop, const s
   constexpr double hardly_any = 0.01;
   const double left = std::abs(path.load_of(path.walker.state())) / path.memory.peak_load;
   if (left < hardly_any && !bears_load(path))
-    return path.end(Ending::Kind::goal_reached,
-                    fmt::format("complete rupture: {:.1e} of the peak was left", left));
+    return path.end_with_structure(fmt::format("complete rupture: {:.1e} of the peak was left", left));
   return path.stop_early(stop, why);
 }
 

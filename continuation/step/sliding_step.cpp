@@ -37,8 +37,7 @@ std::optional<Point> first_slip(PathState& path, double change) {
 std::optional<Point> linear_for_good(PathState& path) {
   const bool has_begun = path.walker.state().load_factor != 0;
   if (path.memory.has_slid || (has_begun && path.walker.here().dissipated > 0))
-    return path.end(
-        Ending::Kind::goal_reached,
+    return path.end_with_structure(
         fmt::format("no joint cracks, slides, opens or closes any more beyond a load factor of {:g}",
                     path.walker.state().load_factor));
   return linear_step(path);

@@ -131,6 +131,47 @@ class Ends(unittest.TestCase):
         self.assertNotIn("rupture", run.summary["reason"])
         self.assertEqual([finding.check for finding in verify(run.folder) if not finding.holds], [])
 
+    def test_the_unit_of_a_moment_is_a_matter_of_taste(self):
+        """Loads without a resultant: the load is the load factor, however large the forces are that it multiplies."""
+        deck = {
+            "units": {"length": "m", "force": "N"},
+            "scene": {"regions": [{"name": "w", "material": "m", "vertices": [[0, 0], [4, 0], [4, 1], [0, 1]]}],
+                      "boundaries": {"left": [[0, 0], [0, 1]]}, "curves": {"c": [[2, 0], [2, 1]]},
+                      "subdivision": {"type": "grid", "columns": 8, "rows": 10}},
+            "thickness": 1, "plane": "stress",
+            "materials": {"m": {"type": "linear_elastic", "young_modulus": 3e10, "poisson_ratio": 0.2}},
+            "interfaces": {"c": {"law": {"type": "linear_softening", "tensile_strength": 3e6, "fracture_energy": 200}}},
+            "supports": {"l": {"boundary": "left", "fix": "xy"}},
+            "path": {"stop": {"load_below": 0.1}},
+        }
+        peaks = []
+        for unit in (1, 1e6, 1e8):
+            run = self.run_(deck, stages_=[{"name": "p", "loads": [{"type": "moment", "over": [[4, 0], [4, 1]], "moment": unit}]}])
+            self.assertEqual(run.summary["reason"], "load below 10 % of its peak")
+            peaks.append(run.summary["peak"]["load"] * unit)
+        self.assertLess(max(peaks) / min(peaks) - 1, 1e-6)
+
+    def test_stages_after_a_rupture_are_told(self):
+        pull, shear = ({"name": name, "loads": [{"type": "prescribed_displacement", "name": name, "boundary": "right", "direction": way}]}
+                       for name, way in (("pull", [1, 0]), ("shear", [0, 1])))
+        bar = {
+            "units": {"length": "mm", "force": "N"},
+            "scene": {"regions": [{"name": "bar", "material": "c", "vertices": [[0, 0], [100, 0], [100, 50], [0, 50]]}],
+                      "curves": {"middle": [[50, 0], [50, 50]]}, "boundaries": {"left": [[0, 0], [0, 50]], "right": [[100, 0], [100, 50]]},
+                      "subdivision": {"type": "grid", "columns": 2, "rows": 2}},
+            "thickness": 10, "plane": "stress",
+            "materials": {"c": {"type": "linear_elastic", "young_modulus": 30000, "poisson_ratio": 0}},
+            "interfaces": {"middle": {"law": {"type": "linear_softening", "tensile_strength": 3, "fracture_energy": 0.2}}},
+            "supports": {"left": {"boundary": "left", "fix": "xy"}},
+            "gauges": {"ux": {"type": "displacement", "at": [100, 25], "direction": [1, 0]}},
+            "path": {"stop": {"load_below": 0}},
+        }
+        run = self.run_(bar, stages_=[{**pull, "until": {"ux": 1}}, shear])
+        self.assertEqual((run.summary["status"], run.summary["stop"]), ("stopped_early", "stages-left"))
+        self.assertIn("complete rupture; not followed any more: 'shear'", run.summary["reason"])
+        run = self.run_(bar, stages_=[pull])
+        self.assertEqual((run.summary["status"], run.summary["reason"]), ("goal_reached", "complete rupture"))
+
     def test_load_control_names_the_mechanism_at_which_it_ends(self):
         run = self.run_(BLOCKS, path={"control": "load", "stop": {"gauges": {"push": 5}, "load_below": 0}})
         self.assertEqual((run.summary["status"], run.summary["stop"]), ("stopped_early", "limit-point"))
