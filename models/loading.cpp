@@ -7,6 +7,7 @@
 #include <span>
 
 #include "framework/base/suggestion.hpp"
+#include "models/load/eigenstress.hpp"
 
 namespace dda {
 namespace {
@@ -219,9 +220,11 @@ StressOffset stress_offset(const Body& body, const InterfaceSet& set, const std:
   for (std::size_t p = 0; p < set.points.size(); ++p) {
     const InterfacePoint& point = set.points[p];
     if (point.rows.first_stress.isZero() && point.rows.second_stress.isZero()) continue;
-    // The weights of {σ}n are those of the rows: S_i = w_i N C_i E. The stress is even in a block.
+    // The weights of {σ}n are those of the rows: S_i = w_i N C_i E.
     const auto traction = [&](const Mat26& rows, BlockId id) -> Vec2 {
-      return rows.rightCols<3>() * body.material(id).stiffness().inverse() * stress[id.value()];
+      Vec3 here = Vec3::Zero();
+      for (const auto& [place, share] : eigenstress_at(body, id, point.x)) here += share * stress[place];
+      return rows.rightCols<3>() * body.material(id).stiffness().inverse() * here;
     };
     const Vec2 mean =
         traction(point.rows.first_stress, point.first) + traction(point.rows.second_stress, point.second);

@@ -14,7 +14,7 @@ struct LoadProgramme {
 };
 
 /// What a stress that is there without strain does in joints: openings P⁻¹{σ0}n of the active points, and the force
-/// Sᵀ W P⁻¹ {σ0}n that the subtracted energy exerts. `stress` is by block.
+/// Sᵀ W P⁻¹ {σ0}n that the subtracted energy exerts. `stress` is as StageLoads keeps it.
 struct StressOffset {
   std::vector<double> openings, force;
 };

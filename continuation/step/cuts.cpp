@@ -5,6 +5,7 @@
 
 #include "continuation/solve/held_equilibrium.hpp"
 #include "models/body/motion.hpp"
+#include "models/load/eigenstress.hpp"
 
 namespace dda {
 namespace {
@@ -66,11 +67,15 @@ std::vector<Vec3> block_stress(PathState& path) {
 
 CrackFront::Surroundings around(PathState& path) {
   const auto stress_at = [&structure = path.cracks->structure, means = block_stress(path),
-                          &d = path.walker.state().d](const Vec2& x) -> std::optional<Vec3> {
+                          &loading = path.walker.system().loading(),
+                          &at = path.walker.state()](const Vec2& x) -> std::optional<Vec3> {
     const auto blocks = structure.front().geometry().blocks_near(x);
     if (blocks.empty()) return {};
     const BlockId block = blocks.front();
-    return Vec3(means[block.value()] + stress_beside_mean(structure.body(), block, x, d.all()));
+    Vec3 out = means[block.value()] + stress_beside_mean(structure.body(), block, x, at.d.all());
+    for (const auto& [place, share] : eigenstress_beside_mean(structure.body(), block, x))
+      out += share * loading.initial_stress(place, at.load_factor);
+    return out;
   };
   const std::vector<Cut> cuts = path.cracks->structure.front().geometry().cuts();
   return {stress_at, [&path, cuts](std::span<const Cut> free) { return released_energy(path, cuts, free); }};

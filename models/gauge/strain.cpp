@@ -61,11 +61,17 @@ Functional rows_of(const Body& body, const MeanParameters& p, const Share& share
   return out;
 }
 
+/// σ0, or what is out of the plane: its mean in a block, and at the point `at` what its slopes add.
+std::vector<StressShare> eigenstress_of(const Body& body, const MeanParameters& p, BlockId block) {
+  if (!p.at) return {{block.value(), 1}};
+  return eigenstress_at(body, block, locate(body.assembly, *p.at));
+}
+
 /// Mean of what comes about out of the plane in some blocks: σz in plane strain, εz in plane stress. Refuses the other
 /// one, which is nothing.
 Functional out_of_plane(const GaugeSources& sources, const MeanParameters& p, Plane where) {
   Functional out;
-  const auto part = [](std::span<const double> of, BlockId id) { return of.empty() ? 0 : of[id.value()]; };
+  const auto part = [](std::span<const double> of, std::size_t place) { return of.empty() ? 0 : of[place]; };
   for (const Share& share : shares(sources.body, p)) {
     const auto& [block, weight] = share;
     const Material& material = sources.body.material(block);
@@ -76,8 +82,10 @@ Functional out_of_plane(const GaugeSources& sources, const MeanParameters& p, Pl
               ? "`zz` of a stress is 0 in plane stress; take that of the strain, or `plane: strain`"
               : "`zz` of a strain is 0 in plane strain; take that of the stress, or `plane: stress`");
     out.add(1, rows_of(sources.body, p, share, material.out_of_plane()));
-    out.constant += weight * part(sources.dead_out_of_plane, block);
-    out.per_load_factor += weight * part(sources.reference_out_of_plane, block);
+    for (const auto& [place, part_of_it] : eigenstress_of(sources.body, p, block)) {
+      out.constant += weight * part_of_it * part(sources.dead_out_of_plane, place);
+      out.per_load_factor += weight * part_of_it * part(sources.reference_out_of_plane, place);
+    }
   }
   return out;
 }
@@ -107,14 +115,16 @@ class StressGauge final : public Gauge {
     if (p_.component == Component::zz) return out_of_plane(sources, p_, Plane::strain);
     Functional out;
     const Vec3 e = unit(p_.component);
-    const auto part = [&](std::span<const Vec3> stress, BlockId id) {
-      return stress.empty() ? 0 : e.dot(stress[id.value()]);
+    const auto part = [&](std::span<const Vec3> stress, std::size_t place) {
+      return stress.empty() ? 0 : e.dot(stress[place]);
     };
     for (const Share& share : shares(sources.body, p_)) {
       const auto& [block, weight] = share;
       out.add(1, rows_of(sources.body, p_, share, sources.body.material(block).stiffness() * e));
-      out.constant += weight * part(sources.dead_stress, block);
-      out.per_load_factor += weight * part(sources.reference_stress, block);
+      for (const auto& [place, part_of_it] : eigenstress_of(sources.body, p_, block)) {
+        out.constant += weight * part_of_it * part(sources.dead_stress, place);
+        out.per_load_factor += weight * part_of_it * part(sources.reference_stress, place);
+      }
     }
     return out;
   }

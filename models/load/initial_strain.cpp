@@ -16,7 +16,8 @@ struct InitialStrainParameters {
 ///     ε0 = (xx, yy, xy) + αT (1, 1, 0),   ε0z = zz + αT,   σ = C (ε − ε0 − ν ε0z (1, 1, 0)*)
 ///
 /// * in plane strain alone, where the strain out of the plane is held. What is free to move moves by it without stress;
-/// what is held is stressed by σ0 = −C ε0, f += V Eᵀ C ε0 with the means of each block. Out of the plane comes what a
+/// what is held is stressed by σ0 = −C ε0, f += V Eᵀ C ε0 with the means of each block, and the linear part of ε0 in blocks
+/// of second order (eigenstress.hpp). Out of the plane comes what a
 /// strain of −ε0 makes, and ε0z (Material::out_of_plane).
 class InitialStrain final : public Load {
  public:
@@ -29,14 +30,20 @@ class InitialStrain final : public Load {
   }
 
  private:
-  /// Of the means of a block.
-  Eigenstress eigenstress(const Body& body, BlockId id) const {
-    const Block& block = body.block(id);
+  LinearField<Eigenstress> eigenstress(const Body& body, BlockId id) const {
     const Material& material = body.material(id);
-    const Vec3 beside = mean_over(block, {p_.temperature, p_.zz, Formula()});
+    const LinearField<Vec3> beside = linear_over(body, id, {p_.temperature, p_.zz, Formula()}),
+                            strain = linear_over(body, id, {p_.xx, p_.yy, p_.xy});
+    return {eigenstress(material, beside.mean, strain.mean),
+            {eigenstress(material, beside.slopes[0], strain.slopes[0]),
+             eigenstress(material, beside.slopes[1], strain.slopes[1])}};
+  }
+
+  /// Of T and ε0z and of the strain in the plane.
+  Eigenstress eigenstress(const Material& material, const Vec3& beside, const Vec3& in_plane) const {
     const double warming = p_.expansion * beside[0], out_of_plane = beside[1] + warming;
     const double held = material.held_contraction() * out_of_plane;
-    const Vec3 strain = mean_over(block, {p_.xx, p_.yy, p_.xy}) + (warming + held) * Vec3(1, 1, 0);
+    const Vec3 strain = in_plane + (warming + held) * Vec3(1, 1, 0);
     return {-material.stiffness() * strain,
             material.out_of_plane_by_free_strain() * out_of_plane - material.out_of_plane().dot(strain)};
   }

@@ -10,7 +10,7 @@ struct InitialStressParameters {
 };
 
 /// A stress σ0 present without strain (prestress, the stress in a rock mass): σ = C ε + σ0, f −= V Eᵀ σ0 with
-/// the mean σ0 of each block. σz does no work: it is part of what is told of the stress in plane strain.
+/// the mean σ0 of each block, in blocks of second order with its linear part too (eigenstress.hpp). σz does no work: it is part of what is told of the stress in plane strain.
 class InitialStress final : public Load {
  public:
   explicit InitialStress(InitialStressParameters p) : p_(std::move(p)) {}
@@ -20,8 +20,11 @@ class InitialStress final : public Load {
     for (std::size_t i = 0; i < body.assembly.num_blocks(); ++i)
       if (const BlockId id{i}; chosen.has(body, id)) {
         require_held(body.material(id));
+        const LinearField<Vec3> stress = linear_over(body, id, {p_.xx, p_.yy, p_.xy}),
+                                zz = linear_over(body, id, {p_.zz, Formula(), Formula()});
         add_eigenstress(stage, body, id,
-                        {mean_over(body.block(id), {p_.xx, p_.yy, p_.xy}), out_of_plane(body, id)});
+                        {{stress.mean, zz.mean[0]},
+                         {{{stress.slopes[0], zz.slopes[0][0]}, {stress.slopes[1], zz.slopes[1][0]}}}});
       }
   }
 
@@ -31,9 +34,6 @@ class InitialStress final : public Load {
     if (material.plane() == Plane::stress && !has_none)
       throw InputError(p_.where,
                        "`zz` is a stress out of the plane, which plane stress has none of: `plane: strain`");
-  }
-  double out_of_plane(const Body& body, BlockId id) const {
-    return mean_over(body.block(id), {p_.zz, Formula(), Formula()})[0];
   }
 
   InitialStressParameters p_;

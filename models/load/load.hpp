@@ -26,10 +26,11 @@ struct RemovedSupport {
 
 /// What one stage adds at its full value.
 struct StageLoads {
-  std::vector<double> force;         ///< work-conjugate to d, size 6 · nodes of the body
-  std::vector<Vec3> initial_stress;  ///< by block [F/L²]; empty when there is none
-  /// What it brings out of the plane, by block: a stress in plane strain [F/L²], a strain in plane stress; empty when
-  /// there is none.
+  std::vector<double> force;  ///< work-conjugate to d, size 6 · nodes of the body
+  /// Its means by block, and behind them its two slopes (eigenstress.hpp) in each block of second order [F/L²]; empty
+  /// when there is none.
+  std::vector<Vec3> initial_stress;
+  /// What it brings out of the plane, in the same places: a stress in plane strain [F/L²], a strain in plane stress.
   std::vector<double> out_of_plane;
   std::vector<DrivenSpring> driven;
   std::vector<RemovedSupport> removed;

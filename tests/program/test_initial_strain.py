@@ -58,6 +58,29 @@ gauges:
 path: {control: load, stop: {load_factor_above: 1}, step: {first: 1}}
 """
 
+# A free bar of blocks of second order as high as it.
+BENT = """\
+title: A bar that is strained without stress on one side
+units: {length: m, force: N}
+thickness: 1
+kinematics: second_order
+scene:
+  regions: [{name: bar, material: c, vertices: [[0, 0], [4, 0], [4, 1], [0, 1]]}]
+  boundaries: {left: [[0, 0], [0, 1]], right: [[4, 0], [4, 1]]}
+  subdivision: {type: grid, columns: 4, rows: 1}
+materials: {c: {type: linear_elastic, young_modulus: 1000, poisson_ratio: 0.25}}
+interfaces: {joints: {between: [c, c], treatment: consistent}}
+supports: {corner: {at: [0, 0], fix: xy}, above: {at: [0, 1], fix: x}}
+stages: [LOADS]
+gauges:
+  stress: {type: stress, at: [2.1, 0.8], component: xx}
+  strain: {type: strain, at: [2.1, 0.8], component: xx}
+  across: {type: stress, at: [2.1, 0.8], component: zz}
+  drop: {type: displacement, at: [4, 0], direction: [0, -1]}
+plane: strain
+path: {control: load, stop: {load_factor_above: 1}}
+"""
+
 
 class Computed(ProgramCase):
     def run_deck(self, text, *options, folder="run"):
@@ -103,6 +126,35 @@ class InitialStrain(Computed):
             self.assertLess(abs(last.stress), 1e-9 * 30000 * 4e-4)
             self.assertAlmostEqual(last.beside / (of_all * last.load_factor), 1, delta=1e-9)
             self.assertEqual(self.refusals(), [])
+
+    def bent(self, *loads, options=()):
+        """A bar of second order under these loads at a load factor of 1, and the largest stress at its corners."""
+        run = self.run_deck(BENT.replace("LOADS", f"{{loads: [{', '.join(loads)}]}}"), *options)
+        self.assertEqual(self.refusals(), [])
+        return run.curve.iloc[-1], run.fields().vertices["stress_at_vertices_xx"].abs().max()
+
+    def test_linear_in_a_block_of_second_order_bends_it_without_stress(self):
+        warmed = "{type: initial_strain, xx: 0.001*y}"
+        for treatment in ("consistent", "penalty"):
+            last, largest = self.bent(warmed, options=("--set", f"interfaces.joints.treatment={treatment}"))
+            self.assertAlmostEqual(last["drop"], 0.001 * 4**2 / 2, delta=1e-9)
+            self.assertAlmostEqual(last.strain, 0.0008, delta=1e-9)
+            self.assertLess(max(abs(last.stress), abs(last.across), largest), 1e-6)
+        last, largest = self.bent("{type: initial_strain, expansion: 0.001, temperature: y}")
+        self.assertAlmostEqual(last["drop"], 1.25 * 0.001 * 4**2 / 2, delta=1e-9)
+        self.assertLess(max(abs(last.stress), largest), 1e-6)
+        self.assertAlmostEqual(last.across, -1000 * 0.001 * 0.8, delta=1e-6)
+
+    def test_linear_stress_bears_linear_tractions_at_rest(self):
+        prestress = '{type: initial_stress, xx: 2*y}'
+        tractions = [f'{{type: edge_traction, boundary: {side}, traction: ["{sign}*2*y", 0]}}' for side, sign in (("right", 1), ("left", -1))]
+        last, largest = self.bent(prestress, *tractions)
+        self.assertAlmostEqual(last.stress, 1.6, delta=1e-8)
+        self.assertAlmostEqual(largest, 2, delta=1e-8)
+        self.assertLess(max(abs(last.strain), abs(last["drop"])), 1e-9)
+        last, largest = self.bent(prestress)
+        self.assertLess(max(abs(last.stress), largest), 1e-8)
+        self.assertAlmostEqual(last.strain, -(1 - 0.25**2) * 1.6 / 1000, delta=1e-10)
 
     def test_misspelt_or_incomplete_is_told(self):
         for wrong, told in ((COOLED.replace("temperature: cooling", "temprature: cooling"), "temperature"),

@@ -209,7 +209,7 @@ def stored_energy(step):
 
 def stored_energies(steps, curve):
     name = "stored energy of curve.csv"
-    if any(np.any(part) for part in steps[0].model.stress):
+    if any(np.any(part) for part in (*steps[0].model.stress, *steps[0].model.stress_gradients)):
         return not_made(name, "there is initial stress, whose energy is counted with the loads")
     if unknown := of_plugins(steps):
         return not_made(name, unknown)

@@ -161,9 +161,10 @@ class Model:
         self.weak_stiffness = self.deck["weak_springs"] * self.largest_modulus * self.thickness
         numbers = tables.rows("second_order/block", 1)
         self.gradients = second_order.Gradients(self, np.zeros(0, dtype=int) if numbers is None else numbers[:, 0].astype(int))
+        parts = ("dead", *self.references)
         none = np.zeros((self.mesh.num_blocks, 3))
-        self.stress = [none if found is None else found
-                       for found in (tables.rows(f"initial_stress/{part}", 3) for part in ("dead", *self.references))]
+        self.stress = [none if found is None else found for found in (tables.rows(f"initial_stress/{part}", 3) for part in parts)]
+        self.stress_gradients = [self.gradients.of_slopes(tables.rows(f"initial_stress_slopes/{part}", 6)) for part in parts]
 
     def _set_sides(self, tables):
         self.interfaces = [interface_of(name, self.deck) for name in tables["interface_names"]] + [BOND]
@@ -212,6 +213,11 @@ class Model:
 
     def initial_stress(self, load_factors):
         return self.stress[0] + sum(factor * stress for factor, stress in zip(load_factors, self.stress[1:]))
+
+    def initial_gradients(self, load_factors):
+        """Gradients of strain that would make the slopes of the initial stress, gradients × 6."""
+        first, *others = self.stress_gradients
+        return first + sum(factor * of for factor, of in zip(load_factors, others))
 
     def far_ends(self, load_factors):
         """δ of every support and driven point [L]."""

@@ -72,6 +72,13 @@ class Gradients:
             out[block] = np.linalg.eigvalsh(root @ boundary @ root.T)[-1]
         return out
 
+    def of_slopes(self, slopes):
+        """The g whose stresses have slopes a σ,x and a σ,y, gradients × 6; 0 where there are none."""
+        if slopes is None:
+            return np.zeros((len(self), 6))
+        strains = np.linalg.solve(self.model.stiffness[self.blocks], slopes.reshape(-1, 2, 3).transpose(0, 2, 1))
+        return strains.reshape(-1, 6)
+
     def unknowns(self, fields):
         """g of every block of second order, from the stored gradients."""
         columns = [f"strain_gradient_{of}" for of in ("xx_x", "xx_y", "yy_x", "yy_y", "2xy_x", "2xy_y")]

@@ -63,6 +63,7 @@ class Step:
         self.d = unknowns(model, fields)
         self.strain = self.d[:model.mesh.num_blocks, 3:]
         self.stress = np.einsum("bij,bj->bi", model.stiffness, self.strain) + model.initial_stress(self.load_factors)
+        self.stressed = self.d[model.mesh.num_blocks:model.num_block_nodes] + model.initial_gradients(self.load_factors)
         self._set_openings()
         self._set_tractions()
 
@@ -78,7 +79,7 @@ class Step:
         self.mean = self._of_blocks(points.stress_rows, self.stress)
         point, node, rows, stress_rows = points.gradients
         np.add.at(self.jump, point, np.einsum("pij,pj->pi", rows, self.d[node]))
-        np.add.at(self.mean, point, np.einsum("pij,pj->pi", stress_rows, self.d[node]))
+        np.add.at(self.mean, point, np.einsum("pij,pj->pi", stress_rows, self.stressed[node - self.model.mesh.num_blocks]))
         self.trial = self.jump + self.mean / points.trial
 
     def _set_tractions(self):
@@ -190,7 +191,7 @@ class Step:
         force = np.einsum("pij,pi->pj", rows, self.traction[point]) + np.einsum("pij,pi->pj", stress_rows, of_stress[point])
         yield node, -points.weight[point, None] * force
         of_gradients = np.arange(model.mesh.num_blocks, model.num_block_nodes)
-        yield of_gradients, -np.einsum("bij,bj->bi", model.gradients.stiffness, self.d[of_gradients])
+        yield of_gradients, -np.einsum("bij,bj->bi", model.gradients.stiffness, self.stressed)
         point, node, rows = points.jumps
         yield node, -points.weight[point, None] * np.einsum("pij,pi->pj", rows, self.traction[point])
         springs = model.springs

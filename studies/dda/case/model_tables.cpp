@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "models/load/eigenstress.hpp"
 #include "models/loading.hpp"
 
 namespace dda {
@@ -41,7 +42,7 @@ void add_sides(const Assembly& assembly, const InterfaceSet& interfaces, std::ve
 struct StageForces {
   std::string name;  ///< of its tables
   Vector force;
-  std::vector<Vec3> stress;
+  std::vector<Vec3> stress;  ///< as StageLoads has it
 };
 /// The dead ones as one, and behind it each that is followed.
 using StageSums = std::vector<StageForces>;
@@ -62,18 +63,19 @@ std::size_t place_of(std::size_t stage, const ModelParameters& model) {
 
 void add(const StageLoads& loads, const Body& body, StageForces& to) {
   for (std::size_t i = 0; i < loads.force.size(); ++i) to.force[i] += loads.force[i];
-  for (std::size_t b = 0; b < loads.initial_stress.size(); ++b) {
-    to.stress[b] += loads.initial_stress[b];
-    Eigen::Map<Vec6>(to.force.data() + block_unknowns * b).tail<3>() +=
-        body.volume(BlockId(b)) * loads.initial_stress[b];
-  }
+  if (loads.initial_stress.empty()) return;
+  for (std::size_t i = 0; i < loads.initial_stress.size(); ++i) to.stress[i] += loads.initial_stress[i];
+  for (std::size_t b = 0; b < body.assembly.num_blocks(); ++b)
+    for (const auto& [node, force] : forces_of_stress(body, BlockId(b), loads.initial_stress))
+      Eigen::Map<Vec6>(to.force.data() + block_unknowns * node.value()) -= force;
 }
 
 StageSums sums(const Body& body, const ModelParameters& model, const LoadProgramme& programme) {
-  const std::size_t blocks = body.assembly.num_blocks(), n = block_unknowns * body.num_nodes();
+  const std::size_t places = body.assembly.num_blocks() + 2 * body.num_gradients(),
+                    n = block_unknowns * body.num_nodes();
   StageSums out;
   for (const std::string& name : names_of(model))
-    out.push_back({name, Vector(n), std::vector<Vec3>(blocks, Vec3::Zero())});
+    out.push_back({name, Vector(n), std::vector<Vec3>(places, Vec3::Zero())});
   for (std::size_t s = 0; s < programme.stages.size(); ++s)
     add(programme.stages[s], body, out[place_of(s, model)]);
   return out;
@@ -112,15 +114,17 @@ void add_loads(const StageSums& loads, std::size_t num_nodes, std::vector<Result
     out.push_back({"load/" + loads[s].name, std::move(rows[s]), {}, {}, block_unknowns});
 }
 
-void add_initial_stress(const StageSums& loads, std::vector<ResultsTable>& out) {
+void add_initial_stress(const StageSums& loads, std::size_t num_blocks, std::vector<ResultsTable>& out) {
   const auto is_none = [](const StageForces& stage) {
     return std::ranges::all_of(stage.stress, [](const Vec3& stress) { return stress.isZero(0); });
   };
   if (std::ranges::all_of(loads, is_none)) return;
   for (const StageForces& stage : loads) {
-    Vector rows;
-    for (const Vec3& stress : stage.stress) append(stress, rows);
-    out.push_back({"initial_stress/" + stage.name, std::move(rows), {}, {}, 3});
+    Vector means, slopes;
+    for (std::size_t i = 0; i < stage.stress.size(); ++i)
+      append(stage.stress[i], i < num_blocks ? means : slopes);
+    out.push_back({"initial_stress/" + stage.name, std::move(means), {}, {}, 3});
+    if (!slopes.empty()) out.push_back({"initial_stress_slopes/" + stage.name, std::move(slopes), {}, {}, 6});
   }
 }
 
@@ -295,7 +299,7 @@ std::vector<ResultsTable> model_tables(const Body& body, const ModelParameters& 
   add_second_order(body, out);
   add_followed_stages(model, out);
   add_loads(loads, body.assembly.num_blocks() + body.num_gradients(), out);
-  add_initial_stress(loads, out);
+  add_initial_stress(loads, body.assembly.num_blocks(), out);
   add_springs(programme, model, equilibrium, out);
   return out;
 }

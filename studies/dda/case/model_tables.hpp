@@ -24,6 +24,7 @@ namespace dda {
 ///     spring_part/spring, block [r], row [r,6]         l · u of spring s = Σ row · d_block
 ///     interface_names, region_materials                               texts, by index
 ///     initial_stress/dead, reference [blocks,3]        where there is any
+///     initial_stress_slopes/dead, reference [gradients,6]   along x and along y, times the square root of the area
 std::vector<ResultsTable> model_tables(const Body& body, const ModelParameters& model,
                                        const Equilibrium& equilibrium);
 

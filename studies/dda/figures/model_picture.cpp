@@ -10,6 +10,7 @@
 #include "framework/figure/drawing.hpp"
 #include "framework/figure/style.hpp"
 #include "framework/files/whole_file.hpp"
+#include "models/load/eigenstress.hpp"
 #include "models/loading.hpp"
 #include "studies/dda/figures/material_colours.hpp"
 #include "studies/dda/figures/pictures.hpp"
@@ -146,13 +147,25 @@ class ModelPicture {
     Functional acting = forces_of(stage);
     const std::size_t as_a_whole = gather_body_forces(acting, colour);
     add_symbols(acting, {.mark = Mark::force, .colour = colour});
-    const auto strained =
-        std::ranges::count_if(stage.reference_stress, [](const Vec3& x) { return !x.isZero(0); });
+    const std::size_t strained = num_strained(stage);
     if (acting.rows.empty() && as_a_whole == 0 && strained == 0) return;
     std::string name = stage.name + how;
     if (strained > 0) name += fmt::format(" (initial strain or stress in {} blocks)", strained);
     if (as_a_whole > 0) name += fmt::format(" (at the middle: on {} blocks as a whole)", as_a_whole);
     add_key(KeyEntry::Kind::force, colour, std::move(name));
+  }
+
+  /// Blocks with initial stress, be it its slopes alone.
+  std::size_t num_strained(const Loading& stage) const {
+    if (stage.reference_stress.empty()) return 0;
+    std::size_t out = 0;
+    for (std::size_t b = 0; b < body_.assembly.num_blocks(); ++b) {
+      const Block& block = body_.block(BlockId(b));
+      const auto parts = eigenstress_at(body_, BlockId(b), block.moments.centroid);
+      out += std::ranges::any_of(
+          parts, [&](const StressShare& part) { return !stage.reference_stress[part.place].isZero(0); });
+    }
+    return out;
   }
 
   /// What pushes and pulls in a stage, without what initial stress does in blocks and joints: no arrow tells that.

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "models/body/motion.hpp"
+#include "models/load/eigenstress.hpp"
 #include "studies/dda/case/model_tables.hpp"
 
 namespace dda {
@@ -239,15 +240,21 @@ void Fields::add_gradients(const State& state, Snapshot& out) const {
 void Fields::add_stress_at_vertices(const BlockFields& means, const State& state, Snapshot& out) const {
   StoredField stress{"stress_at_vertices", means.stress.unit, FieldPlace::block_vertex, 3, {}, stress_labels};
   StoredField zz{out_of_plane_of(stress.name), stress.unit, FieldPlace::block_vertex, 1, {}, ""};
+  const Loading& loading = equilibrium_.stages().back();
   for (std::size_t b = 0; b < body_.assembly.num_blocks(); ++b) {
     const BlockId block(b);
     const Material& material = body_.material(block);
     const Vec3 mean = Eigen::Map<const Vec3>(means.stress.values.data() + 3 * b);
     for (const Vec2& x : outline(block)) {
-      const Vec3 beside = stress_beside_mean(body_, block, x, state.d.all());
+      const Vec3 by_strain = stress_beside_mean(body_, block, x, state.d.all());
+      Vec3 beside = by_strain;
+      double out_of_plane = material.out_of_plane().dot(material.stiffness().inverse() * by_strain);
+      for (const auto& [place, share] : eigenstress_beside_mean(body_, block, x)) {
+        beside += share * loading.initial_stress(place, state.load_factor);
+        out_of_plane += share * loading.out_of_plane(place, state.load_factor);
+      }
       append(Vec3(mean + beside), stress.values);
-      zz.values.push_back(means.out_of_plane.values[b] +
-                          material.out_of_plane().dot(material.stiffness().inverse() * beside));
+      zz.values.push_back(means.out_of_plane.values[b] + out_of_plane);
     }
   }
   if (model_.plane == Plane::strain) out.fields.push_back(std::move(zz));
