@@ -104,7 +104,10 @@ void PathState::end_unsound(const std::string& reason) {
     end_with_structure(
         fmt::format("complete rupture: {:.1e} of the peak was left; beyond, {}", left, refused.text));
   else
-    ending = {Ending::Kind::stopped_early, fmt::format("{} ({})", refused.text, reason), refused.stop};
+    ending = {Ending::Kind::stopped_early,
+              reason.find(refused.text) != std::string::npos ? reason
+                                                             : fmt::format("{} ({})", refused.text, reason),
+              refused.stop};
 }
 
 void PathState::reject(const std::string& control_name, const std::string& why) {

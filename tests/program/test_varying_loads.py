@@ -45,6 +45,22 @@ gauges:
 path: {control: load, stop: {load_factor_above: 1}, step: {first: 1}}
 """
 
+BENT = """\
+title: Two blocks of second order that tractions bend which have no resultant
+scene:
+  regions:
+    - {name: left, material: c, vertices: [[0, 0], [100, 0], [100, 40], [0, 40]]}
+    - {name: right, material: c, vertices: [[100, 0], [200, 0], [200, 40], [100, 40]]}
+  boundaries: {root: [[0, 0], [0, 40]], end: [[200, 0], [200, 40]]}
+thickness: 10
+kinematics: second_order
+materials: {c: {type: linear_elastic, young_modulus: 1000, poisson_ratio: 0.3}}
+supports: {root: {boundary: root, fix: xy}}
+stages: [{loads: [{type: edge_traction, boundary: end, traction: ["(y-20)/20", 0]}]}]
+gauges: {tip: {type: displacement, at: [200, 20], direction: [0, 1]}}
+path: {stop: {load_factor_above: 1}}
+"""
+
 WALL = """\
 title: A wall with an opening, in a bond
 units: {length: m, force: N}
@@ -111,6 +127,18 @@ class Couples(Computed):
         self.assertEqual(last.load, last.load_factor)
         self.assertIn('"load": ""', (self.folder / "run/curve.units.json").read_text(encoding="utf-8"))
         self.assertEqual(self.refusals(), [])
+
+    def test_of_tractions_alone_bend_few_blocks(self):
+        """Their resultant is rounding, the couple of one is 10 · 40²/6 and stretches no block: neither is what weak springs bear."""
+        clamped = BENT.replace("poisson_ratio: 0.3", "poisson_ratio: 0")
+        on_both = BENT.replace("supports: {root: {boundary: root, fix: xy}}",
+                               "supports: {foot: {at: [0, 20], fix: xy}, low: {at: [0, 0], fix: x}, high: {at: [0, 40], fix: x}}")
+        on_both = on_both.replace("0]}]}]", '0]}, {type: edge_traction, boundary: root, traction: ["-(y-20)/20", 0]}]}]')
+        for text in (clamped, on_both):
+            run = self.run_deck(text)
+            self.assertEqual(run.summary["status"], "goal_reached", run.summary["reason"])
+            self.assertAlmostEqual(run.curve.tip.iloc[-1] / (-200**2 / (2 * 20 * 1000)), 1, delta=2e-3)
+            self.assertEqual(self.refusals(), [])
 
 
 class Masonry(Computed):
