@@ -78,8 +78,6 @@ class PointMaker {
     out.num_active = static_cast<std::size_t>(middle.begin() - out.points.begin());
     for (Interface& interface : book_.interfaces()) {
       out.names.push_back(interface.name);
-      if (interface.law->can_crack() && interface.points == PointRule::gauss)
-        out.gauss_names.push_back(interface.name);
       out.laws.push_back(interface.law);
       report(interface, out.notices);
     }
@@ -357,7 +355,10 @@ class PointMaker {
           interface.where,
           fmt::format(
               "blocks of second order beside interface '{}' need Gauss points: `points: gauss` (three "
-              "on a side) or `gauss_2`",
+              "on a side) or `gauss_2`. Their stress is linear along a side, which the ends of sides "
+              "overrate "
+              "up to threefold and midpoints do not feel; points at ends need blocks of first order on both "
+              "sides",
               interface.name));
     if (interface.raised > 0)
       notices.push_back(

@@ -102,7 +102,6 @@ struct InterfacePoint {
 /// All interface points with the laws they use. Points that are asked at run time come first.
 struct InterfaceSet {
   std::vector<std::string> names;
-  std::vector<std::string> gauss_names;  ///< of those that can crack and have Gauss points
   std::vector<std::string> locked;  ///< why those with multipliers lock that do, see models/locked_joints.hpp
   std::vector<std::shared_ptr<const InterfaceLaw>> laws;
   std::vector<InterfacePoint> points;

@@ -4,6 +4,7 @@ bears any load, and an arch that does not bear its weight about Gauss points say
     test_wedges.py        with PYTHONPATH=python, and DDA naming the program
 """
 
+import json
 import math
 import unittest
 
@@ -63,6 +64,22 @@ def round_arch(count=15, inner=950, outer=1100, **joint):
                 push, 35, **joint)
 
 
+def rocking(kinematics="first_order", **joint):
+    """A block 1 × 2 of 40 kN that turns about its corner at 10 kN, on a bed."""
+    region = lambda name, *vertices: {"name": name, "material": "stone", "vertices": [list(v) for v in vertices]}
+    return {
+        "units": {"length": "m", "force": "kN"}, "thickness": 1, "kinematics": kinematics,
+        "scene": {"regions": [region("bed", (-1, -0.5), (2, -0.5), (2, 0), (1, 0), (0, 0), (-1, 0)), region("body", (0, 0), (1, 0), (1, 2), (0, 2))],
+                  "boundaries": {"bottom": [[-1, -0.5], [2, -0.5]]}, "curves": {"joint": [[0, 0], [1, 0]]}},
+        "materials": {"stone": {"type": "linear_elastic", "young_modulus": 1e7, "poisson_ratio": 0.2}},
+        "interfaces": {"joint": {"law": {"type": "friction", "friction_angle": 60}} | joint},
+        "supports": {"bottom": {"boundary": "bottom", "fix": "xy"}},
+        "stages": [{"name": "weight", "loads": [{"type": "body_force", "regions": ["body"], "force": [0, -20]}]},
+                   {"name": "push", "loads": [{"type": "point_load", "at": [0, 2], "force": [1, 0]}]}],
+        "gauges": {"moved": {"type": "displacement", "at": [0, 2], "direction": [1, 0]}},
+    }
+
+
 class Wedges(ProgramCase):
     def run_(self, case):
         return ddapath.run(case, folder=self.folder / "run", overwrite=True, check=False)
@@ -81,6 +98,30 @@ class Wedges(ProgramCase):
             self.assertEqual(run.summary["status"], "goal_reached", f"{treatment}: {run.summary['reason']}")
             self.assertIn("slides, opens or closes", run.summary["reason"])
             self.assertAlmostEqual(run.curve["load_factor"].iloc[-1], 1, delta=1e-9, msg=treatment)
+
+    def test_what_rocks_on_gauss_points_says_where_it_turns(self):
+        """About points 0.21 or 0.11 of the side inside the corner: 1/√3 or √0.6 of 10 kN, and what helps is accepted."""
+        turns = {2: ("closed at the other", "0.21 of its length", "down to 0.58", 10 / math.sqrt(3)),
+                 3: ("closed at another", "0.11 of its length", "down to 0.77", 10 * math.sqrt(0.6))}
+        for kinematics, joint, points in (("first_order", {"points": "gauss_2"}, 2), ("first_order", {}, 2), ("second_order", {}, 3),
+                                          ("second_order", {"treatment": "lagrange"}, 2),
+                                          ("second_order", {"treatment": "augmented_lagrangian", "points": "gauss"}, 3)):
+            with self.subTest(f"{kinematics} {joint}"):
+                run = self.run_(rocking(kinematics, **joint))
+                *told, load = turns[points]
+                self.assertAlmostEqual(run.curve["load"].max() / load, 1, delta=2e-3)
+                notice = [text for text in run.summary["notices"] if "Gauss points" in text]
+                self.assertEqual(len(notice), 1)
+                for words in (f"{points} Gauss points", *told, "blocks of first order" if kinematics == "second_order" else "`points: vertices` has"):
+                    self.assertIn(words, notice[0])
+        run = self.run_(rocking(points="vertices"))
+        self.assertAlmostEqual(run.curve["load"].max() / 10, 1, delta=2e-3)
+        self.assertFalse([text for text in run.summary["notices"] if "Gauss" in text])
+
+    def test_points_at_ends_beside_second_order_are_refused_with_the_reason(self):
+        for points in ("vertices", "midpoint"):
+            (self.folder / "deck.yaml").write_text(json.dumps(rocking("second_order", points=points)), encoding="utf-8")
+            self.assertRegex(self.dda("check", "deck.yaml", code=2), "stress is linear along a side.*first order on both sides")
 
     def test_an_arch_says_that_its_sides_turn_inside_their_corners(self):
         """15 stones of 0.146 of the mean radius: more than the least thickness 0.1075 of Milankovitch, less of its Gauss points."""

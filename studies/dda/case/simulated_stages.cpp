@@ -7,23 +7,26 @@
 
 #include "continuation/detour/dead_load.hpp"
 #include "studies/dda/case/simulation.hpp"
+#include "studies/dda/case/turning_places.hpp"
 
 namespace dda {
 namespace {
 
 /// What may help where bodies that only touch carry no load; "" where they turn about their corners.
-std::string hint_on_turning(const InterfaceSet& set) {
-  const auto turns_inside = [&](const InterfacePoint& point) {
-    return point.is_separate() && point.interface >= 0 &&
-           std::ranges::find(set.gauss_names, set.names[static_cast<std::size_t>(point.interface)]) !=
-               set.gauss_names.end();
-  };
-  const auto point = std::ranges::find_if(set.points, turns_inside);
-  if (point == set.points.end()) return "";
-  return fmt::format(
-      "; the sides of '{}' turn about Gauss points, 0.21 of their length inside their corners, and may carry "
-      "it about the corners: `points: vertices`",
-      set.names[static_cast<std::size_t>(point->interface)]);
+std::string hint_on_turning(const Equilibrium& equilibrium, const Body& body) {
+  const InterfaceSet& set = equilibrium.interfaces();
+  const auto places = turning_places(set, body.thickness);
+  for (const InterfacePoint& point : set.points) {
+    if (!point.is_separate() || point.interface < 0) continue;
+    const auto place = places.find(SideKey(point));
+    if (place == places.end()) continue;
+    return fmt::format(
+        "; the sides of '{}' turn about Gauss points, {:.2f} of their length inside their corners, and may "
+        "carry "
+        "it about the corners: {}",
+        set.names[static_cast<std::size_t>(point.interface)], place->second.inside, place->second.remedy());
+  }
+  return "";
 }
 
 }  // namespace
@@ -35,7 +38,7 @@ std::string Simulation::apply_dead_loads() {
     walker_->begin_stage(stage);
     if (std::string why = apply_full_stage(*walker_); !why.empty())
       return "stage '" + walker_->system().loading().name + "' cannot be carried: " + why + hindrance_ +
-             hint_on_turning(equilibrium_->interfaces());
+             hint_on_turning(*equilibrium_, *body_);
   }
   change_supports();
   walker_->begin_stage(stages - 1);

@@ -4,18 +4,15 @@
 
 #include <algorithm>
 #include <map>
-#include <numbers>
 #include <set>
 
 #include "continuation/state/acceptance.hpp"
+#include "studies/dda/case/turning_places.hpp"
 #include "studies/dda/record/warnings/strength_left.hpp"
 
 namespace dda {
 
 namespace {
-
-/// Of a side's length, from its corner to its Gauss point.
-constexpr double inside = 0.5 - 0.5 / std::numbers::sqrt3;
 
 /// What stands on a side.
 struct SideContact {
@@ -24,8 +21,7 @@ struct SideContact {
   double compression = 0;  ///< borne by its closed points [F]
 };
 
-/// By interface and side.
-using SideContacts = std::map<std::pair<int, std::size_t>, SideContact>;
+using SideContacts = std::map<SideKey, SideContact>;
 
 SideContacts side_contacts(const Simulation& simulation) {
   const InterfaceSet& set = simulation.equilibrium().interfaces();
@@ -39,7 +35,7 @@ SideContacts side_contacts(const Simulation& simulation) {
     const bool is_open = laws.opening[p].x() > 0;
     if (point.interface < 0 || (is_open && !point.is_separate() && holds_still(point, system.history()[p])))
       continue;
-    SideContact& side = out[{point.interface, point.side}];
+    SideContact& side = out[SideKey(point)];
     (is_open ? side.is_open : side.is_closed) = true;
     side.may_turn = side.may_turn && (point.is_separate() || (moves_on && system.is_spent(p)));
     side.compression += std::max(0.0, -laws.traction[p].x()) * point.weight;
@@ -48,11 +44,26 @@ SideContacts side_contacts(const Simulation& simulation) {
 }
 
 /// By how much of the moment of all loads about the structure's size what a side bears would turn about another place.
-double share_of_moment(const Simulation& simulation, std::size_t side, double compression) {
-  const System& system = simulation.system();
-  const Side& at = simulation.assembly().sides[side];
-  return compression * inside * (at.end - at.start).norm() /
-         (load_on(system, simulation.walker().state()) * simulation.equilibrium().extent());
+double share_of_moment(const Simulation& simulation, const TurningPlace& place, double compression) {
+  return compression * place.inside * place.length /
+         (load_on(simulation.system(), simulation.walker().state()) * simulation.equilibrium().extent());
+}
+
+/// Sides that turn alike.
+struct Turning {
+  std::set<std::string> names;
+  std::size_t sides = 0;
+};
+
+std::string text_of(const TurningPlace& place, const Turning& turning) {
+  const bool is_one = turning.sides == 1;
+  return fmt::format(
+      "{} side{} of {} {} open at one of {} {} Gauss points and closed at {}: {} about a point {:.2f} of "
+      "its length inside the corner, which carries less than turning about the corner, down to {:.2f} of it; "
+      "{}",
+      turning.sides, is_one ? "" : "s", fmt::join(turning.names, ", "), is_one ? "is" : "are",
+      is_one ? "its" : "their", place.num_points, place.num_points == 2 ? "the other" : "another",
+      is_one ? "it turns" : "each turns", place.inside, place.carried(), place.remedy());
 }
 
 }  // namespace
@@ -60,24 +71,20 @@ double share_of_moment(const Simulation& simulation, std::size_t side, double co
 std::string note_on_turning_contacts(const Simulation& simulation) {
   constexpr double counts = 0.01;
   const InterfaceSet& set = simulation.equilibrium().interfaces();
-  std::set<std::string> names;
-  std::size_t turning = 0;
+  const auto places = turning_places(set, simulation.body().thickness);
+  std::map<std::pair<std::size_t, bool>, std::pair<TurningPlace, Turning>> kinds;
   for (const auto& [key, side] : side_contacts(simulation)) {
-    const std::string& name = set.names[static_cast<std::size_t>(key.first)];
-    if (!side.is_open || !side.is_closed || std::ranges::find(set.gauss_names, name) == set.gauss_names.end())
-      continue;
-    if (!side.may_turn && share_of_moment(simulation, key.second, side.compression) < counts) continue;
-    names.insert("'" + name + "'");
-    ++turning;
+    const auto place = places.find(key);
+    if (!side.is_open || !side.is_closed || place == places.end()) continue;
+    if (!side.may_turn && share_of_moment(simulation, place->second, side.compression) < counts) continue;
+    auto& [of, turning] = kinds[{place->second.num_points, place->second.is_second_order}];
+    of = place->second;
+    turning.names.insert("'" + set.names[static_cast<std::size_t>(key.interface)] + "'");
+    ++turning.sides;
   }
-  if (turning == 0) return "";
-  return fmt::format(
-      "{} side{} of {} {} open at one of {} Gauss points and closed at the other: {} about a point 0.21 of "
-      "its length inside the corner, which carries less than turning about the corner, down to 0.58 of it; "
-      "`points: "
-      "vertices` has bodies turn about their corners",
-      turning, turning == 1 ? "" : "s", fmt::join(names, ", "), turning == 1 ? "is" : "are",
-      turning == 1 ? "its" : "their", turning == 1 ? "it turns" : "each turns");
+  std::vector<std::string> out;
+  for (const auto& [kind, found] : kinds) out.push_back(text_of(found.first, found.second));
+  return fmt::format("{}", fmt::join(out, ". "));
 }
 
 }  // namespace dda
