@@ -13,7 +13,7 @@ PRINTED = 1e-5     # to which a reason's numbers are printed
 NOTHING = 1e-6     # of the work of the dead loads: what live loads may do and count as having done none
 RUPTURE = 1e-3     # of the peak: what "complete rupture" may leave
 LEFT = 1e-2        # the same where the reason says how much
-MAY_BE_UNKNOWN = re.compile(r"negative_|current_stiffness|rigid_modes|mu_")  # nan where it is not known
+MAY_BE_UNKNOWN = re.compile(r"negative_|current_stiffness|rigid_modes|mu_|frequency_")  # nan where it is not known
 FORCE = 1e-8       # of the largest reaction: a load that is none within the tolerances of the path
 NUMBER = r"([-+]?[0-9.]+(?:e[-+]?[0-9]+)?)"
 

@@ -5,6 +5,7 @@ from .finding import not_made, worst_of
 from .laws import OfPlugin
 
 EQUILIBRIUM = 1e-6  # of the forces on a block and a hundredth of those on the most loaded one of the run
+CANCELLED = 1e-9    # of the largest force of initial stress on a block: what may be left where strain takes the stress away
 ENVELOPE = 1e-4     # of the limit
 LAW = 1e-4          # of the traction and a hundredth of the largest of the interface
 REACTIONS = 1e-6    # of the largest sum of all loads and reactions of the run
@@ -45,7 +46,14 @@ def residuals(step):
     for point, node, *_ in (step.model.points.gradients, step.model.points.jumps):
         np.add.at(noise, node, np.where(step.model.points.active, 0, step.model.points.weight * step.noise)[point])
     np.add.at(noise, step.model.springs["block"], step.spring_noise)
+    noise += CANCELLED * force_of_initial_stress(step, sizes[0])
     return np.maximum(np.abs(residual / unit).max(axis=1) - noise, 0), scale
+
+
+def force_of_initial_stress(step, sizes):
+    """The largest on a block [F]; that of strain is as large against it where the block may move freely."""
+    stress = np.abs(step.model.initial_stress(step.load_factors)).max(axis=1, initial=0)
+    return (step.model.volumes * stress / sizes).max(initial=0)
 
 
 def over(error, scale):

@@ -135,9 +135,13 @@ class Step:
 
     @cached_property
     def spring_noise(self):
-        """The same of every part of a spring [F]."""
-        springs = self.model.springs
-        held = np.abs(springs["row"][:, :2]).sum(axis=1) * np.abs(self.d[springs["block"], :2]).max(axis=1, initial=0)
+        """The same of every part of a spring [F], what turns a block being worked out from displacements as well."""
+        springs, nodes = self.model.springs, len(self.d)
+        row, d = np.abs(springs["row"]), np.abs(self.d[springs["block"]])
+        size = np.ones(nodes)
+        size[:self.model.mesh.num_blocks] = np.sqrt(self.model.mesh.areas)
+        moved = d[:, :2].max(axis=1, initial=0)
+        held = (row[:, :2].sum(axis=1) + row[:, 2] / size[springs["block"]]) * moved + (row[:, 3:] * d[:, 3:]).sum(axis=1)
         return ROUND_OFF * springs["stiffness"][springs["spring"]] * held
 
     @cached_property
