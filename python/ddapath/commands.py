@@ -20,7 +20,7 @@ def exit_code(name, work):
     except OSError as error:
         return told(name, f"{error.filename}: {error.strerror}", WRONG_INPUT)
     except (DdapathError, ValueError) as error:
-        return told(name, error, WRONG_INPUT)
+        return told(name, getattr(error, "in_words", error), WRONG_INPUT)
 
 
 def told(name, why, code):

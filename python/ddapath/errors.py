@@ -9,6 +9,14 @@ class NotFound(DdapathError):
     """There is no such deck, run or sweep."""
 
 
+class IsSweep(NotFound):
+    """The folder is a sweep's. `in_words` is the message for who has typed a command."""
+
+    def __init__(self, path):
+        super().__init__(f"{path}: this is a sweep; use read_sweep, or read_run on one of {path}/cases/*")
+        self.in_words = f"{path}: this is a sweep; give one of its runs, {path}/cases/*"
+
+
 class NothingStored(DdapathError):
     """The run is one, but does not (yet) hold what was asked for."""
 

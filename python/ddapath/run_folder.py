@@ -12,7 +12,7 @@ import h5py
 import pandas as pd
 
 from . import deck as decks
-from .errors import NotFound, NothingStored
+from .errors import IsSweep, NotFound, NothingStored
 from .fields import read_fields, read_mesh
 
 MESH = "fields/mesh.h5"  # beside it a file for each stored step, fields/000034.h5
@@ -189,7 +189,7 @@ def read_run(folder):
         what = "is a file; the folder that `dda run` wrote is wanted" if path.exists() else "there is no such folder"
         raise NotFound(f"{path}: {what}")
     if (path / "sweep.json").exists():
-        raise NotFound(f"{path}: this is a sweep; use read_sweep, or read_run on one of {path}/cases/*")
+        raise IsSweep(path)
     if not (path / "effective_deck.yaml").exists():
         raise NotFound(f"{path}: this is no run folder, it has no effective_deck.yaml{nearby(path)}")
     return Run(path)

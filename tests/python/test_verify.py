@@ -301,6 +301,13 @@ class Command(unittest.TestCase):
             self.assertEqual(said.returncode, 2)
             self.assertIn("there is no such folder", said.stderr)
 
+    def test_a_sweep_is_answered_in_words_of_the_command(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            (Path(scratch) / "sweep.json").write_text("{}")
+            said = self.verify(scratch)
+            self.assertEqual((said.returncode, said.stdout), (2, ""))
+            self.assertEqual(said.stderr, f"{scratch}: this is a sweep; give one of its runs, {scratch}/cases/*\n")
+
 
 class Laws(unittest.TestCase):
     def state(self, damage, stiffness=1000.0):

@@ -3,7 +3,7 @@ refused, 2 no run, 4 the file cannot be written."""
 import signal
 import sys
 
-from ..errors import DdapathError
+from ..errors import DdapathError, IsSweep
 from . import verify
 
 HELD, WRONG_INPUT, REFUSED, NOT_WRITTEN = 0, 2, 3, 4
@@ -25,6 +25,9 @@ def report(folder, file):
     """Writes the table of one run; its exit code."""
     try:
         findings = verify(folder)
+    except IsSweep as error:
+        print(error.in_words, file=sys.stderr)
+        return WRONG_INPUT
     except (DdapathError, OSError, KeyError, ValueError) as error:
         print(f"{folder}: cannot be verified: {error or type(error).__name__}", file=sys.stderr)
         return WRONG_INPUT
