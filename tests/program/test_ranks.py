@@ -274,6 +274,14 @@ class Ranks(unittest.TestCase):
                 self.assertNotEqual(run.returncode, 0)
                 self.expect_whole_after_resume(f"by_{number.name}")
 
+    def test_a_rank_short_of_address_space_is_named(self):
+        run = [DDA, "run", BEAM, "--folder", "short", "--quiet"]
+        line = [*mpirun(1), *run, ":", "-n", "1", "bash", "-c", 'ulimit -v 300000 && exec "$@"', "rank", *run]
+        done = subprocess.run(list(map(str, line)), capture_output=True, text=True, cwd=self.folder, env=environment(),
+                              timeout=120, check=False)
+        self.assertEqual(done.returncode, 4, done.stderr)
+        self.assertRegex(done.stderr, r"rank 1 on .*of address space are left by `ulimit -v`")
+
     def test_a_rank_that_dies_ends_the_run(self):
         for rank in (1, 0):
             with self.subTest(rank=rank):

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "continuation/ranks/ranks.hpp"
 #include "framework/base/errors.hpp"
 #include "framework/base/launched.hpp"
+#include "framework/base/memory.hpp"
 #include "framework/messages/tell.hpp"
 #include "studies/dda/line/grammar.hpp"
 
@@ -36,10 +38,20 @@ void leave_ranks() {
   for (const std::string& name : names) unsetenv(name.c_str());
 }
 
+/// Of a rank that is short of address space, without which OpenBLAS waits for ever, every answer is that it is.
+Answer answer_of_rank() {
+  try {
+    require_address_space();
+    return answer_by_parts();
+  } catch (const InputError& error) {
+    return [what = std::string(error.what())](Message&) -> Message { throw std::runtime_error(what); };
+  }
+}
+
 /// Where the launcher and MPI do not know each other rank 0 says so.
 int serve() {
   try {
-    serve_ranks(answer_by_parts());
+    serve_ranks(answer_of_rank());
     return 0;
   } catch (const InputError&) {
     return 0;
