@@ -256,6 +256,7 @@ at_work() {
   expect 2 "no sweep" "$program" sweep --status .
   said "holds no sweep"
   expect 2 "no folder" "$program" sweep --status nowhere.yaml
+  said "nowhere.yaml: there is no such file or folder"
 }
 
 is_left() { "$program" sweep --status "$1" | grep -q 'which is dead'; }
