@@ -98,6 +98,24 @@ bool has_no_arc(const PathState& path, const Move& move) {
   return move.kind == StepKind::arc_length && path.walker.system().joins_by_contact();
 }
 
+/// What every step is longer than; one of `path.step.shortest` itself is.
+double shortest_amount(const PathState& path, const Move& move) {
+  constexpr double round_off = 1e-12;
+  return (1 - round_off) * path.parameters.step.shortest.value_or(0) / std::abs(move.rate);
+}
+
+/// Steps of `path.step.shortest` or more lead no farther; whether shorter ones would is not known.
+std::optional<Point> end_of_steps(PathState& path, const Stride& stride) {
+  const auto turned = turning_point(path);
+  path.unsound.reset();  // what was refused on the way is not why
+  return path.stop_early(
+      Stop::no_next_equilibrium,
+      fmt::format(
+          "{} control would need steps shorter than path.step.shortest ({:g}): {}; allow shorter ones, or "
+          "another `path.control`",
+          to_string(stride.move.kind), *path.parameters.step.shortest, turned ? turned->text : stride.why));
+}
+
 /// Why a path ends whose control finds no next equilibrium.
 std::optional<Point> end_of_control(PathState& path, const Stride& stride) {
   if (const auto turned = turning_point(path)) return path.stop_early(turned->stop, turned->text);
@@ -141,7 +159,9 @@ std::optional<Point> controlled_step(PathState& path, const Move& move) {
                 .amount = first,
                 .natural = std::max(first, bounded(path, move, first_amount(path, move))),
                 .why = "the tangent does not tell how far a step may go"};
-  const double shortest = path.parameters.step.shortest.value_or(0) / std::abs(move.rate);
+  const double shortest = shortest_amount(path, move);
+  if (first < shortest)
+    stride.why = fmt::format("the next one is to be {:.3g} long", first * std::abs(move.rate));
   while (stride.amount > std::max(smallest_share * first, shortest)) {
     const Thoroughness thoroughness = thoroughness_of(stride.amount / stride.natural);
     const bool is_cut = thoroughness == Thoroughness::full;
@@ -152,6 +172,7 @@ std::optional<Point> controlled_step(PathState& path, const Move& move) {
     if (outcome.point) return std::move(outcome.point);
   }
   if (auto point = rupture(path)) return point;
+  if (shortest > smallest_share * first) return end_of_steps(path, stride);
   if (has_no_arc(path, move)) return controlled_step(path, displacement_move(path));
   if (path.control->may_be_rescued())
     if (auto point = sequential_step(path, StepKind::sequentially_linear, path.memory.last_quantum))

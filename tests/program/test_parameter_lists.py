@@ -115,6 +115,15 @@ class Lists(unittest.TestCase):
                 self.assertIn(after.returncode, (0, 3), after.stderr)
                 self.assertNotEqual(self.outcome("before"), self.outcome("after"))
 
+    def test_a_path_ends_where_steps_would_be_shorter_than_the_shortest(self):
+        for control in ("staged", "arc_length", "dissipation", "load", "opening"):
+            self.run_deck("run", settings=(f"path.control={control}", "path.step.shortest=1e6"))
+            _, status, reason, *_ = self.outcome("run")
+            self.assertEqual(status, "stopped_early", (control, reason))
+            self.assertIn("shorter than path.step.shortest (1e+06)", reason)
+            rows = (self.folder / "run" / "curve.csv").read_text(encoding="utf-8")
+            self.assertNotIn("sequentially_linear", rows)
+
     def test_what_is_always_so_may_be_said_and_nothing_else(self):
         self.assertEqual(self.run_deck("run", "--parameters", self.write(FIXED)).returncode, 0)
         for name in FIXED:
