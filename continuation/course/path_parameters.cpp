@@ -125,14 +125,15 @@ Schema<NewtonParameters> newton_schema() {
       .number("reduction", &P::reduction,
               {.bounds = above(0) & below(1),
                .text = "Of `line_search: backtrack`, 0.5 if not given: each trial is so much of the last."})
-      .integer("output", &P::output,
-               {.fallback = 0,
-                .bounds = at_least(0),
-                .text = "What NOX and LOCA print into nox.log of the run folder, NOX's sum of bits: 1 "
-                        "warnings, 2 outer "
-                        "iterations, 4 inner ones, 8 parameters, 16 details, 128 status tests of iterations, "
-                        "512 steps "
-                        "of LOCA, 1024 their details; 0 nothing."})
+      .integer(
+          "output", &P::output,
+          {.fallback = 0,
+           .bounds = at_least(0),
+           .text = "What NOX and LOCA print into nox.log of the run folder, a sum of NOX's bits: 1 warnings, "
+                   "2 outer "
+                   "iterations, 4 inner ones of a line search, 8 NOX's parameters, 16 details, 32 status "
+                   "tests, 256 steps of LOCA, 512 "
+                   "their details, 1024 LOCA's parameters; NOX's other bits print nothing here; 0 nothing."})
       .check([](const P& p, const Position& where, Findings& findings) {
         if (p.reduction && p.line_search != LineSearch::backtrack)
           findings.add(where, "reduction: only `line_search: backtrack` has one");

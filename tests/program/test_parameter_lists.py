@@ -124,6 +124,17 @@ class Lists(unittest.TestCase):
             rows = (self.folder / "run" / "curve.csv").read_text(encoding="utf-8")
             self.assertNotIn("sequentially_linear", rows)
 
+    def test_each_kind_of_output_is_what_the_manual_says(self):
+        words = {2: "Nonlinear Solver Step", 8: "Parameters Passed to Nonlinear Solver", 16: "FORCING TERM", 32: "Status Test Results",
+                 256: "Step Converged in", 512: "Calling Predictor with method",
+                 1024: "Write Only Converged Solution"}
+        for bit, said in words.items():
+            self.run_deck("run", settings=("path.stop.after_steps=2", f"path.newton.output={bit}"))
+            log = (self.folder / "run" / "nox.log").read_text(encoding="utf-8")
+            self.assertEqual([other for other, sentence in words.items() if sentence in log and other != 2 and bit != 2],
+                             [] if bit == 2 else [bit], bit)
+            self.assertIn(said, log)
+
     def test_what_is_always_so_may_be_said_and_nothing_else(self):
         self.assertEqual(self.run_deck("run", "--parameters", self.write(FIXED)).returncode, 0)
         for name in FIXED:
