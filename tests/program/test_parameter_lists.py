@@ -115,15 +115,6 @@ class Lists(unittest.TestCase):
                 self.assertIn(after.returncode, (0, 3), after.stderr)
                 self.assertNotEqual(self.outcome("before"), self.outcome("after"))
 
-    def test_a_path_ends_where_steps_would_be_shorter_than_the_shortest(self):
-        for control in ("staged", "arc_length", "dissipation", "load", "opening"):
-            self.run_deck("run", settings=(f"path.control={control}", "path.step.shortest=1e6"))
-            _, status, reason, *_ = self.outcome("run")
-            self.assertEqual(status, "stopped_early", (control, reason))
-            self.assertIn("shorter than path.step.shortest (1e+06)", reason)
-            rows = (self.folder / "run" / "curve.csv").read_text(encoding="utf-8")
-            self.assertNotIn("sequentially_linear", rows)
-
     def test_each_kind_of_output_is_what_the_manual_says(self):
         words = {2: "Nonlinear Solver Step", 8: "Parameters Passed to Nonlinear Solver", 16: "FORCING TERM", 32: "Status Test Results",
                  256: "Step Converged in", 512: "Calling Predictor with method",
@@ -134,6 +125,15 @@ class Lists(unittest.TestCase):
             self.assertEqual([other for other, sentence in words.items() if sentence in log and other != 2 and bit != 2],
                              [] if bit == 2 else [bit], bit)
             self.assertIn(said, log)
+
+    def test_a_path_ends_where_steps_would_be_shorter_than_the_shortest(self):
+        for control in ("staged", "arc_length", "dissipation", "load", "opening"):
+            self.run_deck("run", settings=(f"path.control={control}", "path.step.shortest=1e6"))
+            _, status, reason, *_ = self.outcome("run")
+            self.assertEqual(status, "stopped_early", (control, reason))
+            self.assertIn("shorter than path.step.shortest (1e+06)", reason)
+            rows = (self.folder / "run" / "curve.csv").read_text(encoding="utf-8")
+            self.assertNotIn("sequentially_linear", rows)
 
     def test_what_is_always_so_may_be_said_and_nothing_else(self):
         self.assertEqual(self.run_deck("run", "--parameters", self.write(FIXED)).returncode, 0)
@@ -151,11 +151,13 @@ class Lists(unittest.TestCase):
         for parameters, settings, words in (
                 ({"LOCA/Step Size/Aggressiveness": 0.5}, (), "only `sizing: iterations` has one"),
                 ({"LOCA/Step Size/Max Step Size": 1.0}, ("path.control=event",), "does not heed it"),
-                ({"LOCA/Stepper/Max Steps": 0}, (), "steps"),
-                ({"LOCA/Stepper/Max Steps": "many"}, (), "steps")):
+                ({"LOCA/Stepper/Max Steps": 0}, (), "must be at least 1"),
+                ({"LOCA/Stepper/Max Steps": "many"}, (), "many")):
             refused = self.run_deck("run", "--parameters", self.write(parameters), settings=settings)
             self.assertEqual(refused.returncode, 2, parameters)
             self.assertIn(words, refused.stderr)
+            if words != "does not heed it":
+                self.assertRegex(refused.stderr, re.escape(f"{file}:4:") + rf"\d+: {re.escape(*parameters)} \(path\.")
         (self.folder / "broken.xml").write_text("<ParameterList name='a'><Parameter", encoding="utf-8")
         refused = self.run_deck("run", "--parameters", self.folder / "broken.xml")
         self.assertEqual(refused.returncode, 2)
@@ -191,6 +193,31 @@ class Lists(unittest.TestCase):
         refused = self.run_deck("run", settings=("path.loca={Stepper: {Max Steps: 5}}", "path.stop.steps=6"))
         self.assertEqual(refused.returncode, 2)
         self.assertIn("LOCA/Stepper/Max Steps stands for path.stop.steps", refused.stderr)
+
+    def test_lists_do_not_contradict_each_other(self):
+        file = self.write({"LOCA/Stepper/Max Steps": 12})
+        deck = self.folder / "deck.yaml"
+        written = DECK.read_text(encoding="utf-8").replace("beam.geo", str(DECK.parent / "beam.geo"))
+        for steps, code in ((12, 3), (13, 2)):
+            deck.write_text(written.replace("\npath:\n", f"\npath:\n  loca: {{Stepper: {{Max Steps: {steps}}}}}\n"), encoding="utf-8")
+            done = subprocess.run([DDA, "run", deck, "--quiet", "--overwrite", "--folder", self.folder / "run", "--parameters", file],
+                                  capture_output=True, text=True, check=False)
+            self.assertEqual(done.returncode, code, done.stderr)
+        self.assertIn("LOCA/Stepper/Max Steps stands for path.stop.steps, which", done.stderr)
+
+    def test_a_resumed_run_takes_a_list_by_set(self):
+        self.run_deck("run", "--parameters", self.write({"LOCA/Stepper/Max Steps": 12}))
+        resumed = subprocess.run([DDA, "resume", self.folder / "run", "--quiet", "--set", "path.loca={Stepper: {Max Steps: 15}}"],
+                                 capture_output=True, text=True, check=False)
+        self.assertEqual(resumed.returncode, 3, resumed.stderr)
+        self.assertIn("limit of 15 steps", self.outcome("run")[2])
+
+    def test_names_are_taken_as_they_are_explained(self):
+        tests = {"NormF": {"Tolerance": 1e-12}, "MaxIters": {"Maximum Iterations": 3}}
+        listed = self.run_deck("run", settings=(f"path.nox={json.dumps({'Status Tests': tests})}", "path.stop.after_steps=4"))
+        self.assertEqual(listed.returncode, 0, listed.stderr)
+        effective = (self.folder / "run" / "effective_deck.yaml").read_text(encoding="utf-8")
+        self.assertRegex(effective, r"tolerance: 1\.0e-12\n *max_iterations: 3\n")
 
     def test_each_predictor_has_an_effect(self):
         outcomes = []

@@ -173,10 +173,11 @@ class StatusTests {
       if (type == "Combo")
         check_combination(parameter, findings);
       else if (type != "NormF" && type != "MaxIters")
-        findings.add(parameter.value.where,
-                     fmt::format("{}: a status test is a Combo, NormF or MaxIters; `Test Type` "
-                                 "says which",
-                                 full_name(parameter)));
+        findings.add(
+            parameter.value.where,
+            fmt::format("{}: a status test is a Combo, NormF or MaxIters; its `Test Type` or the name "
+                        "of its list says which",
+                        full_name(parameter)));
       else if (parameter.name != "Test Type")
         out.push_back({{"NOX", "Status Tests", type}, parameter.name, parameter.value});
     }
@@ -187,10 +188,11 @@ class StatusTests {
   static bool is_test(const Placed& parameter) {
     return parameter.lists.size() >= 2 && parameter.lists[0] == "NOX" && parameter.lists[1] == "Status Tests";
   }
+  /// What `Test Type` says; of one that is called like its type, as in the table, nothing needs to.
   std::string type_of(const std::vector<std::string>& lists) const {
     for (const Placed& other : parameters_)
       if (other.lists == lists && other.name == "Test Type") return other.value.text;
-    return {};
+    return lists.back();
   }
   int num_tests(const std::vector<std::string>& lists) const {
     int out = 0;
@@ -266,9 +268,9 @@ class Resolution {
     StatusTests(lists.parameters).flatten(findings_);
     for (const Placed& parameter : lists.parameters) take(parameter, lists.is_file);
   }
-  std::vector<std::string> finish() {
+  ResolvedLists finish() {
     findings_.throw_if_any();
-    return std::move(assignments_);
+    return std::move(out_);
   }
 
  private:
@@ -280,18 +282,22 @@ class Resolution {
     const Node* given = find_value(root_, row->key);
     if (says_the_same(given, value)) return;
     const bool is_given = given && !given->is_null();
-    if (is_given && is_file && given->where.file.starts_with("--set")) return;
-    if (is_given && (!is_file || given->where.file == parameter.value.where.file))
+    const bool is_set = is_given && is_of_setting(given->where);
+    if (is_set && is_file) return;
+    const bool counts = (is_file || is_of_setting(parameter.value.where)) && !out_.keys.contains(row->key);
+    if (is_given && (!counts || is_set || given->where.file == parameter.value.where.file))
       return findings_.add(parameter.value.where,
                            fmt::format("{} stands for {}, which {} says too", full_name(parameter), row->key,
                                        to_string(given->where)));
     set_value(root_, row->key, value, value.where);
-    assignments_.push_back(assignment(row->key, value));
+    out_.keys[row->key] = {value.where, full_name(parameter)};
+    out_.assignments.push_back(assignment(row->key, value));
   }
+  static bool is_of_setting(const Position& where) { return where.file.starts_with("--set"); }
 
   Node& root_;
   Findings findings_;
-  std::vector<std::string> assignments_;
+  ResolvedLists out_;
 };
 
 /// Takes an entry off `path`; null when there is none.
@@ -318,7 +324,7 @@ Lists lists_in_deck(Node& root) {
 
 }  // namespace
 
-std::vector<std::string> resolve_parameter_lists(Node& root, const std::filesystem::path& base) {
+ResolvedLists resolve_parameter_lists(Node& root, const std::filesystem::path& base) {
   Resolution resolution(root);
   resolution.take(lists_in_deck(root));
   const Node file = taken_from_path(root, "parameters");
@@ -371,7 +377,9 @@ std::string effective_parameter_list(const Node& deck) {
 std::string explain_parameter_lists() {
   std::string out =
       "Parameter lists of NOX and LOCA (`--parameters FILE`, `path.parameters`, `path.nox`, `path.loca`).\n"
-      "What they set stands for keys of the deck; what is not here is refused.\n\n";
+      "What they set stands for keys of the deck; what is not here is refused. A status test may stand in "
+      "any sublist\n"
+      "of NOX/Status Tests, or of a Combo, whose `Test Type` is NormF or MaxIters.\n\n";
   for (const Row& row : table()) {
     std::vector<std::string> words;
     for (const auto& [word, value] : row.words) words.push_back(word);
