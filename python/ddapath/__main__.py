@@ -2,12 +2,19 @@
 Python."""
 import importlib
 import os
+import subprocess
 import sys
 
 from .errors import ProgramNotFound
 from .program import find_program
 
 OF_PYTHON = {"verify": "verify", "animate": "animation", "scene": "scenes"}
+SCENE = "`python -m ddapath scene`, which is of this package alone, makes a deck of a picture, a drawing or a mesh."
+
+
+def is_unknown(program, word):
+    said = "" if word.startswith("-") else subprocess.run([program, word, "--help"], capture_output=True, text=True, check=False).stderr
+    return "unknown command" in said
 
 
 def main(words):
@@ -18,6 +25,10 @@ def main(words):
     except ProgramNotFound as error:
         print(f"ddapath: {error}", file=sys.stderr)
         return 4
+    if words and (words[0] in ("--help", "-h") or is_unknown(program, words[0])):
+        code = subprocess.run([program, *words], check=False).returncode
+        print(SCENE, file=sys.stderr if code else sys.stdout)
+        return code
     os.execv(program, [program, *words])
 
 

@@ -1,10 +1,26 @@
 """Commands that this Python does itself, with the exit codes of the program's."""
 
+import argparse
 import sys
 
 from .errors import DdapathError, ToolMissing
 
 DONE, WRONG_INPUT, FAILED, INTERRUPTED = 0, 2, 4, 130
+
+
+class Parser(argparse.ArgumentParser):
+    """Says in one line what is wrong, as the program does."""
+
+    def error(self, message):
+        self.exit(WRONG_INPUT, f"{self.prog}: {message.removeprefix('argument ')}; `{self.prog} --help` says what there is\n")
+
+
+def number(text):
+    """Of an option."""
+    try:
+        return float(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"expected a number, found '{text}'") from None
 
 
 def exit_code(name, work):

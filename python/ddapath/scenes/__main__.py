@@ -15,7 +15,7 @@ import sys
 from pathlib import Path
 
 from .. import deck as decks
-from ..commands import exit_code
+from ..commands import Parser, exit_code, number
 from . import deck_of_elements, deck_to_begin_with, scene_of_dxf, scene_of_elements, scene_of_image, scene_of_svg
 from .elements import ENDINGS
 from .faults import SceneError
@@ -30,30 +30,30 @@ ALL = 60  # decimals: densities are small numbers in mm and MN
 
 
 def parser():
-    out = argparse.ArgumentParser(prog="python -m ddapath scene", description=__doc__,
-                                  formatter_class=argparse.RawDescriptionHelpFormatter)
+    out = Parser(prog="python -m ddapath scene", description=__doc__,
+                 formatter_class=argparse.RawDescriptionHelpFormatter)
     out.add_argument("file", metavar="FILE", help="the picture, drawing or mesh")
     out.add_argument("--out", "--output", metavar="FILE", help="the deck; by default FILE with the ending .yaml")
     out.add_argument("--scene-only", action="store_true", help="the section `scene` alone, for a deck that `extends` it")
     out.add_argument("--length", choices=LENGTHS, default="mm", help="unit of the deck, by default mm")
     out.add_argument("--force", choices=FORCES, default="N", help="unit of the deck, by default N")
-    out.add_argument("--width", type=float, help="of the picture, or of all that is drawn")
-    out.add_argument("--height", type=float, help="likewise")
-    out.add_argument("--tolerance", type=float, help="of a picture: how far sides may be from boundaries, by default 1.5 pixels; of a "
+    out.add_argument("--width", type=number, help="of the picture, or of all that is drawn")
+    out.add_argument("--height", type=number, help="likewise")
+    out.add_argument("--tolerance", type=number, help="of a picture: how far sides may be from boundaries, by default 1.5 pixels; of a "
                                                      "drawing: a corner so near to a side is on it, by default a thousandth of the extent")
     out.add_argument("--without", action="append", metavar="NAME", help="material, or layer, that becomes nothing")
     out.add_argument("--overwrite", action="store_true", help="replace the deck where there is one")
     drawing = out.add_argument_group("drawings and meshes")
-    drawing.add_argument("--scale", type=float, help="of a unit of the file; by default 1")
+    drawing.add_argument("--scale", type=number, help="of a unit of the file; by default 1")
     picture = out.add_argument_group("pictures")
     picture.add_argument("--material", action="append", metavar="NAME[=COLOUR]",
                          help="colour: #rrggbb, a name, or a brightness from 0 to 1; without colours: the darkest first")
-    picture.add_argument("--threshold", action="append", type=float, help="of brightness, between materials without colours; by "
+    picture.add_argument("--threshold", action="append", type=number, help="of brightness, between materials without colours; by "
                                                                           "default Otsu's")
     picture.add_argument("--joint", metavar="NAME", help="material that is shared out until stones meet")
     picture.add_argument("--split", action="append", metavar="NAME=DEPTH", help="blocks of a material that touch at necks are parted")
-    picture.add_argument("--smooth", type=float, help="standard deviation of a Gaussian filter")
-    picture.add_argument("--least-area", type=float, help="smaller parts go to a neighbour; by default 16 pixels")
+    picture.add_argument("--smooth", type=number, help="standard deviation of a Gaussian filter")
+    picture.add_argument("--least-area", type=number, help="smaller parts go to a neighbour; by default 16 pixels")
     return out
 
 

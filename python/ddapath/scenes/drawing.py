@@ -99,10 +99,20 @@ def require_sound(points, outlines, regions):
     segments = np.array(list(owner), int)
     for i, j in crossings(points, segments).tolist():
         one, other = (regions[number] for number in (owner[tuple(segments[i])], owner[tuple(segments[j])]))
-        middle = points[segments[[i, j]].ravel()].mean(axis=0)
         what = "crosses itself" if one is other else f"crosses {other.place}"
-        raise SceneError(f"{one.place}: {what} near {place_of(middle)}: draw regions side by side or one inside another, or raise "
+        raise SceneError(f"{one.place}: {what} near {place_of(crossing_of(points[segments[i]], points[segments[j]]))}: draw regions side by side or one inside another, or raise "
                          "the tolerance")
+
+
+def crossing_of(one, other):
+    """Where two segments cross, (2, 2) ends each; of parallel ones, which lie on each other, the middle of what they share."""
+    along, across = one[1] - one[0], other[1] - other[0]
+    turn = along[0] * across[1] - along[1] * across[0]
+    if abs(turn) > 1e-12 * np.linalg.norm(along) * np.linalg.norm(across):
+        apart = other[0] - one[0]
+        return one[0] + (apart[0] * across[1] - apart[1] * across[0]) / turn * along
+    places = np.concatenate([one, other])
+    return places[np.argsort(places @ along)[1:3]].mean(axis=0)
 
 
 def place_of(point):

@@ -1,5 +1,7 @@
 """A deck to begin with, around a scene."""
 
+import math
+
 LENGTHS = {"m": 1.0, "cm": 0.01, "mm": 0.001}
 FORCES = {"N": 1.0, "kN": 1e3, "MN": 1e6}
 STONE = {"young_modulus": 1e10, "density": 2000.0}  # Pa, kg/m³
@@ -41,23 +43,59 @@ def at_the_bottom(scene):
     return found if len(found) < len(touching) else []
 
 
+def is_on(point, line):
+    """Whether a point lies on a polyline."""
+    def reach(start, end):
+        return math.dist(start, point) + math.dist(point, end) - math.dist(start, end)
+    return any(reach(start, end) <= 1e-9 * math.dist(start, end) for start, end in zip(line, line[1:]))
+
+
+def grounded(boundaries, ground):
+    """Boundaries of which `ground` is the first, so that what it shares with others is its own; without those that lie on it."""
+    others = {name: line for name, line in boundaries.items() if name != "ground" and not all(is_on(point, ground) for point in line)}
+    return {"ground": ground, **others}
+
+
+def foot_of(scene):
+    """(held regions, supports, boundaries of the scene): the boundary `ground` where there is one; else the lowest regions, or, where
+    these are all, their lowest sides.
+
+    Throws ValueError where all regions stand on corners alone.
+    """
+    boundaries = scene.get("boundaries", {})
+    supports = {"ground": {"boundary": "ground", "fix": "xy"}}
+    if "ground" in boundaries:
+        return [], supports, grounded(boundaries, boundaries["ground"])
+    if held := at_the_bottom(scene):
+        return held, {}, boundaries
+    lowest = min(y for region in scene["regions"] for _, y in region["vertices"])
+    ends = [x for side in sides_of(scene) if all(y == lowest for _, y in side) for x, _ in side]
+    if not ends:
+        raise ValueError("all blocks stand on corners alone and nothing holds them: draw a boundary `ground` or a block below them")
+    return [], supports, grounded(boundaries, [[min(ends), lowest], [max(ends), lowest]])
+
+
 def deck_to_begin_with(scene, units, title="Blocks from a picture or drawing"):
-    """The deck of blocks that touch with dry friction and are let go under their weight, the lowest of them held.
+    """The deck of blocks that touch with dry friction and are let go under their weight, held at the boundary `ground` of the scene;
+    without one the lowest of them are held, or their lowest sides where these are all.
 
     units: {"length": "m", "cm" or "mm", "force": "N", "kN" or "MN"}. All materials get the stiffness 10 GPa, Poisson's
     ratio 0.2 and the density 2000 kg/m³, all joints 31 degrees of friction, 1 as thickness: numbers to replace by one's own.
     Pieces of one part that has been cut, since blocks have no holes, stay bonded where no two parts of their material touch.
-    Throws ValueError for other units.
+    Throws ValueError for other units, and where there is nothing to hold.
     """
     material, gravity = stone(units)
+    held, supports, boundaries = foot_of(scene)
+    if boundaries:
+        scene = {**scene, "boundaries": boundaries}
     names = materials_of(scene)
     law = {"type": "friction", "friction_angle": FRICTION_ANGLE}
     joints = {f"{one} on {other}": {"between": [one, other], "law": dict(law)} for one, other in touching(scene)}
     joints |= {name: {"law": dict(law)} for name in scene.get("curves", {})}
     return {"title": title, "units": dict(units), "scene": scene, "thickness": 1,
             "materials": {name: dict(material) for name in names},
-            "interfaces": joints,
-            "motion": {"gravity": [0, -gravity], "held": at_the_bottom(scene), "contact": {"friction": 0.6}}}
+            "interfaces": joints, **({"supports": supports} if supports else {}),
+            "motion": {"gravity": [0, -gravity], "held": held, "contact": {"friction": 0.6}}}
 
 
 def deck_of_elements(elements, units, title="Blocks from finite elements"):
