@@ -78,6 +78,9 @@ class Extension {
       const auto known = std::ranges::find(below.entries, entry.key, &NodeEntry::key);
       if (known == below.entries.end()) {
         below.entries.push_back(std::move(entry));
+      } else if (entry.value.is_null()) {
+        collect_names(known->value, out_.replaced);
+        below.entries.erase(known);
       } else {
         known->where = entry.where;
         put_over(known->value, std::move(entry.value));

@@ -154,7 +154,7 @@ Schema<WrittenDeck> make_written_schema() {
       .text("extends", &P::extends,
             {.text = "A deck that this one is built on, from the folder of this file: keys of maps add up, "
                      "everything else "
-                     "replaces what that deck says, and so does a map with another `type`."})
+                     "replaces what that deck says, and so does a map with another `type`; null drops it."})
       .value("variables", &P::variables, variables_kind(),
              {.text = "Numbers by name, or expressions of others, in any order: {D: 100, a0: D/6}. Wherever "
                       "a deck has a "

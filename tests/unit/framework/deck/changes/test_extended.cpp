@@ -69,6 +69,14 @@ TEST_F(Extended, NamesThatAreReplacedAreKept) {
   EXPECT_THAT(read("deck.yaml").replaced, testing::UnorderedElementsAre("D", "E", "F"));
 }
 
+TEST_F(Extended, NullDropsWhatIsInherited) {
+  put("base.yaml", "supports: {left: {fix: x, at: D}, right: {fix: y}}\nmotion: {time: 1}\n");
+  put("deck.yaml", "extends: base.yaml\nsupports: {left: null, new: null}\nmotion:\n");
+  const ExtendedNode found = read("deck.yaml");
+  EXPECT_EQ(found.root, parse_yaml("{supports: {right: {fix: y}, new: null}}", "b"));
+  EXPECT_THAT(found.replaced, testing::IsSupersetOf({"D"}));
+}
+
 TEST_F(Extended, ADeckAloneStaysAsItIs) {
   put("deck.yaml", "a: 1\n");
   EXPECT_EQ(yaml("deck.yaml"), "a: 1\n");
