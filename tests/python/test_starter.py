@@ -51,7 +51,26 @@ class Feet(unittest.TestCase):
             self.assertIn("at rest", run.summary["motion"]["reason"])
 
 
+class Crossing(unittest.TestCase):
+    def test_is_where_the_sides_meet(self):
+        paths = '<rect class="a" width="60" height="100"/><rect class="b" x="50" y="-20" width="50" height="70"/>'
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "drawing.svg"
+            file.write_text(f'<svg xmlns="http://www.w3.org/2000/svg" width="100" height="100" viewBox="0 0 100 100">{paths}</svg>',
+                            encoding="utf-8")
+            with self.assertRaisesRegex(scenes.SceneError, r"crosses .* near \((50, 100|60, 50)\): "):
+                scenes.scene_of_svg(file)
+
+
 class Command(unittest.TestCase):
+    def test_a_wrong_option_is_told_in_a_line(self):
+        for command, option in (("scene", "--scale"), ("animate", "--fps")):
+            done = subprocess.run([sys.executable, "-B", "-m", "ddapath", command, "file", option, "x"], capture_output=True, text=True,
+                                  check=False)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(f"{option}: expected a number, found 'x'; ", done.stderr)
+            self.assertEqual(done.stderr.count("\n"), 1)
+
     def test_the_package_names_it(self):
         for code, arguments in ((0, ["--help"]), (2, ["scnee"])):
             done = subprocess.run([sys.executable, "-B", "-m", "ddapath", *arguments], capture_output=True, text=True, check=False)
