@@ -118,6 +118,20 @@ std::string in_schema(const SchemaBase& schema, Parts parts, const Units& units)
   return own;
 }
 
+/// With all topics to choose from: where none is near, the members of families would be too many to list.
+[[noreturn]] void refuse_topic(const SchemaBase& deck, const std::string& name,
+                               std::vector<std::string> others) {
+  std::vector<std::string> members = others;
+  for (const FamilyBase* family : all_families())
+    for (const FamilyMember* member : family->entries()) members.push_back(member->name);
+  for (const Parameter& parameter : deck.parameters()) members.push_back(parameter.name);
+  const std::string near = suggest(name, members);
+  if (near.starts_with("; did you mean"))
+    throw InputError(Position{}, "nothing is known of '" + name + "'" + near);
+  find_parameter(deck, name, std::move(others));
+  unknown(name, {});
+}
+
 std::string overview(const SchemaBase& deck) {
   std::vector<std::pair<std::string, std::string>> sections, families;
   for (const Parameter& parameter : deck.parameters()) sections.emplace_back(parameter.name, parameter.text);
@@ -129,7 +143,8 @@ std::string overview(const SchemaBase& deck) {
 
 }  // namespace
 
-std::string explain(const SchemaBase& deck, const std::string& path, const Units& units) {
+std::string explain(const SchemaBase& deck, const std::string& path, const Units& units,
+                    std::vector<std::string> others) {
   Parts parts = split(path);
   if (parts.empty()) return overview(deck);
   const auto parameters = deck.parameters();
@@ -140,12 +155,11 @@ std::string explain(const SchemaBase& deck, const std::string& path, const Units
   if (is_section && !is_member) return in_schema(deck, std::move(parts), units);
   if (family) return in_family(*family, Parts(parts.begin() + 1, parts.end()), units);
   std::string members;  // of whatever family
-  std::vector<std::string> names;
   for (const FamilyBase* known : all_families()) {
     if (known->find(parts[0])) members += (members.empty() ? "" : "\n") + in_family(*known, parts, units);
-    names.push_back(known->name());
+    others.push_back(known->name());
   }
-  if (members.empty()) find_parameter(deck, parts[0], names);
+  if (members.empty()) refuse_topic(deck, parts[0], std::move(others));
   return members;
 }
 

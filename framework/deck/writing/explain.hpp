@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "framework/deck/schema.hpp"
 
@@ -16,7 +17,9 @@ std::string facts(const Parameter& parameter, const Units& units);
 ///     "law/linear_softening"    every parameter: unit, bounds, default or required, text
 ///     "path", "path/steps"      a section of the deck, however deep; '.' separates as '/' does
 ///
-/// `deck` is the schema of the whole deck. InputError with a suggestion for an unknown name.
-std::string explain(const SchemaBase& deck, const std::string& path, const Units& units = {"L", "F"});
+/// `deck` is the schema of the whole deck. InputError with a suggestion for an unknown name, of `others` that the caller
+/// explains too.
+std::string explain(const SchemaBase& deck, const std::string& path, const Units& units = {"L", "F"},
+                    std::vector<std::string> others = {});
 
 }  // namespace dda

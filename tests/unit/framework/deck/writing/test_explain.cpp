@@ -48,6 +48,9 @@ TEST(Explain, UnknownNamesAreSuggested) {
   };
   EXPECT_EQ(refusal("recrod"), "nothing is known of 'recrod'; did you mean 'record'?");
   EXPECT_EQ(refusal("test_lwa"), "nothing is known of 'test_lwa'; did you mean 'test_law'?");
+  EXPECT_EQ(refusal("sofetning"), "nothing is known of 'sofetning'; did you mean 'softening'?");
+  EXPECT_EQ(messages([] { explain(deck_schema(), "standstil", Units{}, {"standstill"}); }),
+            "nothing is known of 'standstil'; did you mean 'standstill'?");
   EXPECT_EQ(refusal("test_law/bnded"), "nothing is known of 'bnded'; did you mean 'bonded'?");
   EXPECT_THAT(refusal("record/every/more"), HasSubstr("nothing is known of 'more'"));
 }
