@@ -128,19 +128,15 @@ std::optional<CrackFront::Asked> CrackFront::asked_of(std::size_t entry, const B
 
 std::optional<int> CrackFront::start(const Asked& crack) {
   const int number = crack.moved.value_or(static_cast<int>(num_cracks()));
-  const Memory made{crack.entry, crack.start.at, crack.start.direction, 0, {}};
+  const std::vector<Cut> cuts = geometry_.cuts();
+  const std::vector<Memory> memory = cracks_;
   if (crack.moved)
     drop_ahead(number);
   else
     cracks_.emplace_back();
-  Memory before = std::exchange(at(number), made);
-  if (cut_ahead(number, made.direction)) return number;
-  if (crack.moved) {
-    at(number) = std::move(before);
-    cut_ahead(number, at(number).direction);
-  } else {
-    cracks_.pop_back();
-  }
+  at(number) = {crack.entry, crack.start.at, crack.start.direction, 0, {}};
+  if (cut_ahead(number, crack.start.direction)) return number;
+  restore(cuts, memory);
   return {};
 }
 
@@ -305,7 +301,7 @@ std::optional<double> CrackFront::released(int crack, const Vec2& way, double le
 
 bool CrackFront::aim(int crack, const Surroundings& around) {
   const Memory memory = at(crack);
-  const std::vector<Cut> ahead = ahead_of(crack);
+  const std::vector<Cut> cuts = geometry_.cuts(), ahead = ahead_of(crack);
   if (ahead.empty() || memory.aims >= most_aims || is_met(ahead)) return false;
   const int region = body_.block(ahead.front().block).region;
   const auto& [strength, characteristic_length] = resistance_.at(region);
@@ -320,14 +316,12 @@ bool CrackFront::aim(int crack, const Surroundings& around) {
   const Vec2 wanted = rule_[memory.entry]->aim(tip);
   ++at(crack).aims;
   if (angle_between(wanted, ahead.back().end - memory.tip) <= same_aim) return false;
+  const std::vector<Memory> aimed = cracks_;
   drop_ahead(crack);
-  if (!cut_ahead(crack, wanted)) {
-    for (const Cut& cut : ahead) replay(cut);
-    at(crack).end = {};
-    return false;
-  }
-  const std::vector<Cut> now = ahead_of(crack);
-  return !std::ranges::equal(now, ahead, {}, &Cut::end, &Cut::end);
+  if (cut_ahead(crack, wanted) && !std::ranges::equal(ahead_of(crack), ahead, {}, &Cut::end, &Cut::end))
+    return true;
+  restore(cuts, aimed);  // in their order, by which the structure counts them
+  return false;
 }
 
 bool CrackFront::grow(int crack) {

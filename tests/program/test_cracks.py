@@ -90,6 +90,13 @@ class Verified(InScratch):
                 self.assertGreater(len(run.crack_path()), 3)
                 self.assertGreater((run.cracks()["damage"] > 0.9).sum(), 4)
 
+    def test_two_cracks_towards_each_other(self):
+        """From notches on either side of a plate in tension: both grow, and what is stored is in equilibrium throughout."""
+        run = self.run_(deck=ddapath.read_deck(Path(__file__).resolve().parent / "two_notches.yaml"))
+        self.assertEqual(run.status, "goal_reached")
+        self.assertEqual([finding.check for finding in verify(run.folder) if not finding.holds], [])
+        self.assertGreater(run.summary["peak"]["load"], 0.75 * 3 * 40 * 10)  # strength of what the notches leave
+
     def test_a_random_field_is_felt_on_cuts(self):
         cracks = self.run_(VARIANTS["of random strength"]).cracks()
         self.assertGreater(cracks["strength_factor"].std(), 0.03)

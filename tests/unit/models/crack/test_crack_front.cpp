@@ -179,6 +179,15 @@ TEST(CrackFront, AimingOneCrackKeepsTheOthers) {
   }
 }
 
+/// The structure counts unknowns and points by it: next to a side of a grid the way wanted is the way that there is.
+TEST(CrackFront, WhatIsAimedInVainKeepsTheOrderOfAllCuts) {
+  Fronts beam(grid, {Fronts::at(7.5, 0, {0, 1}), Fronts::at(20, 0, {0, 1})});
+  const std::vector<Cut> before = beam.cuts();
+  EXPECT_FALSE(beam.front->aim(0, tension(0.05)));
+  ASSERT_EQ(beam.cuts().size(), before.size());
+  for (std::size_t i = 0; i < before.size(); ++i) EXPECT_TRUE(beam.cuts()[i].is_at(before[i]));
+}
+
 TEST(CrackFront, IsRestoredFromItsCutsAndMemory) {
   Fronts beam(voronoi, {Fronts::at(15.2, 0, {0, 1})});
   beam.front->grow(0);
