@@ -64,6 +64,15 @@ void InterfaceBook::add_crack(const CrackParameters& p) {
     else
       add_through(static_cast<int>(region - known.begin()), p);
   }
+  for (const std::string& name : p.end_at)
+    if (std::ranges::find(interfaces_, name, &Interface::name) == interfaces_.end())
+      findings_.add(p.where, fmt::format("`end_at`: unknown interface '{}'{}", name, suggested(name)));
+}
+
+std::string InterfaceBook::suggested(const std::string& name) const {
+  std::vector<std::string> known;
+  for (const Interface& interface : interfaces_) known.push_back(interface.name);
+  return suggest(name, known);
 }
 
 void InterfaceBook::add_through(int region, const CrackParameters& p) {
@@ -92,7 +101,7 @@ std::optional<std::size_t> InterfaceBook::law_through(const CrackParameters& p, 
                       ? fmt::format("cracks through '{0}' need a law: describe the interface between "
                                     "[{0}, {0}], or name one by `law`",
                                     material)
-                      : fmt::format("cracks: unknown interface '{}'", p.law));
+                      : fmt::format("`law`: unknown interface '{}'{}", p.law, suggested(p.law)));
     return {};
   }
   const auto found = p.law.empty() ? static_cast<std::size_t>(by_pair->second)

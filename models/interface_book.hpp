@@ -69,6 +69,8 @@ class InterfaceBook {
   void check_names();
   std::string unknown_material(const std::string& name) const;
   void add_crack(const CrackParameters& p);
+  /// What to say after the name of an interface that there is not.
+  std::string suggested(const std::string& name) const;
   void add_through(int region, const CrackParameters& p);
   std::optional<std::size_t> law_through(const CrackParameters& p, const std::string& material);
   const std::string& material_name(BlockId id) const {

@@ -139,6 +139,16 @@ class Begun(InScratch):
         self.assertLess(max(peaks) / min(peaks), 1.015)
 
 
+class Names(InScratch):
+    def test_an_interface_that_there_is_not_is_refused_with_the_nearest_name(self):
+        for key, value in (("end_at", ["joint"]), ("law", "joint")):
+            file = self.scratch / "deck.yaml"
+            file.write_text(json.dumps(deck_with({"cracks": [BEAM["cracks"][0] | {key: value}]})), encoding="utf-8")
+            done = subprocess.run([str(ddapath.find_program()), "check", str(file)], capture_output=True, text=True)
+            self.assertEqual(done.returncode, 2, key)
+            self.assertIn(f"`{key}`: unknown interface 'joint'; did you mean 'joints'?", done.stdout + done.stderr)
+
+
 class Friction(InScratch):
     def test_a_crack_that_closes_bears_shear_by_friction_alone(self):
         """Opened by bending, closed again by the load turned round: what slides on the broken cuts is at -t_n tan φ. A crack
@@ -218,7 +228,6 @@ class Restart(InScratch):
                 run = self.run_(legs | {"path.stop.after_steps": step}, "part")
                 resume(run.folder, "path.stop.after_steps=0")
                 self.assertEqual((run.folder / "curve.csv").read_bytes(), (whole.folder / "curve.csv").read_bytes())
-
 
     def test_beside_contact_bit_for_bit(self):
         """Contacts are solved on a base of their own, which is made when first they are and grows with the cracks."""
