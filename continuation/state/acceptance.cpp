@@ -72,38 +72,11 @@ Holding bound_of_holding(const System& system, const State& at) {
   return out;
 }
 
-namespace {
-
-/// What loads are on blocks, each by its size: couples, and all that they do, which stretches and bends them too [F].
-struct LoadSizes {
-  double couples = 0, all = 0;
-};
-
-LoadSizes load_sizes(const System& system, const State& at) {
-  const Equilibrium& equilibrium = system.equilibrium();
-  const Loading& loading = system.loading();
-  const auto part = [](const std::vector<double>& of, std::size_t node) -> Vec6 {
-    return of.empty() ? Vec6(Vec6::Zero()) : Vec6(Eigen::Map<const Vec6>(of.data() + block_unknowns * node));
-  };
-  LoadSizes out;
-  for (std::size_t n = 0; n < equilibrium.num_blocks() + equilibrium.num_gradients(); ++n) {
-    const Vec6 now = part(loading.dead_work, n) + at.load_factor * part(loading.reference_work, n);
-    if (now.isZero(0)) continue;
-    const double size = *equilibrium.strain_size(n);
-    const bool is_block = n < equilibrium.num_blocks();
-    if (is_block) out.couples += std::abs(now[2]) / size;
-    out.all += is_block ? now.head<2>().norm() + now.tail<4>().norm() / size : now.norm() / size;
-  }
-  return out;
-}
-
-}  // namespace
-
 /// Where loads only stretch and bend single blocks, as tractions in balance on one do and initial stress, their forces and
 /// couples are rounding, and what counts is the stress that they make.
 double load_on(const System& system, const State& at) {
   constexpr double rounding = 1e-9;
-  const LoadSizes of_blocks = load_sizes(system, at);
+  const System::LoadSizes of_blocks = system.load_sizes(at);
   const double loads = std::max(system.sum_of_forces(at), of_blocks.couples);
   return loads <= rounding * of_blocks.all ? system.force_level(at.d) : loads;
 }

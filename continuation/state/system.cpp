@@ -73,14 +73,14 @@ void System::set_stage(std::size_t stage) {
   reference_.add_rows(1, loading_->reference);
   reference_work_.add_rows(1, loading_->reference_work);
   dead_springs_.add_rows(1, springs);
-  forces_.clear();
-  const auto part = [](const std::vector<double>& work, std::size_t b) -> Vec2 {
-    return work.empty() ? Vec2::Zero() : Vec2(Eigen::Map<const Vec2>(work.data() + block_unknowns * b));
+  loaded_.clear();
+  const auto part = [](const std::vector<double>& work, std::size_t node) -> Vec6 {
+    return work.empty() ? Vec6::Zero() : Vec6(Eigen::Map<const Vec6>(work.data() + block_unknowns * node));
   };
-  for (std::size_t b = 0; b < equilibrium_.num_blocks(); ++b)
-    if (const std::pair both{part(loading_->dead_work, b), part(loading_->reference_work, b)};
-        !both.first.isZero(0) || !both.second.isZero(0))
-      forces_.push_back(both);
+  for (std::size_t node = 0; node < equilibrium_.num_block_nodes(); ++node)
+    if (const Loaded now{node, part(loading_->dead_work, node), part(loading_->reference_work, node)};
+        !now.dead.isZero(0) || !now.live.isZero(0))
+      loaded_.push_back(now);
   linear_.begin_stage(*loading_);
   for (LinearSystem* other : {physical_.get(), contact_.get()})
     if (other) other->begin_stage(*loading_);

@@ -210,6 +210,11 @@ class System {
   double stored(const State& state, const LawValues& laws) const;
   /// Σ |force| of loads and driven springs [F].
   double sum_of_forces(const State& at) const;
+  /// What the loads are on blocks, each by its size: couples, and all that they do, which stretches and bends them too [F].
+  struct LoadSizes {
+    double couples = 0, all = 0;
+  };
+  LoadSizes load_sizes(const State& at) const;
   /// How far the live and the dead loads have moved, each as one: |f · d| / Σ |f|; the farthest of these and of
   /// the driven ends of springs [L].
   double movement_of_loads(const State& at) const;
@@ -237,9 +242,13 @@ class System {
   const Equilibrium& equilibrium_;
   const Loading* loading_;
   bool has_dead_ = false;
-  Functional reference_, reference_work_;      ///< f_ref · d, and of the forces that do work
-  std::vector<std::pair<Vec2, Vec2>> forces_;  ///< dead and live, of the blocks that are loaded [F]
-  Functional dead_springs_;                    ///< what the far ends of driven springs add to f_dead · d
+  Functional reference_, reference_work_;  ///< f_ref · d, and of the forces that do work
+  struct Loaded {
+    std::size_t node;  ///< of a block, or of its strain gradient
+    Vec6 dead, live;
+  };
+  std::vector<Loaded> loaded_;
+  Functional dead_springs_;  ///< what the far ends of driven springs add to f_dead · d
   LinearSystem linear_;
   std::unique_ptr<LinearSystem> physical_;  ///< only when multipliers are iterated
   DirectSolverChoice solver_;

@@ -61,16 +61,30 @@ double System::dead_work(const State& state) const {
 
 double System::sum_of_forces(const State& at) const {
   double sum = 0;
-  for (const auto& [dead, live] : forces_) sum += (dead + at.load_factor * live).norm();
+  for (const auto& [node, dead, live] : loaded_)
+    if (node < equilibrium_.num_blocks()) sum += (dead + at.load_factor * live).head<2>().norm();
   for (const WorkPair& pair : loading_->driven) sum += std::abs(at.value(pair.force));
   return sum;
 }
 
+System::LoadSizes System::load_sizes(const State& at) const {
+  LoadSizes out;
+  for (const auto& [node, dead, live] : loaded_) {
+    const Vec6 now = dead + at.load_factor * live;
+    const double size = *equilibrium_.strain_size(node);
+    const bool is_block = node < equilibrium_.num_blocks();
+    if (is_block) out.couples += std::abs(now[2]) / size;
+    out.all += is_block ? now.head<2>().norm() + now.tail<4>().norm() / size : now.norm() / size;
+  }
+  return out;
+}
+
 double System::movement_of_loads(const State& at) const {
   double dead_sum = 0, live_sum = 0, out = 0;
-  for (const auto& [dead, live] : forces_) {
-    dead_sum += dead.norm();
-    live_sum += live.norm();
+  for (const auto& [node, dead, live] : loaded_) {
+    if (node >= equilibrium_.num_blocks()) continue;
+    dead_sum += dead.head<2>().norm();
+    live_sum += live.head<2>().norm();
   }
   if (dead_sum > 0) out = std::abs(dead_work(at)) / dead_sum;
   if (live_sum > 0) out = std::max(out, std::abs(at.d.value(reference_work_, 0)) / live_sum);

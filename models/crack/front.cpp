@@ -164,18 +164,29 @@ bool CrackFront::is_met(const std::vector<Cut>& ahead) const {
 }
 
 bool CrackFront::passes(int crack, std::size_t side) const {
-  const auto& curve = body_.assembly.sides[side].curve;
-  if (!curve) return true;
   const auto& ends = parameters(crack).end_at;
-  return std::ranges::find(ends, body_.assembly.curves[static_cast<std::size_t>(*curve)]) == ends.end();
+  return ends.empty() || std::ranges::find(ends, interface_of(body_.assembly.sides[side])) == ends.end();
+}
+
+std::string CrackFront::interface_of(const Side& side) const {
+  if (side.curve) {
+    const std::string& curve = body_.assembly.curves[static_cast<std::size_t>(*side.curve)];
+    for (const auto& [name, p] : model_.interfaces)
+      if (name == curve && p.between.empty()) return name;
+  }
+  const auto region = [&](BlockId block) { return static_cast<std::size_t>(body_.block(block).region); };
+  if (region(side.first) == region(side.second)) return {};
+  const std::string &one = body_.assembly.regions[region(side.first)].material,
+                    &two = body_.assembly.regions[region(side.second)].material;
+  for (const auto& [name, p] : model_.interfaces)
+    if (p.between == std::vector{one, two} || p.between == std::vector{two, one}) return name;
+  return {};
 }
 
 std::string CrackFront::end_at(int crack, const Vec2& x, const Vec2& direction) const {
   const auto sides = geometry_.sides_at(x);
   const auto stop = std::ranges::find_if(sides, [&](std::size_t side) { return !passes(crack, side); });
-  if (stop != sides.end())
-    return "interface '" +
-           body_.assembly.curves[static_cast<std::size_t>(*body_.assembly.sides[*stop].curve)] + "'";
+  if (stop != sides.end()) return "interface '" + interface_of(body_.assembly.sides[*stop]) + "'";
   if (geometry_.is_on_crack(x, crack)) return "another crack";
   const auto block = geometry_.block_ahead(x, direction);
   if (!block) return "the boundary";

@@ -5,15 +5,30 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 
 namespace dda {
 namespace {
 
+constexpr double fit_reach = 3;  // of the fit, in block sizes
+constexpr double leaves_at_least = 45 * std::numbers::pi / 180, same_way = 30 * std::numbers::pi / 180;
+
 /// A side that a crack may begin on.
 struct Edge {
   BlockId block;
   Vec2 start, end;  ///< counter-clockwise along the block
+
+  Vec2 along() const { return (end - start).normalized(); }
+  Vec2 inward() const { return {-along().y(), along().x()}; }
+  Vec2 at(double share) const { return start + share * (end - start); }
+};
+
+/// A place that a crack may begin at.
+struct CrackSite {
+  Vec2 x, inward;
+  BlockId block;
+  std::optional<Edge> edge = {};  ///< none of a re-entrant corner
 };
 
 /// σ and dσ/dλ at a point.
@@ -40,6 +55,37 @@ std::vector<Edge> edges_of(const Body& body, const std::map<int, double>& streng
   return out;
 }
 
+/// Where the boundary turns away from the body by more than a hole's outline does, such as the tip of a slit.
+std::vector<CrackSite> corners_of(const Body& body, const std::map<int, double>& strength, double tolerance) {
+  constexpr double cosine = 0.866;  // 30°
+  std::vector<CrackSite> out;
+  for (const BoundarySide& to : body.assembly.boundary) {
+    if (!strength.contains(body.block(to.block).region)) continue;
+    for (const BoundarySide& from : body.assembly.boundary) {
+      if ((from.start - to.end).norm() > tolerance) continue;
+      const Vec2 a = (to.end - to.start).normalized(), b = (from.end - from.start).normalized();
+      constexpr double back = 1e-6;  // of the tip of a slit, which turns by 180° to either side
+      if (a.dot(b) < cosine && cross(a, b) < back) out.push_back({to.end, (a - b).normalized(), to.block});
+    }
+  }
+  return out;
+}
+
+/// Re-entrant corners, and of every edge some places that none of these is close to: what bears there is the corner.
+std::vector<CrackSite> places_on(const Body& body, const std::map<int, double>& strength, double close,
+                                 double tolerance) {
+  std::vector<CrackSite> out = corners_of(body, strength, tolerance);
+  const std::vector<CrackSite> corners = out;
+  for (const Edge& edge : edges_of(body, strength))
+    for (const double share : {1.0 / 6, 0.5, 5.0 / 6}) {
+      const Vec2 x = edge.at(share);
+      if (std::ranges::none_of(corners,
+                               [&](const CrackSite& corner) { return (corner.x - x).norm() < close; }))
+        out.push_back({x, edge.inward(), edge.block, edge});
+    }
+  return out;
+}
+
 /// The smallest λ ≥ 0 for which σ + λ dσ/dλ has the principal value f: where det(σ − f I + λ dσ/dλ) first vanishes.
 double critical(const Recovered& at, double f) {
   const Mat2 a = at.dead - f * Mat2::Identity(), &b = at.live;
@@ -55,18 +101,31 @@ double critical(const Recovered& at, double f) {
   return down > 0 ? whole / down : never;
 }
 
+/// Whether a straight line leads out of the body through a side of its boundary; those that it begins on are none.
+bool leads_through(const BoundarySide& side, const Vec2& from, const Vec2& to, double tolerance) {
+  const Vec2 edge = side.end - side.start, way = to - from;
+  const auto apart = [](double a, double b) { return (a > 0) != (b > 0); };
+  const double beside = cross(edge, from - side.start);
+  return std::abs(beside) > tolerance * edge.norm() && apart(beside, cross(edge, to - side.start)) &&
+         apart(cross(way, side.start - from), cross(way, side.end - from));
+}
+
 class Recovery {
  public:
-  Recovery(const Body& body, const BlockStress& stress, double radius)
-      : body_(body), stress_(stress), radius_(radius) {}
+  Recovery(const Body& body, const BlockStress& stress, double radius, double tolerance)
+      : body_(body), stress_(stress), radius_(radius), tolerance_(tolerance) {}
 
-  Recovered at(const Vec2& x, int region) const {
+  Recovered at(const CrackSite& place) const {
+    std::vector<const BoundarySide*> near;
+    for (const BoundarySide& side : body_.assembly.boundary)
+      if (distance(place.x, side.start, side.end) <= radius_) near.push_back(&side);
     Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
     Eigen::Matrix<double, 3, 6> right = Eigen::Matrix<double, 3, 6>::Zero();
     for (std::size_t b = 0; b < body_.assembly.num_blocks(); ++b) {
       const Block& block = body_.assembly.blocks[b];
-      const Vec2 away = (block.moments.centroid - x) / radius_;
-      if (block.region != region || away.squaredNorm() > 1) continue;
+      const Vec2 away = (block.moments.centroid - place.x) / radius_;
+      if (block.region != body_.block(place.block).region || away.squaredNorm() > 1) continue;
+      if (!sees(place, block.moments.centroid, near)) continue;
       const Eigen::Vector3d basis(1, away.x(), away.y());
       normal += basis * basis.transpose();
       Eigen::Matrix<double, 1, 6> both;
@@ -78,6 +137,13 @@ class Recovery {
   }
 
  private:
+  /// Whether a straight line leads there within the body: what lies behind a slit is not joined to its face.
+  bool sees(const CrackSite& place, const Vec2& x, const std::vector<const BoundarySide*>& near) const {
+    if ((x - place.x).dot(place.inward) <= 0) return false;
+    return std::ranges::none_of(
+        near, [&](const BoundarySide* side) { return leads_through(*side, place.x, x, tolerance_); });
+  }
+
   /// Of the fit; the mean where the blocks' middles do not span the plane.
   static Eigen::Matrix<double, 1, 6> value(const Eigen::Matrix3d& normal,
                                            const Eigen::Matrix<double, 3, 6>& right) {
@@ -89,7 +155,7 @@ class Recovery {
 
   const Body& body_;
   const BlockStress& stress_;
-  double radius_;
+  double radius_, tolerance_;
 };
 
 bool is_near_a_cut(const CrackGeometry& cracks, const CrackStarts::Wish& wish, const Vec2& x) {
@@ -98,30 +164,58 @@ bool is_near_a_cut(const CrackGeometry& cracks, const CrackStarts::Wish& wish, c
   });
 }
 
-/// Across the largest tension at the critical load, into the body.
-Vec2 way_from(const Recovered& at, double load_factor, const Vec2& inward) {
+/// The same of the tension along a direction alone.
+double critical_along(const Recovered& at, const Vec2& t, double f) {
+  const double dead = t.dot(at.dead * t), live = t.dot(at.live * t);
+  if (dead >= f) return 0;
+  return live > 0 ? (f - dead) / live : std::numeric_limits<double>::infinity();
+}
+
+/// The principal axes at a load, turned into the body: across the largest tension, and along it.
+std::pair<Vec2, Vec2> ways_from(const Recovered& at, double load_factor, const Vec2& inward) {
   const Eigen::SelfAdjointEigenSolver<Mat2> principal(at.dead + load_factor * at.live);
-  const Vec2 opens = principal.eigenvectors().col(1), along(-opens.y(), opens.x());
-  return along.dot(inward) < 0 ? Vec2(-along) : along;
+  const auto turned = [&](const Vec2& way) { return way.dot(inward) < 0 ? Vec2(-way) : way; };
+  const Vec2 opens = principal.eigenvectors().col(1);
+  return {turned({-opens.y(), opens.x()}), turned(opens)};
+}
+
+/// What a load, a drive or a support brings onto an edge opens no crack along it: where the largest tension would, the
+/// one along the edge counts.
+CrackStart start_at(const CrackSite& place, const Recovered& at, double f) {
+  const double first = critical(at, f);
+  if (std::isfinite(first)) {
+    const Vec2 way = ways_from(at, first, place.inward).first;
+    if (!place.edge || way.dot(place.inward) >= std::cos(leaves_at_least)) return {place.x, way, first};
+  }
+  if (!place.edge) return {place.x, place.inward, first};
+  const double later = critical_along(at, place.edge->along(), f);
+  if (!std::isfinite(later)) return {place.x, place.inward, later};
+  const auto [across, along] = ways_from(at, later, place.inward);
+  return {place.x, across.dot(place.inward) >= along.dot(place.inward) ? across : along, later};
+}
+
+/// Whether the boundary goes the same way, closer than a block.
+bool runs_along_boundary(const Body& body, const CrackStart& start, double block_size) {
+  return std::ranges::any_of(body.assembly.boundary, [&](const BoundarySide& side) {
+    const Vec2 s = side.start - start.at, e = side.end - start.at;
+    const bool is_ahead = std::max(s.dot(start.direction), e.dot(start.direction)) > 0.1 * block_size;
+    return is_ahead && distance(start.at, side.start, side.end) < 0.5 * block_size &&
+           std::abs((e - s).normalized().dot(start.direction)) > std::cos(same_way);
+  });
 }
 
 }  // namespace
 
 std::vector<CrackStart> CrackStarts::places(const BlockStress& stress, const Wish& wish) const {
-  constexpr double reach = 3;  // block sizes
-  const Recovery recovery(body_, stress, reach * cracks_.block_size());
+  const double h = cracks_.block_size(), radius = fit_reach * h;
+  const Recovery recovery(body_, stress, radius, cracks_.tolerance());
   std::vector<CrackStart> out;
-  for (const Edge& edge : edges_of(body_, wish.strength))
-    for (const double share : {1.0 / 6, 0.5, 5.0 / 6}) {
-      const Vec2 x = edge.start + share * (edge.end - edge.start);
-      if (is_near_a_cut(cracks_, wish, x)) continue;
-      const int region = body_.block(edge.block).region;
-      const Recovered at = recovery.at(x, region);
-      const double load_factor = critical(at, wish.strength.at(region));
-      if (!std::isfinite(load_factor)) continue;
-      const Vec2 along = edge.end - edge.start;
-      out.push_back({x, way_from(at, load_factor, {-along.y(), along.x()}), load_factor});
-    }
+  for (const CrackSite& place : places_on(body_, wish.strength, radius, cracks_.tolerance())) {
+    if (is_near_a_cut(cracks_, wish, place.x)) continue;
+    const CrackStart start =
+        start_at(place, recovery.at(place), wish.strength.at(body_.block(place.block).region));
+    if (std::isfinite(start.load_factor) && !runs_along_boundary(body_, start, h)) out.push_back(start);
+  }
   std::ranges::stable_sort(out, {}, &CrackStart::load_factor);
   return out;
 }

@@ -20,12 +20,14 @@ struct BlockStress {
 };
 
 /// Where new cracks begin: on the boundary of some regions and where they meet interfaces, at sides that no crack comes
-/// near. Tension at a place is that of a linear field, fitted to the stresses of the blocks within R = 3 h of it:
+/// near; within R = 3 h of a re-entrant corner, as of the tip of a slit, at the corner. Tension at a place is that of a
+/// linear field, fitted to the stresses of the blocks within R that a straight line through the body leads to:
 ///
 ///     Σ |σ_b − (s + G (x_b − x))|² → min        σ(x) = s
 ///
 /// since blocks of constant strain bear at their middle what the edge bears further out. With it the smallest λ ≥ 0 is
-/// found for which the largest principal value of σ(x) is ft, and the crack runs across its axis.
+/// found for which the largest principal value of σ(x) is ft, and the crack runs across its axis. Where that would be along
+/// the edge, tension along the edge counts instead.
 class CrackStarts {
  public:
   CrackStarts(const CrackGeometry& cracks, const Body& body) : cracks_(cracks), body_(body) {}

@@ -48,6 +48,8 @@ std::string unit_of(const std::string& name, const Json& units) {
   if (name.starts_with("timings.")) return "s";
   if (name == "peak_memory_mib") return "MiB";
   if (name == "jump_energy") return of_column(column::external_work);
+  if (name.starts_with("interfaces.") && name.ends_with(".dissipated_energy"))
+    return of_column(column::dissipated_energy);
   constexpr std::string_view gauges = "peak.gauges.";
   if (name.starts_with(gauges)) return of_column(name.substr(gauges.size()));
   return of_column(name == "peak.load" ? column::load : name);
@@ -101,10 +103,8 @@ class TableBuilder {
     out.emplace_back(name_of(state.status));
     out.push_back(state.exit_code ? TableCell(std::int64_t{*state.exit_code}) : TableCell(""));
     out.emplace_back(state.reason);
-    for (std::size_t c = 0; c < sweep_.derived.size(); ++c) {
-      const auto value = value_of(sweep_.derived[c], sweep_.cases[i].known[c], state.summary);
+    for (const auto& value : values_of(sweep_.derived, sweep_.cases[i].known, state.summary))
       out.push_back(value ? TableCell(*value) : TableCell(""));
-    }
     for (const std::string& name : names_) {
       const auto found = rows_[i].find(name);
       out.push_back(found == rows_[i].end() ? TableCell("") : found->second);

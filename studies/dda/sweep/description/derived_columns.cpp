@@ -103,10 +103,42 @@ std::optional<double> number_of(const Json& summary, const std::string& name) {
   return at->is_number() ? std::optional(at->get<double>()) : std::nullopt;
 }
 
+std::optional<double> number_of(const std::string& name, const CaseNumbers& numbers) {
+  if (const auto number = number_of(find_varied(name, numbers.varied))) return number;
+  if (const auto known = numbers.variables.find(name); known != numbers.variables.end()) return known->second;
+  return number_of(find_value(numbers.effective_deck, name));
+}
+
 }  // namespace
+
+std::vector<std::string> reserved_columns() {
+  std::vector<std::string> out{"case",
+                               "folder",
+                               "status",
+                               "exit_code",
+                               "reason",
+                               "title",
+                               "stop",
+                               "cracked_steps",
+                               "whole_steps",
+                               "newton_iterations",
+                               "reduced_iterations",
+                               "relaxation_iterations",
+                               "factorisations",
+                               "multiplier_iterations",
+                               "largest_gap",
+                               "mesh_bias",
+                               "energy_balance_scatter",
+                               "threads",
+                               "version"};
+  for (const std::string_view name : numbers_of_summaries)
+    if (is_name(std::string(name))) out.emplace_back(name);
+  return out;
+}
 
 std::vector<DerivedColumn> read_derived_columns(const Node& columns, Findings& findings) {
   std::vector<DerivedColumn> out;
+  const std::vector<std::string> taken = reserved_columns();
   if (!columns.is_map()) {
     findings.add(columns.where,
                  "columns: expected a map from names to expressions, such as strength: peak.load/thickness");
@@ -117,11 +149,13 @@ std::vector<DerivedColumn> read_derived_columns(const Node& columns, Findings& f
       findings.add(entry.where, fmt::format("columns.{}: expected an expression", entry.key));
       continue;
     }
-    const auto& taken = numbers_of_summaries;
-    if (!is_name(entry.key) || std::ranges::find(taken, entry.key) != taken.end()) {
+    if (!is_name(entry.key)) {
+      findings.add(entry.where, fmt::format("columns.{}: a name is of letters, digits and _", entry.key));
+      continue;
+    }
+    if (std::ranges::find(taken, entry.key) != taken.end()) {
       findings.add(entry.where,
-                   fmt::format("columns.{}: a name is of letters, digits and _, and none of the summary's",
-                               entry.key));
+                   fmt::format("columns.{}: sweep.csv has a column of that name; give another", entry.key));
       continue;
     }
     const Undotted read = undotted(entry.value.text);
@@ -136,36 +170,51 @@ std::vector<DerivedColumn> read_derived_columns(const Node& columns, Findings& f
   return out;
 }
 
-std::vector<std::optional<double>> known_numbers(const DerivedColumn& column, const Node& effective_deck,
-                                                 const std::vector<std::pair<std::string, Node>>& varied,
-                                                 Findings& findings) {
-  std::vector<std::optional<double>> out;
-  for (const std::string& name : column.names) {
-    std::optional<double> number = number_of(find_varied(name, varied));
-    if (!number) number = number_of(find_value(effective_deck, name));
-    if (!number && !is_of_summary(name, effective_deck)) {
-      std::vector<std::string> names(numbers_of_summaries.begin(), numbers_of_summaries.end());
-      for (const auto& [key, value] : varied) names.push_back(key);
+std::vector<std::vector<std::optional<double>>> known_numbers(const std::vector<DerivedColumn>& columns,
+                                                              const CaseNumbers& numbers,
+                                                              Findings& findings) {
+  std::vector<std::vector<std::optional<double>>> out;
+  std::vector<std::string> names(numbers_of_summaries.begin(), numbers_of_summaries.end()), before;
+  for (const auto& [key, value] : numbers.varied) names.push_back(key);
+  for (const auto& [name, value] : numbers.variables) names.push_back(name);
+  for (const DerivedColumn& column : columns) {
+    out.emplace_back();
+    for (const std::string& name : column.names) {
+      out.back().push_back(number_of(name, numbers));
+      if (out.back().back() || std::ranges::find(before, name) != before.end() ||
+          is_of_summary(name, numbers.effective_deck))
+        continue;
       findings.add(column.where,
-                   fmt::format("columns.{}: '{}' is no varied key, no number of the deck and none of the "
-                               "summary{}",
+                   fmt::format("columns.{}: '{}' is no varied key, no variable or number of the deck, no "
+                               "column before it and none of the summary{}",
                                column.name, name, suggest(name, names)));
     }
-    out.push_back(number);
+    before.push_back(column.name);
+    names.push_back(column.name);
   }
   return out;
 }
 
-std::optional<double> value_of(const DerivedColumn& column, std::vector<std::optional<double>> known,
-                               const Json& summary) {
-  std::vector<double> arguments;
-  for (std::size_t i = 0; i < known.size(); ++i) {
-    if (!known[i]) known[i] = number_of(summary, column.names[i]);
-    if (!known[i]) return {};
-    arguments.push_back(*known[i]);
+std::vector<std::optional<double>> values_of(const std::vector<DerivedColumn>& columns,
+                                             const std::vector<std::vector<std::optional<double>>>& known,
+                                             const Json& summary) {
+  std::map<std::string, std::optional<double>> before;
+  std::vector<std::optional<double>> out;
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    std::vector<double> arguments;
+    for (std::size_t i = 0; i < known[c].size(); ++i) {
+      const std::string& name = columns[c].names[i];
+      const auto earlier = before.find(name);
+      std::optional<double> number = known[c][i];
+      if (!number) number = earlier != before.end() ? earlier->second : number_of(summary, name);
+      if (number) arguments.push_back(*number);
+    }
+    const bool is_whole = arguments.size() == known[c].size();
+    const double value = is_whole ? columns[c].expression->value(arguments) : std::nan("");
+    out.push_back(std::isfinite(value) ? std::optional(value) : std::nullopt);
+    before[columns[c].name] = out.back();
   }
-  const double out = column.expression->value(arguments);
-  return std::isfinite(out) ? std::optional(out) : std::nullopt;
+  return out;
 }
 
 }  // namespace dda

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,8 +16,8 @@ namespace dda {
 ///
 ///     nominal_strength: peak.load/(thickness*D)
 ///
-/// Its names are, in this order: a varied key, or its end where no other shares it; a number of the deck by its dotted
-/// path; a number of the case's summary (`numbers_of_summaries`).
+/// Its names are, in this order: a varied key, or its end where no other shares it; a variable of the deck; a number of
+/// the deck by its dotted path; a column that stands before it; a number of the case's summary (`numbers_of_summaries`).
 struct DerivedColumn {
   std::string name;
   Position where;
@@ -24,17 +25,27 @@ struct DerivedColumn {
   std::shared_ptr<const Expression> expression;
 };
 
+/// Names that sweep.csv has itself in every sweep.
+std::vector<std::string> reserved_columns();
+
 /// Of the section `columns`; wrong expressions are findings.
 std::vector<DerivedColumn> read_derived_columns(const Node& columns, Findings& findings);
 
-/// What the deck of a case and its varied keys know of the column's numbers; nothing where its summary will. A name that
-/// nothing knows is a finding.
-std::vector<std::optional<double>> known_numbers(const DerivedColumn& column, const Node& effective_deck,
-                                                 const std::vector<std::pair<std::string, Node>>& varied,
-                                                 Findings& findings);
+/// Where the numbers of a case come from, beside its summary.
+struct CaseNumbers {
+  const Node& effective_deck;
+  std::vector<std::pair<std::string, Node>> varied;
+  std::map<std::string, double> variables;
+};
 
-/// Its value in a row; nothing where a number is missing or the result is none.
-std::optional<double> value_of(const DerivedColumn& column, std::vector<std::optional<double>> known,
-                               const Json& summary);
+/// What a case knows of the numbers of each column; nothing where a column before or the summary will. A name that
+/// nothing knows is a finding.
+std::vector<std::vector<std::optional<double>>> known_numbers(const std::vector<DerivedColumn>& columns,
+                                                              const CaseNumbers& numbers, Findings& findings);
+
+/// Their values in a row; nothing where a number is missing or the result is none.
+std::vector<std::optional<double>> values_of(const std::vector<DerivedColumn>& columns,
+                                             const std::vector<std::vector<std::optional<double>>>& known,
+                                             const Json& summary);
 
 }  // namespace dda

@@ -71,6 +71,7 @@ class SweepReader {
     }
     sweep_.axes = read_axes(varied);
     keys_ = sweep_.keys();
+    refuse_columns_of_keys();
     sweep_.key_units.resize(keys_.size());
     has_decks_ = !base_.is_null() || std::ranges::find(keys_, deck_key, &SweptKey::name) != keys_.end();
     refuse_second_deck();
@@ -101,6 +102,14 @@ class SweepReader {
                                   "remove one of them",
                                   entry.key));
     findings_.throw_if_any();
+  }
+
+  void refuse_columns_of_keys() {
+    for (const DerivedColumn& column : sweep_.derived)
+      if (std::ranges::find(keys_, column.name, &SweptKey::name) != keys_.end())
+        findings_.add(column.where, fmt::format("columns.{0}: sweep.csv has a column of that name, of the "
+                                                "varied key '{0}'; give another",
+                                                column.name));
   }
 
   static std::string title_of(const Node& root) {
@@ -154,11 +163,10 @@ class SweepReader {
     const Deck deck = values_of(tree);
     const Node effective = deck_schema().echo(deck);
     one.effective = to_yaml(effective);
-    std::vector<std::pair<std::string, Node>> varied;
-    for (std::size_t k = 0; k < keys_.size(); ++k) varied.emplace_back(keys_[k].name, one.values[k]);
+    CaseNumbers numbers{effective, {}, variables_of(tree)};
+    for (std::size_t k = 0; k < keys_.size(); ++k) numbers.varied.emplace_back(keys_[k].name, one.values[k]);
     Findings findings;
-    for (const DerivedColumn& column : sweep_.derived)
-      one.known.push_back(known_numbers(column, effective, varied, findings));
+    one.known = known_numbers(sweep_.derived, numbers, findings);
     findings.throw_if_any();
     if (!sweep_.cases.empty()) return;
     sweep_.units = deck.units;

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "framework/files/whole_file.hpp"
 #include "unit/framework/deck/messages.hpp"
 #include "unit/studies/dda/sweep/sweep_example.hpp"
 
@@ -65,10 +66,30 @@ TEST(Sweep, DerivedColumnsAreOfKeysTheDeckAndTheSummary) {
           .read();
   ASSERT_EQ(sweep.derived.size(), 2u);
   EXPECT_THAT(sweep.derived[0].names, ElementsAre("young_modulus", "thickness"));
-  EXPECT_EQ(value_of(sweep.derived[0], sweep.cases[1].known[0], Json()), 100);
   const Json summary{{"peak", {{"load", 10}}}};
-  EXPECT_EQ(value_of(sweep.derived[1], sweep.cases[1].known[1], summary), 5);
-  EXPECT_EQ(value_of(sweep.derived[1], sweep.cases[1].known[1], Json()), std::nullopt) << "no summary yet";
+  EXPECT_THAT(values_of(sweep.derived, sweep.cases[1].known, summary), ElementsAre(100, 5));
+  EXPECT_THAT(values_of(sweep.derived, sweep.cases[1].known, Json()), ElementsAre(100, std::nullopt))
+      << "no summary yet";
+}
+
+TEST(Sweep, DerivedColumnsAreOfVariablesAndOfColumnsBeforeThem) {
+  SweepExample example(
+      "sweep:\n  deck: b.yaml\n  variables.L: [1, 2]\n  columns: {area: thickness*L*h, double: 2*area}\n");
+  write_whole(example.folder() / "b.yaml",
+              "extends: a.yaml\nvariables: {L: 5, h: 3*L}\nthickness: L\nsupport_stiffness: h\n",
+              Flush::to_system);
+  const Sweep sweep = example.read();
+  EXPECT_THAT(values_of(sweep.derived, sweep.cases[0].known, Json()), ElementsAre(3, 6));
+  EXPECT_THAT(values_of(sweep.derived, sweep.cases[1].known, Json()), ElementsAre(24, 48));
+}
+
+TEST(Sweep, ColumnsOfTheTableAreNoNamesOfDerivedOnes) {
+  const auto with = [](const std::string& name) {
+    return refusal("sweep:\n  deck: a.yaml\n  thickness: [1, 2]\n  columns:\n    " + name + ": 2\n");
+  };
+  for (const std::string name : {"case", "folder", "status", "exit_code", "reason", "steps", "thickness"})
+    EXPECT_THAT(with(name),
+                HasSubstr("s.yaml:5:5: columns." + name + ": sweep.csv has a column of that name"));
 }
 
 TEST(Sweep, DerivedColumnsThatNobodyKnowsAreRefused) {
@@ -78,7 +99,9 @@ TEST(Sweep, DerivedColumnsThatNobodyKnowsAreRefused) {
   EXPECT_THAT(with("a: peak.lod/2"), HasSubstr("s.yaml:5:5: columns.a: 'peak.lod' is no varied key"));
   EXPECT_THAT(with("a: peak.lod/2"), HasSubstr("did you mean 'peak.load'?"));
   EXPECT_THAT(with("a: 2*(thickness"), HasSubstr("s.yaml:5:8: columns.a: "));
-  EXPECT_THAT(with("steps: thickness"), HasSubstr("columns.steps: a name is of letters"));
+  EXPECT_THAT(with("steps: thickness"), HasSubstr("columns.steps: sweep.csv has a column of that name"));
+  EXPECT_THAT(with("b: a\n    a: thickness"), HasSubstr("columns.b: 'a' is no varied key"));
+  EXPECT_THAT(with("a.b: thickness"), HasSubstr("columns.a.b: a name is of letters"));
   EXPECT_THAT(with("a: [1]"), HasSubstr("columns.a: expected an expression"));
   EXPECT_THAT(refusal("sweep: {deck: a.yaml, thickness: [1], columns: 3}\n"),
               HasSubstr("columns: expected a map"));
