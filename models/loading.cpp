@@ -156,14 +156,21 @@ class StageMaker {
     return out;
   }
 
-  static bool has_resultant(const StageLoads& loads, double borne) {
-    return !loads.driven.empty() || loads.resultant + borne > 0;
+  /// Whether the loads of a stage are more than couples and what only stretches and bends blocks: more than rounding.
+  bool has_resultant(const StageLoads& loads, double borne) const {
+    constexpr double rounding = 1e-12;
+    double all = 0;
+    for (std::size_t b = 0; b < body_.assembly.num_blocks(); ++b) {
+      const Eigen::Map<const Vec6> f(loads.force.data() + block_unknowns * b);
+      all += f.head<2>().norm() + f.tail<4>().norm() / body_.size(BlockId{b});
+    }
+    return !loads.driven.empty() || loads.resultant + borne > rounding * all;
   }
 
   /// λ Σ|force|; with driven springs the sum of their reactions; λ itself when the loads have no resultant.
   Functional load_gauge(const Loading& out, const StageLoads& loads, const Beside& beside) const {
     const double resultant = loads.resultant + beside.borne;
-    if (loads.driven.empty()) return {.rows = {}, .per_load_factor = resultant > 0 ? resultant : 1.0};
+    if (loads.driven.empty()) return {.rows = {}, .per_load_factor = out.load_is_force ? resultant : 1.0};
     Functional sum;
     for (std::size_t i = 0; i < loads.driven.size(); ++i)
       sum.add(1, out.driven[beside.first_driven + i].force);

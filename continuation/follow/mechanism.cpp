@@ -70,6 +70,14 @@ double way_of_mechanism(const PathState& path) {
   return std::max(std::abs(path.displacement_of(path.walker.state())), gap * path.size);
 }
 
+/// How far the load has moved the structure before a step; strains, which may hardly move what is held, by what they have
+/// stored.
+double way_before(const PathState& path, double displacement) {
+  const double load = std::abs(path.load_of(path.walker.state())), stored = path.walker.here().stored;
+  if (path.walker.system().loading().load_is_force || load == 0) return std::abs(displacement);
+  return std::max(std::abs(displacement), stored / load);
+}
+
 /// Whether the structure has moved to three times where it was while the load hardly changed, what it gave on the way other
 /// loads took, not storage or spending, and a crack still grows: a mechanism whose joints have not quite given way, as in the
 /// tail of a softening curve, followed in steps that are short for their sake.
@@ -219,7 +227,7 @@ void note_mechanism(PathState& path, Point& point, const Departure& before) {
   const double load = path.load_of(path.walker.state()), from = path.displacement_of(before.state);
   const double change = std::abs(load - path.load_of(before.state));
   const double along = std::abs(path.displacement_of(path.walker.state()) - from);
-  const bool is_free = change <= standing_load(path, load) && along >= mechanism_way * std::abs(from);
+  const bool is_free = change <= standing_load(path, load) && along >= mechanism_way * way_before(path, from);
   if (!drifts(path, load) && !is_free) return;
   const ContactMotion moving = contact_motion(path.walker, before.state);
   const double factor = std::abs(load) > path.smallest_load() ? path.walker.state().load_factor : 0;

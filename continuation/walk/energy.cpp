@@ -50,7 +50,7 @@ Functional displacement_of_load(const Loading& loading, std::size_t num_blocks) 
       out.rows.emplace_back(BlockId{i / block_unknowns}, row);
       if (out.rows.back().first.value() < num_blocks) forces += row.head<2>().norm();
     }
-  if (forces > 0)
+  if (loading.load_is_force && forces > 0)
     for (auto& [block, row] : out.rows) row /= forces;
   for (const WorkPair& pair : loading.driven) out.add(1, pair.displacement);
   return out;

@@ -151,6 +151,27 @@ class Ends(unittest.TestCase):
             peaks.append(run.summary["peak"]["load"] * unit)
         self.assertLess(max(peaks) / min(peaks) - 1, 1e-6)
 
+    def test_a_held_bar_that_shrinks_cracks_and_gives_way(self):
+        """Strain, which moves nothing that is held, is no mechanism: λ ε0 E = ft, then σ = ft (1 − w/wc) and λ ε0 L = σ L/E + w down to
+        λ = wc/(ε0 L) = 0.5, with Gf A spent."""
+        bar = {
+            "units": {"length": "m", "force": "N"},
+            "scene": {"regions": [{"name": "bar", "material": "m", "vertices": [[0, 0], [10, 0], [10, 40], [0, 40]]}],
+                      "boundaries": {"base": [[0, 0], [10, 0]], "head": [[0, 40], [10, 40]]}, "curves": {"c": [[0, 20], [10, 20]]},
+                      "subdivision": {"type": "grid", "columns": 4, "rows": 16}},
+            "thickness": 1, "plane": "stress",
+            "materials": {"m": {"type": "linear_elastic", "young_modulus": 3e10, "poisson_ratio": 0}},
+            "interfaces": {"c": {"law": {"type": "linear_softening", "tensile_strength": 3e6, "fracture_energy": 3000}}},
+            "supports": {"base": {"boundary": "base", "fix": "y"}, "head": {"boundary": "head", "fix": "y"}, "pin": {"at": [0, 0], "fix": "x"}},
+            "stages": [{"name": "shrinks", "loads": [{"type": "initial_strain", "yy": -1e-4}]}],
+            "path": {"stop": {"load_below": 0.1, "steps": 200}},
+        }
+        run = self.run_(bar)
+        self.assertEqual(run.summary["status"], "stopped_early", run.summary["reason"])
+        self.assertAlmostEqual(run.summary["peak"]["load"], 1, delta=1e-6)
+        self.assertAlmostEqual(run.curve["load_factor"].iloc[-1], 0.5, delta=1e-6)
+        self.assertAlmostEqual(run.curve["dissipated_energy"].iloc[-1] / 30000, 1, delta=1e-6)
+
     def test_stages_after_a_rupture_are_told(self):
         pull, shear = ({"name": name, "loads": [{"type": "prescribed_displacement", "name": name, "boundary": "right", "direction": way}]}
                        for name, way in (("pull", [1, 0]), ("shear", [0, 1])))

@@ -39,7 +39,8 @@ bool acts_without_force(const Deck& deck) {
 Measures measures_of(const Simulation& simulation, const RecordedColumns& others) {
   const Deck& deck = simulation.deck();
   const Loading& loading = simulation.loading();
-  Dimension dimension = acts_without_force(deck) ? dimension::none : dimension::force;
+  const bool is_force = loading.load_is_force && !acts_without_force(deck);
+  Dimension dimension = is_force ? dimension::force : dimension::none;
   for (const NamedGauge& gauge : loading.gauges)
     if (gauge.name == deck.path.load_gauge) dimension = gauge.dimension;
   return {loading, simulation.path().load_gauge(), unit_of(dimension, deck.units), deck.units, others};
