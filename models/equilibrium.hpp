@@ -56,8 +56,9 @@ struct Loading {
     const auto part = [&](const std::vector<double>& of) { return of.empty() ? 0 : of[block]; };
     return part(dead_out_of_plane) + load_factor * part(reference_out_of_plane);
   }
-  Functional load;            ///< the load gauge: λ Σ|force|, or the sum of the driven reactions
-  bool load_is_force = true;  ///< else it is λ itself, of loads without a resultant
+  Functional load;             ///< the load gauge: λ Σ|force|, or the sum of the driven reactions
+  bool load_is_force = true;   ///< else it is λ itself, of loads without a resultant
+  bool all_are_forces = true;  ///< the load of every followed stage
   std::map<std::string, Functional> reactions;  ///< by support and driven spring
   std::vector<NamedGauge> gauges;               ///< as the deck names them
 

@@ -55,16 +55,20 @@ class StageMaker {
   StageLoadings make() {
     if (programme_.stages.empty()) return {{no_stage()}, {}};
     StageLoadings out;
+    bool are_forces = true;
     std::size_t first_driven = 0;
     for (std::size_t s = 0; s < programme_.stages.size(); ++s) {
       Loading now = stage(s, first_driven);
       first_driven += programme_.stages[s].driven.size();
+      are_forces = are_forces && (s < num_dead_ || now.load_is_force);
       if (s < present()) absorb(now, s < num_dead_ ? 1 : held_[s - num_dead_]);
       if (s < num_dead_ || s == present())
         out.begun.push_back(std::move(now));
       else if (s > present())
         out.later.push_back(std::move(now));
     }
+    for (auto* stages : {&out.begun, &out.later})
+      for (Loading& stage : *stages) stage.all_are_forces = are_forces;
     return out;
   }
 

@@ -130,10 +130,9 @@ Schema<NewtonParameters> newton_schema() {
           {.fallback = 0,
            .bounds = at_least(0),
            .text = "What NOX and LOCA print into nox.log of the run folder, a sum of NOX's bits: 1 warnings, "
-                   "2 outer "
-                   "iterations, 4 inner ones of a line search, 8 NOX's parameters, 16 details, 32 status "
-                   "tests, 256 steps of LOCA, 512 "
-                   "their details, 1024 LOCA's parameters; NOX's other bits print nothing here; 0 nothing."})
+                   "2 outer iterations, 4 inner ones of a line search, 8 NOX's parameters, 16 details, "
+                   "32 status tests, 256 steps of LOCA, 512 their details, 1024 LOCA's parameters; NOX's "
+                   "other bits print nothing here; 0 nothing."})
       .check([](const P& p, const Position& where, Findings& findings) {
         if (p.reduction && p.line_search != LineSearch::backtrack)
           findings.add(where, "reduction: only `line_search: backtrack` has one");

@@ -36,6 +36,8 @@ void PathState::look_up(const Aims& aims) {
   if (control) made->restore(control->memory());
   control = std::move(made);
   load = find_load(parameters, aims.gauges, loading.load);
+  const double at_once = loading.load_is_force ? 1 : walker.system().residual_norm(loading.reference);
+  load_per_force = at_once > 0 ? 1 / at_once : 0;
   displacement = displacement_of_load(loading, walker.system().equilibrium().num_blocks());
   route = aims.route;
   travelling = aims.gauges.gauges;
@@ -51,13 +53,6 @@ void PathState::look_up(const Aims& aims) {
 
 double PathState::load_of(const State& state) const {
   return (memory.direction < 0 ? -1 : 1) * state.value(load);
-}
-
-double PathState::as_load(double force) const {
-  const System& system = walker.system();
-  if (system.loading().load_is_force) return force;
-  const double at_once = system.residual_norm(system.loading().reference);
-  return at_once > 0 ? force / at_once : 0;
 }
 
 double PathState::smallest_load() const {
@@ -104,7 +99,7 @@ void PathState::end_unsound(const std::string& reason) {
     end_with_structure(
         fmt::format("complete rupture: {:.1e} of the peak was left; beyond, {}", left, refused.text));
   else
-    ending = {Ending::Kind::stopped_early,
+    ending = {Ending::Kind::stopped_early,  // which the last try may have told already
               reason.find(refused.text) != std::string::npos ? reason
                                                              : fmt::format("{} ({})", refused.text, reason),
               refused.stop};

@@ -47,7 +47,7 @@ struct PathState {
   /// The load, positive in the direction of the first loading.
   double load_of(const State& state) const;
   /// A force as a load: where that is the load factor of loads without a resultant, the one at which they are as large.
-  double as_load(double force) const;
+  double as_load(double force) const { return load_per_force * force; }
   /// A load below this is none: the tolerances of the equilibria leave as much of the other forces.
   double smallest_load() const;
   /// The displacement on which the load works, and its rate.
@@ -76,7 +76,8 @@ struct PathState {
   const PathParameters& parameters;
   std::unique_ptr<Control> control;
   Functional load;
-  Functional displacement;  ///< on which the load works
+  double load_per_force = 1;  ///< 1, or 1/‖f_ref‖ where the load is the load factor [1/F]
+  Functional displacement;    ///< on which the load works
   Route route;
   std::vector<NamedGauge> travelling;  ///< whose travel is remembered
   bool releases_at_once = false;       ///< some law does

@@ -45,6 +45,10 @@ CrackFront::CrackFront(CrackGeometry& geometry, const Body& body, const ModelPar
                    modulus = body.materials[static_cast<std::size_t>(region)]->modulus();
       resistance_[region] = {any * law.initial_kappa(any), slope > 0 ? modulus / (2 * slope) : 0};
     }
+  for (std::size_t side = 0; side < body.assembly.sides.size(); ++side)
+    if (const Interface& here = book.of_side(body.assembly.sides[side]); here.index >= 0)
+      for (const CrackParameters& entry : model.cracks)
+        if (std::ranges::find(entry.end_at, here.name) != entry.end_at.end()) ends_[side] = here.name;
   for (std::size_t e = 0; e < model.cracks.size(); ++e) {
     const CrackParameters& entry = model.cracks[e];
     rule_.push_back(entry.direction.make());
@@ -164,29 +168,15 @@ bool CrackFront::is_met(const std::vector<Cut>& ahead) const {
 }
 
 bool CrackFront::passes(int crack, std::size_t side) const {
-  const auto& ends = parameters(crack).end_at;
-  return ends.empty() || std::ranges::find(ends, interface_of(body_.assembly.sides[side])) == ends.end();
-}
-
-std::string CrackFront::interface_of(const Side& side) const {
-  if (side.curve) {
-    const std::string& curve = body_.assembly.curves[static_cast<std::size_t>(*side.curve)];
-    for (const auto& [name, p] : model_.interfaces)
-      if (name == curve && p.between.empty()) return name;
-  }
-  const auto region = [&](BlockId block) { return static_cast<std::size_t>(body_.block(block).region); };
-  if (region(side.first) == region(side.second)) return {};
-  const std::string &one = body_.assembly.regions[region(side.first)].material,
-                    &two = body_.assembly.regions[region(side.second)].material;
-  for (const auto& [name, p] : model_.interfaces)
-    if (p.between == std::vector{one, two} || p.between == std::vector{two, one}) return name;
-  return {};
+  const auto& wanted = parameters(crack).end_at;
+  const auto end = ends_.find(side);
+  return end == ends_.end() || std::ranges::find(wanted, end->second) == wanted.end();
 }
 
 std::string CrackFront::end_at(int crack, const Vec2& x, const Vec2& direction) const {
   const auto sides = geometry_.sides_at(x);
   const auto stop = std::ranges::find_if(sides, [&](std::size_t side) { return !passes(crack, side); });
-  if (stop != sides.end()) return "interface '" + interface_of(body_.assembly.sides[*stop]) + "'";
+  if (stop != sides.end()) return "interface '" + ends_.at(*stop) + "'";
   if (geometry_.is_on_crack(x, crack)) return "another crack";
   const auto block = geometry_.block_ahead(x, direction);
   if (!block) return "the boundary";

@@ -115,8 +115,6 @@ class CrackFront {
   std::optional<Vec2> open_side(int crack, const Vec2& from, const Vec2& direction, double within);
   std::string end_at(int crack, const Vec2& x, const Vec2& direction) const;
   bool passes(int crack, std::size_t side) const;
-  /// By curve, else between two regions by their materials (interface_book.hpp); "" of the bonds within one.
-  std::string interface_of(const Side& side) const;
   bool is_open_to_cracks(int region) const { return resistance_.contains(region); }
   /// A corner of the block next to a point of its outline, else the point: passing so close by a corner a crack would
   /// cut off next to nothing of the block behind it.
@@ -140,6 +138,7 @@ class CrackFront {
     double characteristic_length = 0;  ///< of the cohesive zone [L]
   };
   std::map<int, Resistance> resistance_;                     ///< by region
+  std::map<std::size_t, std::string> ends_;                  ///< interfaces under some `end_at`, by side
   std::vector<std::shared_ptr<const CrackDirection>> rule_;  ///< of each entry
 };
 

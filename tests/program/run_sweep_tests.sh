@@ -46,6 +46,18 @@ EOF
   same alone/curve.csv runs/bars/cases/002/curve.csv
 }
 
+# No column of one's own is called like one that sweep.csv has: every name in its first line that a column may have.
+own_columns_have_other_names() {
+  local name
+  for name in $(/usr/bin/python3 -c 'import csv, re, sys
+print(*(name for name in next(csv.reader(open(sys.argv[1]))) if re.fullmatch(r"\w+", name)))' runs/bars/sweep.csv); do
+    case $name in area | doubled | nothing) continue ;; esac
+    printf 'sweep:\n  deck: %s\n  thickness: [1, 2]\n  columns: {%s: 2*thickness}\n' "$bar" "$name" >taken.yaml
+    expect 2 "a column called $name" "$program" check taken.yaml
+    said "columns.$name: sweep.csv has a column of that name"
+  done
+}
+
 # The deck itself with a section `sweep`, started by `run`; its case alone; values from the command line.
 run_recognises_it() {
   { cat "$beam"; printf 'sweep:\n  seed: 3..4\n'; } >beams.yaml
@@ -215,6 +227,6 @@ EOF
   done
 }
 
-for part in ${PARTS:-product_and_zip run_recognises_it several_decks wrong_input failing_cases killed_and_missing interrupted changed case_by_case}
+for part in ${PARTS:-product_and_zip own_columns_have_other_names run_recognises_it several_decks wrong_input failing_cases killed_and_missing interrupted changed case_by_case}
 do $part; done
 exit $failed

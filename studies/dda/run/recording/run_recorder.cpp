@@ -26,21 +26,10 @@ namespace {
 /// What a run may lose when it is killed or the machine goes down; a shorter run is sooner repeated [s].
 constexpr double bearable_loss = 1.0;
 
-/// Whether the loads of some followed stage have no resultant, couples or strains: then its load is the load factor.
-bool acts_without_force(const Deck& deck) {
-  const auto has_no_force = [](const LoadChoice& load) {
-    return load.name() == "moment" || load.name() == "initial_strain" || load.name() == "initial_stress";
-  };
-  return std::ranges::any_of(deck.followed_stages(), [&](std::size_t stage) {
-    return std::ranges::all_of(deck.stages[stage].loads, has_no_force);
-  });
-}
-
 Measures measures_of(const Simulation& simulation, const RecordedColumns& others) {
   const Deck& deck = simulation.deck();
   const Loading& loading = simulation.loading();
-  const bool is_force = loading.load_is_force && !acts_without_force(deck);
-  Dimension dimension = is_force ? dimension::force : dimension::none;
+  Dimension dimension = loading.all_are_forces ? dimension::force : dimension::none;
   for (const NamedGauge& gauge : loading.gauges)
     if (gauge.name == deck.path.load_gauge) dimension = gauge.dimension;
   return {loading, simulation.path().load_gauge(), unit_of(dimension, deck.units), deck.units, others};
