@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "continuation/bodies/meetings.hpp"
+#include "continuation/bodies/sliders.hpp"
 #include "continuation/integrator/integrator.hpp"
 
 namespace dda {
@@ -10,15 +11,27 @@ namespace dda {
 /// Bodies that have met in a step.
 struct Impact {
   const std::vector<Meeting>& meetings;  ///< at its end
+  const SliderMemory& contacts;          ///< what was kept of them before: impacts that are under way
   const Poses& at;                       ///< where all are then
   const Poses& approach;                 ///< ẏ with which they have flown towards each other
   const Poses& velocity;                 ///< ẏ that the step has left
   double slow = 0;                       ///< approaches up to this are none [L/T]
+  double span = 0;                       ///< over which the forces at its end have acted [T]
 };
 
-/// What bodies get back: impulses λ ≥ 0 along the normals after which they part with e times the speed at which they have
-/// met, none being pushed into another. The least change of kinetic energy, by projected Gauss-Seidel on rigid motions.
-/// Empty where nothing is given back.
-std::vector<RigidMotion> rebound(const MovingScene& scene, const Impact& impact);
+/// What an impact does to bodies beside the forces of their contacts.
+struct Rebound {
+  std::vector<RigidMotion> given;  ///< by body; empty where nothing is
+  std::vector<double>
+      under_way;  ///< by meeting: the speed of approach of its impact; 0: none, or it is over [L/T]
+};
+
+/// Impulses along the normals after which bodies part with e times the speed at which they have met, none being pushed into
+/// another: projected Gauss-Seidel on rigid motions.
+///
+/// The step at whose end a contact has been approached gives what is missing of that speed, λ ≥ 0, with friction |λ_t| ≤ μ λ.
+/// What springs have stored by then would have bodies part faster: as long as they bear on each other that is taken away,
+/// at most what the force of the contact has given in the step, −λ ≤ N dt.
+Rebound rebound(const MovingScene& scene, const Impact& impact);
 
 }  // namespace dda

@@ -43,12 +43,13 @@ struct Slide {
   double spent_on_way(const Poses& beyond) const;
 };
 
-/// The elastic slips e and normal forces N of the last accepted step.
+/// The elastic slips e and normal forces N of the last accepted step, and the impacts that are under way.
 class SliderMemory {
  public:
   struct Kept {
-    double slip = 0;   ///< e [L]
-    double force = 0;  ///< N [F]
+    double slip = 0;      ///< e [L]
+    double force = 0;     ///< N [F]
+    double approach = 0;  ///< speed at which they have met in an impact that is not over; 0: none [L/T]
   };
 
   void set(const MeetingKey& key, const Kept& kept) { kept_[key] = kept; }

@@ -148,7 +148,7 @@ class Maker {
     std::map<std::pair<std::string, std::string>, double> by_materials = of_pairs(&PairParameters::friction);
     for (const auto& [pair, values] : of_materials)
       if (values.size() == 1) by_materials.emplace(pair, *values.begin());
-    const double otherwise = friction_of_others(end_.equilibrium.interfaces(), parameters_).value();
+    const double otherwise = friction_of_others(end_.equilibrium.interfaces(), parameters_).value_or(0);
     return [of_blocks, by_materials, names = materials_of_blocks(), otherwise](std::size_t a, std::size_t b) {
       if (const auto found = of_blocks.find(std::minmax(a, b)); found != of_blocks.end())
         return found->second;

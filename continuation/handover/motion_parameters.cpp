@@ -1,5 +1,10 @@
 #include "continuation/handover/motion_parameters.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
 namespace dda {
 namespace {
 
@@ -16,6 +21,19 @@ Kind<PairParameters> pair_kind() {
           findings.add(where, "a pair needs a `friction` or a `restitution` of its own");
       })
       .kind();
+}
+
+/// One pair may stand twice, once with what it has of friction and once with what it gives back, but not with two answers.
+void check_pairs(const MeetingParameters& p, const Position&, Findings& findings) {
+  const auto have = [](const PairParameters& a, const PairParameters& b) {
+    return (a.friction && b.friction) || (a.restitution && b.restitution);
+  };
+  for (auto pair = p.pairs.begin(); pair != p.pairs.end(); ++pair)
+    for (auto before = p.pairs.begin(); before != pair; ++before)
+      if (std::ranges::is_permutation(pair->between, before->between) && have(*pair, *before))
+        findings.add(pair->where,
+                     fmt::format("motion.contact.pairs: `between: [{}]` stands here a second time; keep one",
+                                 fmt::join(pair->between, ", ")));
 }
 
 Kind<VelocityParameters> velocity_kind() {
@@ -69,7 +87,10 @@ Schema<MeetingParameters> meeting_schema() {
                .text = "Speed at which bodies part after an impact over that at which they have met; 0: they "
                        "stay together."})
       .list("pairs", &P::pairs, pair_kind(),
-            {.at_least = 0, .text = "Friction and restitution of some pairs of materials."});
+            {.at_least = 0,
+             .text = "Friction and restitution of some pairs of materials. Blocks beside an interface have "
+                     "the friction of its law."})
+      .check(check_pairs);
 }
 
 Schema<DampingRates> damping_schema() {
@@ -150,7 +171,8 @@ Schema<MotionParameters> motion_schema() {
       .number("frame_every", &P::frame_every,
               {.fallback = 0,
                .bounds = at_least(0),
-               .text = "Time between the states that are stored [s]; 0 stores about a hundred over `time`."});
+               .text = "Time between the states that are stored [s]; 0: so much that a hundred are stored to "
+                       "two hundred, however early all is at rest."});
 }
 
 }  // namespace dda

@@ -91,7 +91,7 @@ void check_open_close(const Equilibrium& equilibrium, const MotionParameters& pa
 void require_handover(const Body& body, const Equilibrium& equilibrium, const MotionParameters& parameters) {
   const Position& where = parameters.where;
   Findings findings;
-  if (!friction_of_others(equilibrium.interfaces(), parameters))
+  if (!friction_of_others(equilibrium.interfaces(), parameters) && !pairs_tell_all(body, parameters))
     findings.add(
         parameters.contact.where,
         "motion.contact.friction: no interface tells, or not all of them the same; give that of bodies "

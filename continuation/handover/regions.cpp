@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <stdexcept>
 
 #include "meshing/contact/outline.hpp"
@@ -32,6 +33,26 @@ std::optional<double> friction_of_others(const InterfaceSet& interfaces, const M
       out = residual;
     }
   return out;
+}
+
+bool pairs_tell_all(const Body& body, const MotionParameters& parameters) {
+  constexpr int of_cut = 2;  // parts of a block may meet each other
+  std::map<std::string, int> moving, all;
+  for (const Block& block : body.assembly.blocks) {
+    const std::string& material = body.assembly.regions[static_cast<std::size_t>(block.region)].material;
+    const int parts = body.cracks ? of_cut : 1;
+    all[material] += parts;
+    if (!is_held(body, parameters, block.region)) moving[material] += parts;
+  }
+  const auto tells = [&](const std::string& a, const std::string& b) {
+    return std::ranges::any_of(parameters.contact.pairs, [&](const PairParameters& pair) {
+      return pair.friction && std::ranges::is_permutation(pair.between, std::vector{a, b});
+    });
+  };
+  for (const auto& [material, parts] : moving)
+    for (const auto& [other, there] : all)
+      if ((material != other || there > 1) && !tells(material, other)) return false;
+  return true;
 }
 
 double smallest_size(const Assembly& assembly) {

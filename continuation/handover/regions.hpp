@@ -19,6 +19,8 @@ bool is_held(const Body& body, const MotionParameters& parameters, int region);
 /// tan φ of bodies for which neither an interface nor a pair of materials has one: the deck's, else that of the
 /// interfaces where all have the same, else none.
 std::optional<double> friction_of_others(const InterfaceSet& interfaces, const MotionParameters& parameters);
+/// Whether `pairs` have a coefficient of all materials whose blocks may meet.
+bool pairs_tell_all(const Body& body, const MotionParameters& parameters);
 
 /// √area of the smallest block [L].
 double smallest_size(const Assembly& assembly);

@@ -38,9 +38,10 @@ class Trapezoidal final : public Integrator {
 
 }  // namespace
 
-DDA_REGISTER(
-    integrators(), "trapezoidal",
-    Schema<NoParameters>("Of second order and without damping, for vibrations: Newmark's mean acceleration."),
-    make_of<Trapezoidal>);
+DDA_REGISTER(integrators(), "trapezoidal",
+             Schema<NoParameters>("Of second order and without damping, for vibrations of what is joined: "
+                                  "Newmark's mean acceleration. Bodies that meet ring on their contacts, "
+                                  "hop, and slide where they should stick: take `free_flight` for them."),
+             make_of<Trapezoidal>);
 
 }  // namespace dda

@@ -8,7 +8,7 @@
 #include <limits>
 #include <numeric>
 
-#include "continuation/bodies/restitution.hpp"
+#include "continuation/motion/motion_try.hpp"
 #include "continuation/motion/step/open_close_step.hpp"
 #include "continuation/motion/step/step_minimum.hpp"
 
@@ -19,14 +19,6 @@ constexpr double of_tearing = 0.1;  // of the step, while joints tear
 constexpr double inf = std::numeric_limits<double>::infinity();
 
 }  // namespace
-
-/// A step that was tried: how it was found, what it has come to, and where its energy has gone.
-struct Motion::Try {
-  Inertia inertia;
-  MotionStep found;
-  std::vector<BodyCourse> courses = {};
-  MotionLedger entry = {};
-};
 
 Motion::Motion(const MovingScene& scene, std::vector<Bond> bonds, Poses poses, Poses velocities,
                const MotionCourse& course)
@@ -269,43 +261,6 @@ bool Motion::crack(const MotionStep& step) {
     has_parted = has_parted || (!was_spent && bond.is_spent());
   }
   return has_parted;
-}
-
-/// What impacts give back, as far as the step has taken it.
-void Motion::bounce(Try& step) {
-  if (!scene_.meeting.restitution) return;
-  constexpr double steps = 3;  // of falling, whose speed is that of contacts which stay
-  Poses approach, velocity;
-  for (std::size_t b = 0; b < now_.size(); ++b) {
-    approach.push_back((step.inertia.flight[b] - now_[b]) / m_.dt.now);
-    velocity.push_back(step.courses[b].velocity);
-  }
-  const std::vector<Meeting> meetings = potential_->meetings(step.found.poses);
-  const std::vector<RigidMotion> back =
-      rebound(scene_, {meetings, step.found.poses, approach, velocity, steps * pull_ * m_.dt.now});
-  if (back.empty()) return;
-  double linear = 0, square = 0;  // of the kinetic energy in a share of what is given back
-  for (std::size_t b = 0; b < now_.size(); ++b) {
-    const AffineBlock& block = scene_.bodies[b].block;
-    if (scene_.bodies[b].is_held) continue;
-    const BodyCourse pushed = course_.integrator->pushed(step.courses[b], back[b], m_.dt.now);
-    const Pose change = pushed.velocity - step.courses[b].velocity;
-    linear += change.dot(block.times_mass(step.courses[b].velocity));
-    square += kinetic_energy(block, change);
-  }
-  const double most = std::max(0.0, step.entry.numerical);
-  double share = 1;
-  if (linear + square > most)
-    share = (std::sqrt(linear * linear + 4 * square * most) - linear) / (2 * square);
-  double kinetic = 0;
-  for (std::size_t b = 0; b < now_.size(); ++b) {
-    if (scene_.bodies[b].is_held) continue;
-    step.courses[b] = course_.integrator->pushed(step.courses[b],
-                                                 {share * back[b].velocity, share * back[b].spin}, m_.dt.now);
-    kinetic += kinetic_energy(scene_.bodies[b].block, step.courses[b].velocity);
-  }
-  step.entry.numerical -= kinetic - step.entry.kinetic;
-  step.entry.kinetic = kinetic;
 }
 
 /// Commits a step.

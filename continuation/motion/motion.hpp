@@ -96,6 +96,8 @@ class Motion {
   bool creates_energy(const MotionLedger& step) const;
   bool crack(const MotionStep& step);
   void bounce(Try& step);
+  void calm(Try& step, const std::vector<Meeting>& meetings, const std::vector<double>& under_way) const;
+  void push(Try& step, const std::vector<RigidMotion>& given) const;
   void accept(Try step);
   void judge();
   void end_if_due();

@@ -3,14 +3,17 @@
     test_meeting.py        with PYTHONPATH=python, and DDA naming the program
 """
 
+import json
+import subprocess
 import tempfile
+import time
 import unittest
 from pathlib import Path
 
 import ddapath
 from ddapath.verify import motion_checks, verify
 
-from test_motion import alone
+from test_motion import DECK, STUDY, alone
 
 
 class Meeting(unittest.TestCase):
@@ -20,6 +23,32 @@ class Meeting(unittest.TestCase):
         scratch = tempfile.TemporaryDirectory()
         self.addCleanup(scratch.cleanup)
         self.folder = Path(scratch.name) / "run"
+
+    def rebound(self, modulus, outline, share, step):
+        """Speed of parting over that of approach of a stone that falls by 0.7 m."""
+        deck = alone(time=0.7, velocities=[], contact={"friction": 0.5, "restitution": share}, stop_at_rest=False, step=step)
+        deck["scene"]["regions"][1]["vertices"] = outline
+        deck["gauges"] = {"y": {"type": "displacement", "at": [0.5, 1.1], "direction": [0, 1]}}
+        for material in deck["materials"].values():
+            material["young_modulus"] = modulus
+        run = ddapath.run(deck, folder=self.folder, overwrite=True)
+        self.assertEqual(run.summary["status"], "goal_reached", run.summary["reason"])
+        curve, hit = run.motion.curve, (2 * 0.7 / 9.81) ** 0.5
+        scale = curve[["external_work", "kinetic_energy", "impact_and_damping"]].abs().to_numpy().max()
+        self.assertLess(curve.energy_error.abs().max() / scale, 1e-6)
+        after = curve[curve.time > hit + 0.02]
+        highest = after.y.idxmax()
+        height, late = after.y[highest] + 0.7, after.time[highest] - hit
+        is_in_flight = highest == after.index[-1]
+        return ((height + 9.81 / 2 * late**2) / late if is_in_flight else (2 * 9.81 * max(height, 0)) ** 0.5) / (9.81 * hit)
+
+    def test_restitution_whatever_the_step(self):
+        flat, corner = [[0, 0.7], [1, 0.7], [1, 1.7], [0, 1.7]], [[0, 1], [0.5, 0.7], [1, 1], [0.5, 1.5]]
+        for modulus, outline, share, step in ((1e9, flat, 0, 0.002), (1e9, flat, 0, 0.0005), (1e7, flat, 0, 0.002),
+                                              (1e9, corner, 0, 0.002), (1e10, corner, 0, 0.0005), (1e9, corner, 0.5, 0.002),
+                                              (1e9, flat, 1, 0.002)):
+            with self.subTest(modulus=modulus, corner=outline is corner, share=share, step=step):
+                self.assertAlmostEqual(self.rebound(modulus, outline, share, step), share, delta=0.05)
 
     def resting(self, **motion):
         """The block of `alone` on its ground, where no interface lies."""
@@ -38,6 +67,93 @@ class Meeting(unittest.TestCase):
         later = curve.index >= len(curve) // 2
         curve.loc[later, "impact_and_damping"] -= 0.03 * motion_checks.scale_of(curve)
         self.assertFalse(motion_checks.impact_gives_nothing_back(curve, motion_checks.GIVEN_BACK).holds)
+
+    def test_regions_bonded_without_an_interface_are_told(self):
+        run = ddapath.run(self.resting(time=0.01), folder=self.folder)
+        self.assertIn("'ground' and 'block' touch and no interface lies between them", run.summary["notices"][0])
+        self.assertIn("between: [rock, stone]", run.summary["notices"][0])
+        with_interface = self.resting(time=0.01, contact={}) | {
+            "interfaces": {"joint": {"between": ["rock", "stone"], "law": {"type": "friction", "friction_angle": 10}}}}
+        run = ddapath.run(with_interface, folder=self.folder, overwrite=True)
+        self.assertEqual(run.summary["notices"], [])
+
+    def test_trapezoidal_where_bodies_meet_is_told(self):
+        run = ddapath.run(alone(integrator="trapezoidal"), folder=self.folder)
+        self.assertIn("take 'free_flight' where bodies meet", run.summary["notices"][0])
+        bonded = self.resting(time=0.01, integrator="trapezoidal")
+        notices = ddapath.run(bonded, folder=self.folder, overwrite=True).summary["notices"]
+        self.assertFalse([notice for notice in notices if "trapezoidal" in notice])
+
+    def test_friction_of_an_interface_before_that_of_pairs(self):
+        joint = {"joint": {"between": ["rock", "stone"], "law": {"type": "friction", "friction_angle": 10}}}
+        contact = {"pairs": [{"between": ["stone", "rock"], "friction": 0.5}]}
+        run = ddapath.run(self.resting(time=0.01, contact=contact) | {"interfaces": joint}, folder=self.folder)
+        self.assertIn("interface 'joint' have the friction 0.1763 of its law, not the 0.5", run.summary["notices"][0])
+
+    def test_friction_of_the_only_pair_that_can_meet(self):
+        run = ddapath.run(alone(contact={"pairs": [{"between": ["stone", "rock"], "friction": 0.5}]}), folder=self.folder)
+        self.assertEqual(run.summary["status"], "goal_reached")
+
+    def test_a_hundred_frames_of_what_was_short(self):
+        """A motion that is at rest long before it has to be has as many frames as another."""
+        frames = {}
+        for name, motion in (("early", {"time": 60}), ("whole", {"time": 1, "stop_at_rest": False})):
+            deck = alone(velocities=[], **motion)
+            deck["scene"]["regions"][1]["vertices"] = [[0, 0.2], [1, 0.2], [1, 1.2], [0, 1.2]]
+            run = ddapath.run(deck, folder=self.folder, overwrite=True)
+            frames[name] = len(run.motion.steps)
+            stored = {int(file.stem) for file in (self.folder / "motion" / "fields").glob("0*.h5")}
+            self.assertEqual(stored, set(run.motion.steps))
+        self.assertGreater(frames["early"], 35)
+        self.assertLess(frames["early"], 210)
+        self.assertAlmostEqual(frames["whole"], 101, delta=2)
+
+    def test_has_a_log(self):
+        ddapath.run(alone(), folder=self.folder)
+        (self.folder / "summary.json").unlink()
+        subprocess.run([str(ddapath.find_program()), "resume", str(self.folder), "--quiet"], check=True, capture_output=True)
+        events = [json.loads(line)["event"] for line in (self.folder / "log.jsonl").read_text().splitlines()]
+        self.assertEqual(events, ["started", "motion", "ended", "resumed", "motion", "ended"])
+
+    def test_killed_at_its_beginning(self):
+        """From where the motion begins there is a restart file."""
+        whole = ddapath.run(DECK, folder=self.folder.parent / "whole")
+        folder = self.folder.parent / "killed"
+        run = subprocess.Popen([str(ddapath.find_program()), "run", str(STUDY / "deck.yaml"), "--folder",
+                                str(folder), "--quiet"])
+        deadline = time.monotonic() + 100
+        while not (folder / "motion" / "motion.csv").exists() and time.monotonic() < deadline:
+            time.sleep(0.005)
+        run.kill()
+        run.wait(timeout=100)
+        self.assertTrue((folder / "restart.h5").exists())
+        subprocess.run([str(ddapath.find_program()), "resume", str(folder), "--quiet"], check=True, capture_output=True)
+        for name in ("curve.csv", "motion/motion.csv"):
+            self.assertEqual((folder / name).read_bytes(), (whole.folder / name).read_bytes(), name)
+
+    def refusal(self, deck):
+        with self.assertRaises(ddapath.InputError) as refused:
+            ddapath.run(deck, folder=self.folder)
+        return str(refused.exception)
+
+    def test_friction_of_a_pair_that_stands_twice(self):
+        twice = [{"between": ["stone", "rock"], "friction": 1}, {"between": ["rock", "stone"], "friction": 0.2}]
+        self.assertIn("stands here a second time", self.refusal(alone(contact={"friction": 0, "pairs": twice})))
+        self.assertIn("no interface tells",
+                      self.refusal(alone(contact={"pairs": [{"between": ["rock", "rock"], "friction": 1}]})))
+
+    def test_marks_what_is_wrong(self):
+        without = alone()
+        del without["materials"]["stone"]["density"]
+        with tempfile.TemporaryDirectory() as scratch:
+            file = Path(scratch) / "deck.yaml"
+            for deck, mark in ((alone(held=["grund"]), "grund"), (alone(held=["ground", "block"]), "held"), (without, "stone:")):
+                ddapath.write_deck(deck, file)
+                checked = subprocess.run([str(ddapath.find_program()), "check", str(file)], capture_output=True, text=True)
+                self.assertEqual(checked.returncode, 2, checked.stderr)
+                line = int(checked.stderr.split("deck.yaml:")[1].split(":")[0])
+                lines = file.read_text().splitlines()
+                self.assertIn(mark, " ".join(lines[max(0, line - 2):line]), checked.stderr)
 
 
 if __name__ == "__main__":

@@ -298,6 +298,21 @@ std::vector<int> ResultsWriter::steps() const {
   return numbers;
 }
 
+void ResultsWriter::remove(const std::function<bool(double)>& is_needless) {
+  std::vector<fs::path> needless;
+  std::erase_if(steps_, [&](const XdmfStep& step) {
+    const bool is_one = is_needless(step.time);
+    if (is_one) needless.push_back(folder_ / step_file(step.step));
+    return is_one;
+  });
+  write_xdmf();
+  for (const fs::path& file : needless) {
+    std::error_code error;
+    fs::remove(file, error);
+    if (error) throw OutputError(fmt::format("cannot remove '{}': {}", file.string(), error.message()));
+  }
+}
+
 void ResultsWriter::write_xdmf() const {
   // It can be made again from the fields, so a power failure need not be waited for.
   write_whole(folder_ / "run.xdmf", xdmf_text(sizes_, steps_), Flush::to_system);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <vector>
 
 #include "framework/files/run/xdmf.hpp"
@@ -24,6 +25,8 @@ class ResultsWriter {
   /// Adds a step; steps must increase. Throws std::invalid_argument for sizes that do not fit the mesh.
   void store(const Snapshot& snapshot);
   std::vector<int> steps() const;
+  /// Removes steps by their time.
+  void remove(const std::function<bool(double)>& is_needless);
 
  private:
   explicit ResultsWriter(std::filesystem::path folder) : folder_(std::move(folder)) {}

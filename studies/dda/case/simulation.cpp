@@ -7,6 +7,7 @@
 #include <set>
 
 #include "continuation/handover/handover.hpp"
+#include "continuation/handover/notices.hpp"
 #include "continuation/linear/matrix_quality.hpp"
 #include "continuation/ranks/ranks.hpp"
 #include "framework/base/memory.hpp"
@@ -80,6 +81,14 @@ Assembly with_mirrors(Assembly assembly, const Deck& deck) {
   return assembly;
 }
 
+/// What was adapted, and what a motion does that is easily missed.
+std::vector<std::string> first_notices(const Body& body, const Equilibrium& equilibrium, const Deck& deck) {
+  std::vector<std::string> out = equilibrium.interfaces().notices;
+  if (deck.moves())
+    std::ranges::move(motion_notices(body, equilibrium, *deck.motion), std::back_inserter(out));
+  return out;
+}
+
 bool is_zero(const std::vector<double>& numbers) {
   return std::ranges::all_of(numbers, [](double x) { return x == 0; });
 }
@@ -119,6 +128,7 @@ Simulation::Simulation(const Deck& deck, Timings& timings) : deck_(deck), timing
     motion_column::require_free(deck, equilibrium_->interfaces().names);
     require_handover(*body_, *equilibrium_, *deck.motion);
   }
+  notices_ = first_notices(*body_, *equilibrium_, deck);
   require_way();
   if (deck.record.detail)
     for (const Spot& corner : {deck.record.detail->from, deck.record.detail->to}) locate(*assembly_, corner);
@@ -201,7 +211,7 @@ void Simulation::prepare() {
   stepper_ = std::make_unique<Stepper>(*system_, deck_.path);
   walker_ = std::make_unique<Walker>(*stepper_);
   if (front_ && front_->is_automatic()) begin_cracks();
-  notices_ = equilibrium_->interfaces().notices;
+  notices_ = first_notices(*body_, *equilibrium_, deck_);
   if (front_) note_coarse_cracks();
   if (const std::size_t multipliers = equilibrium_->num_unknown_multipliers(); multipliers > 0)
     if (const int redundant = num_redundant(equilibrium_->unperturbed()); redundant > 0) {

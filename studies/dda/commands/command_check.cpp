@@ -71,7 +71,7 @@ void print_interfaces(const Simulation& simulation) {
                                               : ": nothing lies on it"));
   line("interface points",
        fmt::format("{}, of which {} can crack", equilibrium.num_points(), set.num_crackable()));
-  for (const std::string& notice : set.notices) line("notice", notice);
+  for (const std::string& notice : simulation.notices()) line("notice", notice);
 }
 
 /// How blocks deform, and where second order would do the same with fewer unknowns.
@@ -140,9 +140,10 @@ void print_motion(const Simulation& simulation) {
                              parameters.stops_at_rest ? " or until rest" : ""));
   line("integrator", parameters.integrator.name());
   const OpenCloseRules* rules = parameters.integrator.make()->open_close();
-  line("contact", fmt::format("{}, friction {:g}, restitution {:g}, {} pairs of their own",
+  const auto friction = friction_of_others(simulation.equilibrium().interfaces(), parameters);
+  line("contact", fmt::format("{}, friction {}, restitution {:g}, {} pairs of their own",
                               rules ? "penalties that open and close" : parameters.contact.law.name(),
-                              friction_of_others(simulation.equilibrium().interfaces(), parameters).value(),
+                              friction ? fmt::format("{:g}", *friction) : "of pairs",
                               parameters.contact.restitution, parameters.contact.pairs.size()));
 }
 

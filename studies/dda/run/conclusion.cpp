@@ -29,6 +29,7 @@ Ending move_on(const FollowedPath& followed, const MotionOptions& options) {
                     .is_of_path = true,
                     .has_fallen = simulation.path().stands_in_mechanism() ||
                                   walker.leaving().load_factor * walker.state().load_factor < 0};
+  recorder.keep();
   const MotionRecord motion = run_motion(folder, simulation, end, options);
   recorder.add_motion(motion.summary);
   recorder.log().info("motion", motion.summary);

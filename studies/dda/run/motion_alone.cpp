@@ -9,6 +9,8 @@
 #include "framework/base/threads.hpp"
 #include "framework/files/whole_file.hpp"
 #include "framework/messages/interrupt.hpp"
+#include "framework/messages/log.hpp"
+#include "framework/messages/provenance.hpp"
 #include "studies/dda/run/motion/motion_run.hpp"
 #include "studies/dda/run/new_run.hpp"
 #include "studies/dda/run/recording/summary.hpp"
@@ -28,7 +30,7 @@ nlohmann::ordered_json summary_of(const Simulation& simulation, const MotionReco
                              {"blocks", equilibrium.num_blocks()},
                              {"interface_points", equilibrium.num_points()},
                              {"motion", motion.summary},
-                             {"notices", equilibrium.interfaces().notices},
+                             {"notices", simulation.notices()},
                              {"units", {{"length", units.length}, {"force", units.force}}},
                              {"timings", to_json(timings)},
                              {"threads", num_threads()}};
@@ -51,13 +53,31 @@ class Run {
   MotionResult move(const std::function<RunFolder()>& made, bool goes_on) {
     const RunFolder folder = made();
     write_decks(folder, deck_, effective_deck(deck_));
+    Log log = opened_log(folder, goes_on);
     const MotionRecord motion = moved(folder, goes_on);
+    log.info("motion", motion.summary);
+    log.info("ended", {{"status", status_of(motion.ending)}, {"reason", motion.ending.reason}});
     const nlohmann::ordered_json summary = summary_of(*simulation_, motion, timings_);
     write_whole(folder.file("summary.json"), summary.dump(2) + "\n", Flush::to_disk);
     return {folder.path(), motion.ending, summary};
   }
 
  private:
+  Log opened_log(const RunFolder& folder, bool goes_on) const {
+    const auto file = folder.file("log.jsonl");
+    if (goes_on) {
+      Log log(file, FileWriter::Mode::append);
+      log.info("resumed");
+      return log;
+    }
+    Log log(file);
+    log.info(
+        "started",
+        {{"version", provenance().version}, {"deck", deck_.path.string()}, {"overrides", deck_.overrides}});
+    for (const std::string& notice : simulation_->notices()) log.warning("notice", {{"text", notice}});
+    return log;
+  }
+
   MotionRecord moved(const RunFolder& folder, bool goes_on) {
     const auto scope = timings_.measure("motion");
     const Equilibrium& equilibrium = simulation_->equilibrium();
@@ -95,15 +115,21 @@ MotionResult resume_motion_alone(const std::filesystem::path& existing,
     if (options.folder.empty()) return source;
     const RunFolder copy = new_folder(deck, options);
     copy_motion(existing, copy);
+    std::error_code missing;  // a run of an earlier version has no log
+    std::filesystem::copy_file(existing / "log.jsonl", copy.file("log.jsonl"), missing);
     return copy;
   };
   return Run(deck, options).move(folder, true);
 }
 
 std::string last_line(const MotionResult& result) {
-  return fmt::format("{}: {} ({}) — {} steps, {:.2f} s{}", result.folder.string(), status_of(result.ending),
-                     result.ending.reason, result.summary["motion"]["steps"].get<int>(),
-                     result.summary["timings"]["total"].get<double>(), what_now(result.ending));
+  const std::size_t notices = result.summary["notices"].size();
+  return fmt::format(
+      "{}: {} ({}) — {} steps, {:.2f} s{}{}", result.folder.string(), status_of(result.ending),
+      result.ending.reason, result.summary["motion"]["steps"].get<int>(),
+      result.summary["timings"]["total"].get<double>(),
+      notices == 0 ? "" : fmt::format("; {} notice{}: see summary.json", notices, notices == 1 ? "" : "s"),
+      what_now(result.ending));
 }
 
 }  // namespace dda

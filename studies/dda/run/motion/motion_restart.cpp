@@ -69,6 +69,7 @@ void put_lists(const MotionMemory& m, RestartData& out) {
     keys.insert(keys.end(), {key.body, key.vertex, key.other, key.edge, key.is_corner});
     out.numbers["sliders"].push_back(kept.slip);
     out.numbers["sliders"].push_back(kept.force);
+    out.numbers["approaches"].push_back(kept.approach);
   }
 }
 
@@ -96,11 +97,12 @@ void take_lists(const RestartData& data, MotionMemory& m) {
                                   keys = list(data.integers, "sliders");
   for (std::size_t i = 0; i + 1 < joined.size(); i += 2)
     m.joined.emplace_back(static_cast<std::uint32_t>(joined[i]), static_cast<std::uint32_t>(joined[i + 1]));
-  const std::vector<double> kept = list(data.numbers, "sliders");
+  const std::vector<double> kept = list(data.numbers, "sliders"),
+                            approaches = list(data.numbers, "approaches");
   const auto key = [&](std::size_t i) { return static_cast<std::uint32_t>(keys[i]); };
   for (std::size_t i = 0; 5 * i + 4 < keys.size(); ++i)
     m.sliders.set({key(5 * i), key(5 * i + 1), key(5 * i + 2), key(5 * i + 3), keys[5 * i + 4] != 0},
-                  {kept.at(2 * i), kept.at(2 * i + 1)});
+                  {kept.at(2 * i), kept.at(2 * i + 1), i < approaches.size() ? approaches[i] : 0.0});
 }
 
 }  // namespace

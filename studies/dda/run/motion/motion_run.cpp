@@ -100,10 +100,10 @@ class MotionRecorder {
       row.emplace_back(i < ledger.fracture_of.size() ? ledger.fracture_of[i] : 0.0);
     for (const NamedGauge& gauge : moved_.gauges()) row.emplace_back(value(gauge.functional));
     table_.append(row);
-    const double wanted = moved_.deck.motion->frame_every, every = wanted > 0 ? wanted : moved_.time / 100;
-    const bool is_due = motion_.time() >= (at_.frames + 1) * every;
+    if (const double every = between_frames(); every > every_) thin_out(every);
+    const bool is_due = motion_.time() >= (at_.frames + 1) * every_;
     if (is_due) {
-      at_.frames = static_cast<int>(motion_.time() / every);
+      at_.frames = static_cast<int>(motion_.time() / every_);
       store();
     }
     const Clock::time_point now = Clock::now();
@@ -121,6 +121,28 @@ class MotionRecorder {
   int steps() const { return at_.steps; }
 
  private:
+  /// Where the deck leaves it open so short that there are a hundred frames at least, however early all is at rest, and
+  /// twice as long whenever there are twice as many: a hundred where it takes its whole time.
+  double between_frames() const {
+    constexpr double frames = 100, shortest = 1.0 / 64;
+    if (const double wanted = moved_.deck.motion->frame_every; wanted > 0) return wanted;
+    double out = shortest * moved_.time / frames;
+    while (motion_.time() > (1 - 1e-9) * 2 * frames * out) out *= 2;
+    return out;
+  }
+
+  /// Leaves the frames that would have been stored had they always been so far apart.
+  void thin_out(double every) {
+    every_ = every;
+    at_.frames = 0;
+    results_.remove([&](double time) {
+      if (time == 0) return false;
+      const bool is_needless = time < (at_.frames + 1) * every;
+      if (!is_needless) at_.frames = static_cast<int>(time / every);
+      return is_needless;
+    });
+  }
+
   static void make_folder(const fs::path& folder) {
     std::error_code failed;
     fs::remove_all(folder / fields_folder, failed);
@@ -245,6 +267,7 @@ class MotionRecorder {
   CurveTable table_;
   ResultsWriter results_;
   MotionRestart at_;
+  double every_ = between_frames();  ///< [T]
   Clock::time_point written_ = Clock::now();
 };
 

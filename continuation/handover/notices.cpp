@@ -1,0 +1,104 @@
+#include "continuation/handover/notices.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "continuation/handover/regions.hpp"
+
+namespace dda {
+namespace {
+
+using Notices = std::vector<std::string>;
+using Names = std::pair<std::string, std::string>;
+
+const Region& region_of(const Body& body, BlockId block) {
+  return body.assembly.regions[static_cast<std::size_t>(body.block(block).region)];
+}
+
+/// Regions that touch where no interface lies are bonded for ever: what they do where they meet counts nowhere.
+void note_bonded_regions(const Body& body, const Equilibrium& equilibrium, const MotionParameters& parameters,
+                         Notices& notices) {
+  std::map<Names, Names> bonded;  // regions, and their materials
+  for (std::size_t p = 0; p < equilibrium.num_points(); ++p) {
+    const InterfacePoint& point = equilibrium.point(p);
+    const int first = body.block(point.first).region, second = body.block(point.second).region;
+    if (point.interface >= 0 || point.cut || first == second) continue;
+    if (is_held(body, parameters, first) && is_held(body, parameters, second)) continue;
+    const Region &one = region_of(body, point.first), &other = region_of(body, point.second);
+    bonded[{one.name, other.name}] = {one.material, other.material};
+  }
+  for (const auto& [regions, materials] : bonded)
+    notices.push_back(fmt::format(
+        "motion: regions '{}' and '{}' touch and no interface lies between them: they stay bonded, whatever "
+        "`motion.contact` says; an interface `between: [{}, {}]` with a law, such as `{{type: friction, "
+        "friction_angle: 30}}`, lets them slide and part",
+        regions.first, regions.second, materials.first, materials.second));
+}
+
+/// Friction of a pair of materials counts where no interface has its own.
+void note_own_friction(const Body& body, const Equilibrium& equilibrium, const MotionParameters& parameters,
+                       Notices& notices) {
+  std::map<std::pair<Names, std::string>, double> of_interfaces;
+  for (const InterfacePoint& point : equilibrium.interfaces().points)
+    if (const auto own = point.law->residual_friction(); own && point.interface >= 0)
+      of_interfaces[{
+          std::minmax(region_of(body, point.first).material, region_of(body, point.second).material),
+          equilibrium.interfaces().names[static_cast<std::size_t>(point.interface)]}] = *own;
+  for (const PairParameters& pair : parameters.contact.pairs)
+    for (const auto& [where, own] : of_interfaces)
+      if (pair.friction && where.first == Names(std::minmax(pair.between[0], pair.between[1])) &&
+          *pair.friction != own)
+        notices.push_back(fmt::format(
+            "motion.contact.pairs: blocks beside interface '{}' have the friction {:.4g} of its law, not the "
+            "{:g} of the pair {}, {}, which counts for blocks of these materials that meet elsewhere",
+            where.second, own, *pair.friction, pair.between[0], pair.between[1]));
+}
+
+/// Whether blocks move that no chain of joints which hold for ever connects.
+bool can_meet(const Body& body, const Equilibrium& equilibrium, const MotionParameters& parameters) {
+  std::vector<std::size_t> leader(body.assembly.num_blocks());
+  std::iota(leader.begin(), leader.end(), std::size_t{0});
+  const auto leader_of = [&leader](std::size_t block) {
+    while (leader[block] != block) block = leader[block] = leader[leader[block]];
+    return block;
+  };
+  for (std::size_t p = 0; p < equilibrium.num_points(); ++p)
+    if (const InterfacePoint& point = equilibrium.point(p); !point.law->can_crack() && !point.is_separate())
+      leader[leader_of(point.first.value())] = leader_of(point.second.value());
+  bool moves = false;
+  std::set<std::size_t> leaders;
+  for (std::size_t b = 0; b < leader.size(); ++b) {
+    leaders.insert(leader_of(b));
+    moves = moves || !is_held(body, parameters, body.assembly.blocks[b].region);
+  }
+  return moves && leaders.size() > 1;
+}
+
+/// What damps no vibration damps those of contacts neither.
+void note_ringing_contacts(const Body& body, const Equilibrium& equilibrium,
+                           const MotionParameters& parameters, Notices& notices) {
+  const std::unique_ptr<Integrator> integrator = parameters.integrator.make();
+  if (!(integrator->end_rate() > 1) || integrator->open_close() || !can_meet(body, equilibrium, parameters))
+    return;
+  notices.push_back(fmt::format(
+      "motion.integrator: '{}' damps nothing, contacts neither: bodies that meet ring, hop, and slide where "
+      "they should stick; it is for vibrations of what is joined, take 'free_flight' where bodies meet",
+      parameters.integrator.name()));
+}
+
+}  // namespace
+
+std::vector<std::string> motion_notices(const Body& body, const Equilibrium& equilibrium,
+                                        const MotionParameters& parameters) {
+  Notices out;
+  note_ringing_contacts(body, equilibrium, parameters, out);
+  note_bonded_regions(body, equilibrium, parameters, out);
+  note_own_friction(body, equilibrium, parameters, out);
+  return out;
+}
+
+}  // namespace dda
