@@ -1,10 +1,23 @@
 #pragma once
 
+#include <fmt/format.h>
+
+#include <string>
+
+#include "models/equilibrium.hpp"
+
 namespace dda {
 
 /// What helps where steps fail or lead nowhere: the end of the message of a path that stops for want of one.
-inline constexpr const char* what_to_try =
-    "try a smaller `path.step.largest` (0.02), `points: vertices` or another `treatment` of the interfaces "
-    "that crack, or another `path.control`";
+inline std::string what_to_try(const Equilibrium& equilibrium) {
+  const char* points =
+      equilibrium.num_gradients() == 0
+          ? "`points: vertices`"
+          : "blocks of first order with `points: vertices`";  // which those of second order refuse
+  return fmt::format(
+      "try a smaller `path.step.largest` (0.02), {} or another `treatment` of the interfaces that crack, or "
+      "another `path.control`",
+      points);
+}
 
 }  // namespace dda

@@ -160,7 +160,7 @@ void end_where_turned_round(PathState& path) {
       Stop::turned_round,
       fmt::format(
           "{}, but hardly anything has cracked since the peak: the path has turned round and unloads; {}",
-          fallen_load(path), what_to_try));
+          fallen_load(path), what_to_try(path.walker.system().equilibrium())));
 }
 
 void end_where_stuck(PathState& path) {
@@ -238,10 +238,10 @@ void look_for_standstill(PathState& path, const Point& point) {
       path.standstill.add({movements(path), here.state.load_factor, here.dissipated, is_rescue});
   if (path.ending.kind != Ending::Kind::running || since.empty()) return;
   const auto points = active_points(path.walker.system(), here.state);
-  path.stop_early(
-      Stop::standstill,
-      fmt::format("standstill: {}{}; {}", since,
-                  points.empty() ? "" : "; active: " + places_of(path.walker.system(), points), what_to_try));
+  path.stop_early(Stop::standstill,
+                  fmt::format("standstill: {}{}; {}", since,
+                              points.empty() ? "" : "; active: " + places_of(path.walker.system(), points),
+                              what_to_try(path.walker.system().equilibrium())));
 }
 
 }  // namespace dda

@@ -56,9 +56,9 @@ std::optional<Point> next_step(PathState& path) {
       is_release_pending(path.walker.system()))
     return release_step(path);
   if (path.walker.leaving().d.empty())
-    return path.stop_early(
-        Stop::singular,
-        fmt::format("the tangent stiffness is singular here: a part is free to move; {}", what_to_try));
+    return path.stop_early(Stop::singular,
+                           fmt::format("the tangent stiffness is singular here: a part is free to move; {}",
+                                       what_to_try(path.walker.system().equilibrium())));
   const bool cracked = path.walker.here().dissipated > 0 || path.walker.leaving().dissipates;
   if (path.control->load_increment() > 0) return increment_step(path);
   if (!cracked) return event_step(path);

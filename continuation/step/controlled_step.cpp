@@ -142,9 +142,10 @@ std::optional<Point> end_of_control(PathState& path, const Stride& stride) {
                     "slide off, which friction holds only where the load leans by less than its "
                     "angle",
                     stride.why));
-  return path.stop_early(Stop::no_next_equilibrium,
-                         fmt::format("{} control found no next equilibrium: {}; {}",
-                                     to_string(stride.move.kind), stride.why, what_to_try));
+  return path.stop_early(
+      Stop::no_next_equilibrium,
+      fmt::format("{} control found no next equilibrium: {}; {}", to_string(stride.move.kind), stride.why,
+                  what_to_try(path.walker.system().equilibrium())));
 }
 
 }  // namespace

@@ -123,8 +123,12 @@ def family_page(name, family):
 
 
 def reference_pages(schema, parameters):
-    pages = {"deck": deck_page(schema)}
-    for name, family in sorted(schema["definitions"].items()):
+    families = {name: family for name, family in schema["definitions"].items()
+                if name not in ("deck", "sweep") and not name.startswith("partial-")}
+    deck = schema["definitions"]["deck"]
+    deck["properties"]["sweep"].pop("allOf")  # its page is that of sweeps in the manual
+    pages = {"deck": deck_page(deck)}
+    for name, family in sorted(families.items()):
         pages[name] = family_page(name, family)
     pages["parameter_lists"] = f"# Parameter lists\n\n```text\n{parameters}```\n"
     return pages

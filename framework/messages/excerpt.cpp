@@ -8,6 +8,8 @@
 #include <optional>
 #include <vector>
 
+#include "framework/messages/colour.hpp"
+
 namespace dda {
 namespace {
 
@@ -42,6 +44,17 @@ bool is_of_word(const std::string& character) {
          std::string_view(" ,:;{}[]()<>=\"'#").find(character) == std::string_view::npos;
 }
 
+std::string in_colours(const Finding& finding) {
+  const std::string place = to_string(finding.where);
+  return (place.empty() ? "" : coloured(place, Colour::bold) + ": ") + coloured("error:", Colour::red) + " " +
+         finding.what;
+}
+
+std::string with_red_caret(const std::string& excerpt) {
+  const std::size_t caret = excerpt.rfind('^');
+  return excerpt.substr(0, caret) + coloured(excerpt.substr(caret), Colour::red);
+}
+
 }  // namespace
 
 std::string excerpt(const Position& where) {
@@ -61,13 +74,15 @@ std::string excerpt(const Position& where) {
                             std::string(column - from, ' '), std::string(end - column - 1, '~'));
 }
 
-std::string with_excerpts(const InputError& error) {
+std::string with_excerpts(const InputError& error, bool with_colours) {
   std::string text;
   const std::vector<Finding>& findings = error.findings();
   const std::size_t shown = std::min(findings.size(), most_excerpts);
   for (std::size_t i = 0; i < shown; ++i) {
-    text += (i ? "\n" : "") + std::string(InputError(findings[i].where, findings[i].what).what());
-    if (const std::string line = excerpt(findings[i].where); !line.empty()) text += "\n" + line;
+    const std::string said = InputError(findings[i].where, findings[i].what).what();
+    const std::string line = excerpt(findings[i].where);
+    text += (i ? "\n" : "") + (with_colours ? in_colours(findings[i]) : said);
+    if (!line.empty()) text += "\n" + (with_colours ? with_red_caret(line) : line);
   }
   if (shown < findings.size()) text += fmt::format("\n... and {} more", findings.size() - shown);
   return text;

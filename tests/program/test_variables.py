@@ -142,7 +142,7 @@ class Variables(ProgramCase):
         for word in ("sqrt", "atan2", "pi", "--set variables.D=200", "DefineConstant"):
             self.assertIn(word, said)
         schema = json.loads(self.dda("explain", "--json"))
-        self.assertEqual(schema["properties"]["thickness"]["type"], ["number", "string"])
+        self.assertEqual(schema["definitions"]["deck"]["properties"]["thickness"]["type"], ["number", "string"])
         self.assertIn("variables", schema["properties"])
 
 

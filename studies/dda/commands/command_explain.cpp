@@ -9,11 +9,11 @@
 #include "framework/deck/writing/explain.hpp"
 #include "framework/deck/writing/keys.hpp"
 #include "pages_of_explain.hpp"
-#include "studies/dda/case/deck_tree.hpp"
 #include "studies/dda/case/parameter_list.hpp"
 #include "studies/dda/case/written_deck.hpp"
 #include "studies/dda/commands/commands.hpp"
 #include "studies/dda/run/recording/summary.hpp"
+#include "studies/dda/shell/editor_schema.hpp"
 
 namespace dda {
 namespace {
@@ -92,9 +92,10 @@ std::string entry_of_stop(const std::string& topic) {
   return std::string(page.substr(begin, end - begin)) + '\n';
 }
 
-Json schema_for_editors() {
-  Json out = written_deck_schema().json_schema();
-  out["patternProperties"] = {{std::string("^") + key_of_anchors, true}};
+/// What else is explained.
+std::vector<std::string> topics_beside() {
+  std::vector<std::string> out{"parameters"};
+  for (const auto& stop : names_of_stops) out.emplace_back(stop.second);
   return out;
 }
 
@@ -110,7 +111,8 @@ int command_explain(const CommandLine& line) {
   else if (line.topic == "parameters")
     fmt::print("{}", explain_parameter_lists());
   else
-    fmt::print("{}{}", explain(written_deck_schema(), line.topic), manual_of(line.topic));
+    fmt::print("{}{}", explain(written_deck_schema(), line.topic, {"L", "F"}, topics_beside()),
+               manual_of(line.topic));
   return 0;
 }
 

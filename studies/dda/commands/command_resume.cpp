@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "framework/files/whole_file.hpp"
+#include "framework/messages/colour.hpp"
 #include "studies/dda/commands/commands.hpp"
 #include "studies/dda/run/motion_alone.hpp"
 #include "studies/dda/run/one_rank.hpp"
@@ -34,13 +35,15 @@ int command_resume(const CommandLine& line) {
   if (is_motion_alone(folder)) {
     require_one_rank(folder, "a motion without a path is computed by one process");
     const MotionResult moved = resume_motion_alone(folder, line.overrides, line.run);
-    fmt::print("{}\n", last_line(moved));
-    return exit_code_of(moved.ending);
+    const int code = exit_code_of(moved.ending);
+    fmt::print("{}\n", coloured_end(last_line(moved), code, stdout));
+    return code;
   }
   const RunResult result = resume_run(folder, line.overrides, line.run);
   if (line.run.profile) fmt::print("{}", profile_table(result.summary));
-  fmt::print("{}\n", last_line(result));
-  return exit_code_of(result.ending);
+  const int code = exit_code_of(result.ending);
+  fmt::print("{}\n", coloured_end(last_line(result), code, stdout));
+  return code;
 }
 
 }  // namespace dda

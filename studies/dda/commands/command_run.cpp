@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "framework/messages/colour.hpp"
 #include "studies/dda/case/deck_tree.hpp"
 #include "studies/dda/commands/commands.hpp"
 #include "studies/dda/run/motion_alone.hpp"
@@ -20,13 +21,15 @@ int command_run(const CommandLine& line) {
   if (!deck.deck.has_path()) {
     require_one_rank(line.deck, "a motion without a path is computed by one process");
     const MotionResult moved = run_motion_alone(deck, line.run);
-    fmt::print("{}\n", last_line(moved));
-    return exit_code_of(moved.ending);
+    const int code = exit_code_of(moved.ending);
+    fmt::print("{}\n", coloured_end(last_line(moved), code, stdout));
+    return code;
   }
   const RunResult result = run_deck(deck, line.run);
   if (line.run.profile) fmt::print("{}", profile_table(result.summary));
-  fmt::print("{}\n", last_line(result));
-  return exit_code_of(result.ending);
+  const int code = exit_code_of(result.ending);
+  fmt::print("{}\n", coloured_end(last_line(result), code, stdout));
+  return code;
 }
 
 }  // namespace dda

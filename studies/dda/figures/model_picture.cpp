@@ -47,6 +47,10 @@ class ModelPicture {
 
   void add_blocks() {
     const MaterialColours colours = material_colours(body_.assembly);
+    Box box;
+    for (const Block& block : body_.assembly.blocks)
+      for (const Vec2& x : block.outline.vertices) box.include(x);
+    size_ = box.size();
     for (const Block& block : body_.assembly.blocks)
       drawing_.polygons.push_back({.outline = block.outline.vertices, .tint = colours.of(block)});
     for (std::size_t i = 0; i < colours.names.size(); ++i)
@@ -92,8 +96,20 @@ class ModelPicture {
       const ActingForce acting = acts_at(row);
       symbol.at = body_.block(node).moments.centroid + acting.offset;
       symbol.along = acting.force;
-      drawing_.symbols.push_back(symbol);
+      drawing_.symbols.push_back(symbol.mark == Mark::force ? beside_others(symbol) : symbol);
     }
+  }
+
+  /// Moved aside where another stage has an arrow in the same place and direction.
+  svg::Symbol beside_others(svg::Symbol arrow) const {
+    constexpr double near = 2e-3, step = 0.012;  // of the structure's size
+    const Vec2 along = arrow.along.normalized(), aside(along.y(), -along.x());
+    const auto is_hidden = [&](const svg::Symbol& other) {
+      return other.mark == Mark::force && other.colour != arrow.colour &&
+             (other.at - arrow.at).norm() < near * size_ && other.along.normalized().dot(along) > 1 - near;
+    };
+    while (std::ranges::any_of(drawing_.symbols, is_hidden)) arrow.at += step * size_ * aside;
+    return arrow;
   }
 
   /// From and until which stage each spring of a support is there: ", from 'a'", ", until 'b'", or nothing.
@@ -209,7 +225,7 @@ class ModelPicture {
       area += block.area;
     }
     all.at /= area;
-    drawing_.symbols.push_back(all);
+    drawing_.symbols.push_back(beside_others(all));
     std::erase_if(acting.rows, is_body_force);
     return count;
   }
@@ -226,6 +242,7 @@ class ModelPicture {
   const Simulation& simulation_;
   const Equilibrium& equilibrium_;
   const Body& body_;
+  double size_ = 0;  ///< of the structure [L]
   svg::Drawing drawing_;
 };
 

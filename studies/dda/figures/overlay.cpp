@@ -17,6 +17,7 @@ namespace dda {
 namespace {
 
 namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
 
 std::string length_unit_of(const fs::path& folder) {
   const Node deck = read_yaml(folder / "effective_deck.yaml");
@@ -25,16 +26,26 @@ std::string length_unit_of(const fs::path& folder) {
   return length ? length->text : Units{}.length;
 }
 
-/// Of summary.json, which an unfinished run does not have.
-std::map<std::string, svg::Marker> references_of(const fs::path& folder) {
+/// Null of an unfinished run, which has none.
+Json summary_of(const fs::path& folder) {
   std::error_code none;
   if (!fs::exists(folder / "summary.json", none)) return {};
-  const auto summary = nlohmann::ordered_json::parse(read_whole(folder / "summary.json"), nullptr, false);
+  return Json::parse(read_whole(folder / "summary.json"), nullptr, false);
+}
+
+std::map<std::string, svg::Marker> references_of(const Json& summary) {
   if (!summary.is_object() || !summary.contains("reference_peak")) return {};
   const auto& reference = summary["reference_peak"];
   std::map<std::string, svg::Marker> out;
   for (const auto& [gauge, value] : reference["at"].items())
     out[gauge] = {value.get<double>(), reference["load"].get<double>(), reference["text"].get<std::string>()};
+  return out;
+}
+
+StageStarts starts_of(const Json& summary) {
+  if (!summary.is_object() || !summary.contains("stages")) return {};
+  StageStarts out;
+  for (const Json& stage : summary["stages"]) out[stage.value("number", 0)] = stage.value("start_load", 0.0);
   return out;
 }
 
@@ -69,12 +80,13 @@ std::vector<svg::Series> curves_of(const std::vector<RunCurve>& runs, const std:
   std::size_t next = 0;
   for (const RunCurve& run : runs) {
     if (names.size() > most_colours) {
-      out.push_back({run.name, run.curve.numbers(gauge), run.curve.numbers(column::load)});
+      out.push_back(whole({run.curve, run.starts}, gauge, column::load));
+      out.back().name = run.name;
       continue;
     }
     const auto known = std::ranges::find(names, run.name) - names.begin();
     const int colour = static_cast<int>(run.name.empty() ? static_cast<std::ptrdiff_t>(next) : known);
-    std::ranges::move(by_stability(run.curve, gauge, column::load, {run.name, colour}),
+    std::ranges::move(by_stability({run.curve, run.starts}, gauge, column::load, {run.name, colour}),
                       std::back_inserter(out));
     ++next;
   }
@@ -88,12 +100,14 @@ RunCurve read_run_curve(const fs::path& folder) {
   const fs::path file = folder / "curve.units.json";
   const auto units = nlohmann::ordered_json::parse(read_whole(file), nullptr, false);
   if (!units.is_object()) throw InputError(Position{file.string()}, "is not a list of units");
+  const Json summary = summary_of(folder);
   RunCurve out{(folder / "").lexically_normal().parent_path().filename().string(),
                read_csv(folder / "curve.csv"),
                length_unit_of(folder),
                units.value(column::load, ""),
                {},
-               references_of(folder)};
+               references_of(summary),
+               starts_of(summary)};
   for (const std::string& column : out.curve.names())
     if (units.value(column, "") == out.length_unit) out.displacements.push_back(column);
   return out;

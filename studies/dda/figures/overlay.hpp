@@ -17,6 +17,7 @@ struct RunCurve {
   std::string length_unit, load_unit;
   std::vector<std::string> displacements;              ///< columns in units of length
   std::map<std::string, svg::Marker> references = {};  ///< peak known from elsewhere, by gauge
+  std::map<int, double> starts = {};                   ///< load at which a stage begins, by its number
 };
 
 /// Named after its folder. Throws InputError when a file is missing or wrong.

@@ -29,12 +29,18 @@ void mark(const std::optional<ReferencePeak>& reference, const std::string& gaug
   panel.markers.push_back({reference->at.at(gauge), reference->load, reference->text});
 }
 
+StageStarts starts_of(const RunMemory& memory) {
+  StageStarts out;
+  for (const HeldStage& stage : memory.stages) out[stage.next.number] = stage.next.load;
+  return out;
+}
+
 svg::Panel panel(const CsvTable& curve, const Measures& measures, const RunMemory& memory,
                  std::size_t gauge) {
   const auto& [name, unit] = measures.names()[gauge];
   svg::Panel out{
       .title = name, .x_label = with_unit(name, unit), .y_label = with_unit("load", measures.load_unit())};
-  out.series = by_stability(curve, name, column::load);
+  out.series = by_stability({curve, starts_of(memory)}, name, column::load);
   if (const int step = memory.peak.step; step > 0)
     out.markers.push_back(
         {memory.peak.values[gauge], memory.peak.load,
@@ -45,10 +51,10 @@ svg::Panel panel(const CsvTable& curve, const Measures& measures, const RunMemor
 }
 
 /// Load against the dissipated energy: what a deck without displacement gauges still tells.
-svg::Panel energy_panel(const CsvTable& curve, const Measures& measures) {
+svg::Panel energy_panel(const CsvTable& curve, const Measures& measures, const RunMemory& memory) {
   return {.x_label = with_unit("dissipated energy", measures.energy_unit()),
           .y_label = with_unit("load", measures.load_unit()),
-          .series = by_stability(curve, column::dissipated_energy, column::load)};
+          .series = by_stability({curve, starts_of(memory)}, column::dissipated_energy, column::load)};
 }
 
 /// The branch that was not taken.
@@ -70,7 +76,7 @@ svg::Figure curves(const RunFolder& folder, const Measures& measures, const RunM
     add_primary(folder.file("primary") / "curve.csv", measures.names()[gauge].name, out.panels.back());
     mark(reference, measures.names()[gauge].name, out.panels.back());
   }
-  if (out.panels.empty()) out.panels.push_back(energy_panel(curve, measures));
+  if (out.panels.empty()) out.panels.push_back(energy_panel(curve, measures, memory));
   return out;
 }
 

@@ -18,27 +18,45 @@ namespace {
 constexpr double gap = std::numeric_limits<double>::quiet_NaN();  // interrupts a line
 constexpr std::size_t most_stages = 6, most_modes = 6, most_blocks = 5000;
 
+/// Where the part of a curve before a row begins: at the row before, or, when that one is of another stage, at the
+/// load of the new stage in the same place.
+class Beginnings {
+ public:
+  Beginnings(const CsvTable& curve, const std::string& y, const StageStarts& starts)
+      : ys_(curve.numbers(y)), is_load_(y == column::load), starts_(starts) {
+    if (curve.has(column::stage)) stages_ = curve.numbers(column::stage);
+  }
+  bool begins_stage(std::size_t row) const { return !stages_.empty() && stages_[row - 1] != stages_[row]; }
+  double before(std::size_t row) const {
+    if (!is_load_ || !begins_stage(row)) return ys_[row - 1];
+    const auto known = starts_.find(static_cast<int>(stages_[row]));
+    return known == starts_.end() ? 0 : known->second;
+  }
+
+ private:
+  std::vector<double> ys_, stages_;
+  bool is_load_;
+  const StageStarts& starts_;
+};
+
 /// The pieces of a curve, one for each kind of stability, with gaps where it is of another, and between stages.
-std::array<svg::Series, 4> pieces_of(const CsvTable& curve, const std::string& x, const std::string& y) {
-  const auto xs = curve.numbers(x), ys = curve.numbers(y);
-  const std::vector<Stability> kinds = between(stability_of(curve));
-  const std::vector<double> stages =
-      curve.has(column::stage) ? curve.numbers(column::stage) : std::vector<double>(xs.size());
-  const auto is_gap = [&](std::size_t i) { return stages[i] != stages[i + 1]; };  // other loads begin
+std::array<svg::Series, 4> pieces_of(const StagedCurve& curve, const std::string& x, const std::string& y,
+                                     const std::vector<Stability>& kinds) {
+  const auto xs = curve.table.numbers(x), ys = curve.table.numbers(y);
+  const Beginnings beginnings(curve.table, y, curve.starts);
   std::array<svg::Series, 4> out;
   for (std::size_t i = 0; i < kinds.size(); ++i) {
-    if (is_gap(i)) continue;
     svg::Series& piece = out[static_cast<std::size_t>(kinds[i])];
-    const bool begins = i == 0 || kinds[i - 1] != kinds[i] || is_gap(i - 1);
-    if (begins && !piece.x.empty()) {
-      piece.x.push_back(gap);
-      piece.y.push_back(gap);
+    if (i == 0 || kinds[i - 1] != kinds[i] || beginnings.begins_stage(i + 1)) {
+      if (!piece.x.empty()) {
+        piece.x.push_back(gap);
+        piece.y.push_back(gap);
+      }
+      piece.x.push_back(xs[i]);
+      piece.y.push_back(beginnings.before(i + 1));
     }
-    for (const std::size_t end : {i, i + 1}) {
-      if (end == i && !begins) continue;
-      piece.x.push_back(xs[end]);
-      piece.y.push_back(ys[end]);
-    }
+    piece.x.push_back(xs[i + 1]);
+    piece.y.push_back(ys[i + 1]);
   }
   return out;
 }
@@ -237,8 +255,8 @@ svg::Figure over_the_path(const CsvTable& curve, const Measures& measures) {
 
 }  // namespace
 
-std::vector<svg::Series> by_stability(const CsvTable& curve, const std::string& x, const std::string& y) {
-  auto pieces = pieces_of(curve, x, y);
+std::vector<svg::Series> by_stability(const StagedCurve& curve, const std::string& x, const std::string& y) {
+  auto pieces = pieces_of(curve, x, y, between(stability_of(curve.table)));
   std::vector<svg::Series> out;
   for (std::size_t kind = 0; kind < pieces.size(); ++kind) {
     if (pieces[kind].x.empty()) continue;
@@ -250,12 +268,12 @@ std::vector<svg::Series> by_stability(const CsvTable& curve, const std::string& 
     piece.dotted = line.dotted;
     out.push_back(std::move(piece));
   }
-  if (out.empty()) return {{"", curve.numbers(x), curve.numbers(y)}};
+  if (out.empty()) return {{"", curve.table.numbers(x), curve.table.numbers(y)}};
   if (out.size() == 1 && out.front().name == stability_lines.front().name) out.front().name.clear();
   return out;
 }
 
-std::vector<svg::Series> by_stability(const CsvTable& curve, const std::string& x, const std::string& y,
+std::vector<svg::Series> by_stability(const StagedCurve& curve, const std::string& x, const std::string& y,
                                       const LegendEntry& entry) {
   std::vector<svg::Series> out{{.name = entry.name, .colour = entry.colour}};
   for (svg::Series& piece : by_stability(curve, x, y)) {
@@ -264,6 +282,12 @@ std::vector<svg::Series> by_stability(const CsvTable& curve, const std::string& 
     out.push_back(std::move(piece));
   }
   return out;
+}
+
+svg::Series whole(const StagedCurve& curve, const std::string& x, const std::string& y) {
+  const std::size_t rows = curve.table.num_rows();
+  if (rows < 2) return {.x = curve.table.numbers(x), .y = curve.table.numbers(y)};
+  return pieces_of(curve, x, y, std::vector<Stability>(rows - 1, Stability::stable)).front();
 }
 
 void write_stability_pictures(const RunFolder& folder, const Fields& fields, const Measures& measures) {

@@ -6,6 +6,7 @@
 #include <iostream>
 #include <new>
 
+#include "framework/messages/colour.hpp"
 #include "framework/messages/excerpt.hpp"
 #include "framework/messages/tell.hpp"
 #include "framework/plugin/plugin.hpp"
@@ -38,7 +39,7 @@ int execute(int argc, char** argv) {
   try {
     return obey(argc, argv);
   } catch (const InputError& error) {
-    return complain(with_excerpts(error), 2);
+    return complain(with_excerpts(error, shows_colours(stderr)), 2);
   } catch (const OutputError& error) {
     return complain(fmt::format("dda: {}", error.what()), 4);
   } catch (const std::bad_alloc&) {

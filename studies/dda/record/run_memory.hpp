@@ -25,12 +25,24 @@ struct FirstCrack {
 };
 
 /// A followed stage whose loads are held.
+struct BegunStage {
+  int number = 0;   ///< in the deck's `stages`, from 1
+  double load = 0;  ///< where it begins: the curve has no row there
+
+  template <class Self, class Visit>
+  static void visit(Self& self, Visit& visit) {
+    visit("next", self.number);
+    visit("next_load", self.load);
+  }
+};
+
 struct HeldStage {
   int number = 0;  ///< in the deck's `stages`, from 1
   int end = 0;     ///< step at which it ended
   double load_factor = 0, load = 0;
   int peak_step = 0;
   double peak_load = 0;
+  BegunStage next = {};  ///< that comes after it
   std::string reason = {};
 
   template <class Self, class Visit>
@@ -41,6 +53,7 @@ struct HeldStage {
     visit("load", self.load);
     visit("peak_step", self.peak_step);
     visit("peak_load", self.peak_load);
+    BegunStage::visit(self.next, visit);
   }
 };
 

@@ -40,7 +40,7 @@ Json overrides_in(const std::string& effective_deck) {
   return out;
 }
 
-/// Rows of the peak and of the events, which no thinning may drop.
+/// Rows of the peak, of the events and around the ends of stages, which no thinning may drop.
 std::vector<std::size_t> marked_rows(const CsvTable& curve, const Json& summary,
                                      std::span<const int> stored) {
   std::vector<double> steps(stored.begin(), stored.end());
@@ -52,6 +52,10 @@ std::vector<std::size_t> marked_rows(const CsvTable& curve, const Json& summary,
   const std::vector<double> numbers = curve.numbers(column::step);
   for (const double step : steps)
     out.push_back(static_cast<std::size_t>(std::ranges::lower_bound(numbers, step) - numbers.begin()));
+  if (!curve.has(column::stage)) return out;
+  const std::vector<double> stages = curve.numbers(column::stage);
+  for (std::size_t row = 1; row < stages.size(); ++row)
+    if (stages[row - 1] != stages[row]) out.insert(out.end(), {row - 1, row});
   return out;
 }
 

@@ -8,8 +8,17 @@ class Curve {
     this.log = log;
     this.steps = table.numbers(COLUMN.step) ?? Float64Array.from({length: table.numRows}, (_, i) => i);
     const stages = this.summary.stages ? table.numbers(COLUMN.stage) : undefined;
-    const isApart = (row) => stages && stages[row] !== stages[row - 1];  // the load is another one from here on
-    this.kindOf = (row) => isApart(row) ? -1 : table.stability[row - 1] ?? STYLE.stability.length - 1;
+    this.kindOf = (row) => table.stability[row - 1] ?? STYLE.stability.length - 1;
+    /** Rows whose stage is another than that of the row before. */
+    this.firstRows = stages ? Array.from(this.steps.keys()).filter((row) => row > 0 && stages[row] !== stages[row - 1]) : [];
+  }
+
+  /** Where the curve of a stage begins, by its first row: at its own load in the place where the one before is held. */
+  startsOf(x, y) {
+    const startLoad = (row) => this.summary.stages.find(
+        ({number}) => number === this.table.numbers(COLUMN.stage)[row])?.start_load ?? 0;
+    const at = (name, row) => ({[COLUMN.load]: startLoad(row), [COLUMN.loadFactor]: 0})[name] ?? this.table.numbers(name)[row - 1];
+    return new Map(this.firstRows.map((row) => [row, {x: at(x, row), y: at(y, row)}]));
   }
 
   rowOfStep(step) {

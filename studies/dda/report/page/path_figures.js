@@ -32,8 +32,14 @@ class CurveFigure {
     this.plot.show({
       xLabel: x.label,
       yLabel: y.label,
-      series:
-          [{x: x.numbers, y: y.numbers, colour: PALETTE[0], dots: x.numbers.length < 400, kindOf: this.curve.kindOf}],
+      series: [{
+        x: x.numbers,
+        y: y.numbers,
+        colour: PALETTE[0],
+        dots: x.numbers.length < 400,
+        kindOf: this.curve.kindOf,
+        starts: this.curve.startsOf(x.name, y.name)
+      }],
       marks: this.curve.marks(x.name, y.name),
     });
     this.mark(this.step);

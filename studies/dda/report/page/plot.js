@@ -55,7 +55,8 @@ class Plot {
   frameOf(width, height) {
     const {series, marks} = this.content;
     // A point counts where both of its numbers are there.
-    const drawn = (one, axis) => one[axis].filter((_, i) => isPoint(one, i));
+    const starts = (one, axis) => [...(one.starts?.values() ?? [])].map((start) => start[axis]);
+    const drawn = (one, axis) => [...one[axis].filter((_, i) => isPoint(one, i)), ...starts(one, axis)];
     const all = (axis) => widened(rangeOf([...series.map((one) => drawn(one, axis)), marks.map((mark) => mark[axis])]));
     const view = this.view ?? {x: all("x"), y: all("y")};
     return new PlotFrame(width, height, view.x, view.y);

@@ -39,7 +39,7 @@ class PlotFrame {
   }
 }
 
-/** series: {x, y, colour, width, kindOf(i), dots}; marks: {x, y, label, fill}; cursor: {x, y} or null. */
+/** series: {x, y, colour, width, kindOf(i), dots, starts: point i to where the part before it begins}; marks: {x, y, label, fill}; cursor: {x, y} or null. */
 class PlotPainter {
   constructor(surface, frame, content) {
     this.surface = surface;
@@ -96,15 +96,20 @@ class PlotPainter {
   pieces(series, kind) {
     const tracks = [];
     let track = [];
+    const end = () => {
+      if (track.length > 0) tracks.push(track);
+      track = [];
+    };
     for (let i = 1; i < series.x.length; i += 1) {
+      const start = series.starts?.get(i);
       const fits = isPoint(series, i - 1) && isPoint(series, i) && (series.kindOf?.(i) ?? 0) === kind;
-      if (fits && track.length === 0) track.push(this.frame.toX(series.x[i - 1]), this.frame.toY(series.y[i - 1]));
-      if (fits) track.push(this.frame.toX(series.x[i]), this.frame.toY(series.y[i]));
-      if ((!fits || i === series.x.length - 1) && track.length > 0) {
-        tracks.push(track);
-        track = [];
-      }
+      if (start || !fits) end();
+      if (!fits) continue;
+      const {x, y} = start ?? {x: series.x[i - 1], y: series.y[i - 1]};
+      if (track.length === 0) track.push(this.frame.toX(x), this.frame.toY(y));
+      track.push(this.frame.toX(series.x[i]), this.frame.toY(series.y[i]));
     }
+    end();
     return tracks;
   }
 

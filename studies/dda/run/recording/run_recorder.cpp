@@ -267,6 +267,7 @@ void RunRecorder::end_stage(const StageEnd& end) {
 
 void RunRecorder::begin_stage() {
   measures_ = measures_of(simulation_, columns_of_parts());
+  memory_.stages.back().next = {stage_number(), simulation_.walker().here().load};
   events_.begin_stage(simulation_.walker());
   events_.number_stages(stage_number());
   trace_.push_back(trace_point(simulation_.walker(), measures_));

@@ -46,17 +46,22 @@ void add_stages(const Simulation& simulation, const RunMemory& memory, const Mea
   const Deck& deck = simulation.deck();
   if (deck.followed_stages().size() < 2) return;
   const auto name = [&](int number) { return deck.stages[static_cast<std::size_t>(number) - 1].name; };
-  for (const HeldStage& stage : memory.stages)
+  double start = 0;
+  for (const HeldStage& stage : memory.stages) {
     out["stages"].push_back({{"number", stage.number},
                              {"name", name(stage.number)},
+                             {"start_load", start},
                              {"end", stage.end},
                              {"load_factor", stage.load_factor},
                              {"load", stage.load},
                              {"reason", stage.reason},
                              {"peak", {{"step", stage.peak_step}, {"load", stage.peak_load}}}});
+    start = stage.next.load;
+  }
   const int number = static_cast<int>(simulation.followed_stage()) + 1;
   out["stages"].push_back({{"number", number},
                            {"name", name(number)},
+                           {"start_load", start},
                            {"end", memory.last_step},
                            {"load_factor", end.load_factor},
                            {"load", end.load}});

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "framework/messages/colour.hpp"
 #include "framework/messages/excerpt.hpp"
 #include "unit/framework/files/scratch.hpp"
 
@@ -63,6 +64,19 @@ TEST_F(Excerpt, FollowsEachFinding) {
   }
   EXPECT_EQ(said, "--set x: neither\n" + name + ":1:1: no\n      1 | a: 1\n        | ^\n" + name +
                       ":2:4: nor\n      2 | b: 2\n        |    ^");
+}
+
+TEST_F(Excerpt, HasColoursForTerminals) {
+  const std::string name = file("a: 1\n");
+  const std::vector<Finding> findings{{{name, 1, 1}, "no"}, {{}, "nowhere"}};
+  EXPECT_EQ(with_excerpts(InputError(findings), true),
+            "\x1b[1m" + name +
+                ":1:1\x1b[0m: \x1b[31merror:\x1b[0m no\n      1 | a: 1\n        | \x1b[31m^\x1b[0m\n" +
+                "\x1b[31merror:\x1b[0m nowhere");
+  std::FILE* no_terminal = std::tmpfile();
+  EXPECT_FALSE(shows_colours(no_terminal));
+  EXPECT_EQ(coloured_end("done", 0, no_terminal), "done");
+  std::fclose(no_terminal);
 }
 
 TEST_F(Excerpt, SaysHowManyMore) {

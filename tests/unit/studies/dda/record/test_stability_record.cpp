@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "framework/files/whole_file.hpp"
 #include "studies/dda/figures/stability_pictures.hpp"
 #include "studies/dda/record/stability_record.hpp"
@@ -33,25 +35,44 @@ TEST(StabilityRecord, UnknownIsNeverStable) {
 }
 
 TEST(StabilityRecord, UnknownIsDotted) {
-  const auto series = by_stability(curve_of({{"nan", "nan"}, {"nan", "nan"}}), "cmod", "load");
+  const auto series = by_stability({curve_of({{"nan", "nan"}, {"nan", "nan"}})}, "cmod", "load");
   ASSERT_EQ(series.size(), 1u);
   EXPECT_TRUE(series[0].dotted);
   EXPECT_EQ(series[0].name, "stability not known");
 }
 
 TEST(StabilityRecord, StableAloneNeedsNoLegend) {
-  const auto series = by_stability(curve_of({{"0", "0"}, {"0", "0"}}), "cmod", "load");
+  const auto series = by_stability({curve_of({{"0", "0"}, {"0", "0"}})}, "cmod", "load");
   ASSERT_EQ(series.size(), 1u);
   EXPECT_TRUE(series[0].name.empty() && !series[0].dotted && !series[0].dashed);
 }
 
 TEST(StabilityRecord, PiecesMeet) {
   const auto series =
-      by_stability(curve_of({{"0", "0"}, {"0", "0"}, {"1", "0"}, {"1", "0"}}), "cmod", "load");
+      by_stability({curve_of({{"0", "0"}, {"0", "0"}, {"1", "0"}, {"1", "0"}})}, "cmod", "load");
   ASSERT_EQ(series.size(), 2u);
   EXPECT_EQ(series[0].x, (std::vector<double>{0, 1, 2}));
   EXPECT_EQ(series[1].x, (std::vector<double>{2, 3}));
   EXPECT_TRUE(series[1].dashed && !series[1].dotted);
+}
+
+TEST(StabilityRecord, AStageBeginsWhereTheOneBeforeIsHeld) {
+  const test::Scratch scratch;
+  write_whole(scratch / "curve.csv",
+              "step,load,u,negative_eigenvalues,negative_under_control,stage\n"
+              "0,0,0,0,0,1\n1,5,1,0,0,1\n2,7,3,0,0,2\n3,9,4,0,0,2\n4,1,6,0,0,4\n",
+              Flush::to_system);
+  const CsvTable curve = read_csv(scratch / "curve.csv");
+  const auto series = by_stability({curve, {{4, -2}}}, "u", "load");
+  ASSERT_EQ(series.size(), 1u);
+  const auto parts_of = [](std::vector<double> values) {
+    for (double& value : values)
+      if (std::isnan(value)) value = 99;
+    return values;
+  };
+  EXPECT_EQ(parts_of(series[0].x), (std::vector<double>{0, 1, 99, 1, 3, 4, 99, 4, 6}));
+  EXPECT_EQ(parts_of(series[0].y), (std::vector<double>{0, 5, 99, 0, 7, 9, 99, -2, 1}));
+  EXPECT_EQ(parts_of(whole({curve, {{4, -2}}}, "u", "load").y), parts_of(series[0].y));
 }
 
 }  // namespace
