@@ -106,6 +106,12 @@ void check_expected(const PathParameters& p, const Position& where, Findings& fi
                    fmt::format("expected_to_stop: unknown control '{}'{}", name, suggest(name, names)));
 }
 
+constexpr auto about_iterations =
+    "No iteration of Newton's method, and no walk through contacts, takes more; one that has not converged "
+    "by then has failed, and another way or a shorter step is tried. If not given: 15; on the cracked points "
+    "alone those that bring a new set of cracking, unloading and touching points do not count, up to 50 in "
+    "all; 30 where a displacement is held to find what a release leads to.";
+
 Schema<NewtonParameters> newton_schema() {
   using P = NewtonParameters;
   return Schema<P>("When a Newton iteration ends.")
@@ -113,8 +119,7 @@ Schema<NewtonParameters> newton_schema() {
               {.fallback = 1e-9,
                .bounds = above(0) & at_most(1e-4),
                .text = "Residual force relative to the force level of the blocks."})
-      .integer("max_iterations", &P::max_iterations,
-               {.fallback = 15, .bounds = between(2, 200), .text = "Iterations before a step is given up."})
+      .integer("max_iterations", &P::max_iterations, {.bounds = between(2, 200), .text = about_iterations})
       .one_of("line_search", &P::line_search,
               {{"full_step", LineSearch::full_step},
                {"backtrack", LineSearch::backtrack},

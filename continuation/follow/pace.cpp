@@ -102,7 +102,7 @@ double growth_by_deviation(const PathState& path, const Candidate& candidate, do
 
 /// LOCA's adaptive step size, 1 + a (1 − n/N)².
 double growth_by_iterations(const PathState& path, const Candidate& candidate) {
-  const double most = path.parameters.newton.max_iterations,
+  const double most = path.parameters.newton.most(),
                left = 1 - std::min<double>(candidate.newton_iterations, most) / most;
   return 1 + path.parameters.step.aggressiveness.value_or(0.5) * left * left;
 }

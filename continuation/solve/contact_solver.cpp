@@ -81,16 +81,15 @@ std::optional<Reduced> ContactSolver::solve_sum(const ControlSum& sum, const Ste
 /// By Newton's method where something cracks, that is wanted and does it, else by walking: where only
 /// contacts change one walk is all, and Newton's method steps round between their pieces, or ends far away.
 std::optional<Reduced> ContactSolver::iterate(const State& start, const State& guess, double step) {
-  const int most = stepper_.parameters().newton.max_iterations;
+  const auto rule = CrackedEquations::Rule::of(stepper_.parameters().newton);
   std::optional<Reduced> far_away;
   if (tries_newton_ && !points_->only_touch()) {
-    auto found = solve_from(points_->begin(guess, {.max_iterations = most}), step, Method::newton);
+    auto found = solve_from(points_->begin(guess, rule), step, Method::newton);
     if (found && !strays(system_, found->state, start, guess)) return found;
     far_away = std::move(found);
   }
   const State& linear_at = points_->only_touch() ? start : guess;
-  auto found =
-      solve_from(points_->begin_walks(start, linear_at, {.max_iterations = most}), step, Method::walk);
+  auto found = solve_from(points_->begin_walks(start, linear_at, rule), step, Method::walk);
   return found ? std::move(found) : std::move(far_away);
 }
 
@@ -111,9 +110,10 @@ void ContactSolver::refine(Reduced& found, double step) {
   for (int i = 0; i < most && (excess > newton.tolerance || (once && i == 0)); ++i) {
     using enum CrackedEquations::Accuracy;
     points_->refine();
-    const auto accuracy = once && excess > newton.tolerance ? of_what_is_carried : of_openings;
-    auto next =
-        solve_from(points_->go_on_walking({newton.max_iterations, false, 1, accuracy}), step, Method::walk);
+    auto rule = CrackedEquations::Rule::of(newton);
+    rule.at_least = 1;
+    rule.accuracy = once && excess > newton.tolerance ? of_what_is_carried : of_openings;
+    auto next = solve_from(points_->go_on_walking(rule), step, Method::walk);
     if (!next) return;
     next->state.multipliers = found.state.multipliers;
     const double left = system_.excess_residual(next->state);

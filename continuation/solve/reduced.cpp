@@ -42,8 +42,7 @@ namespace {
 
 /// Under a control that is a sum, taking points in until none is left out. What was found without the last ones
 /// is where to begin where they are few, and else where the guess does not lead to the end.
-std::optional<Reduced> solve_sum(Stepper& stepper, const ControlSum& sum, const StepGoal& goal,
-                                 int max_iterations) {
+std::optional<Reduced> solve_sum(Stepper& stepper, const ControlSum& sum, const StepGoal& goal) {
   System& system = stepper.system();
   Reduced out;
   constexpr int most_rounds = 8, few = 50;  // one in so many
@@ -52,8 +51,9 @@ std::optional<Reduced> solve_sum(Stepper& stepper, const ControlSum& sum, const 
     CrackedEquations equations(system, system.linear(), sum);
     const auto solve_from = [&](const State& state) {
       const auto scope = system.timings().measure("reduced iterations");
-      const Iterate guess = equations.begin(state, {.max_iterations = max_iterations, .may_settle = true});
-      return stepper.solve({equations, guess, goal.step});
+      auto rule = CrackedEquations::Rule::of(stepper.parameters().newton);
+      rule.may_settle = true;
+      return stepper.solve({equations, equations.begin(state, rule), goal.step});
     };
     Solved found = solve_from(is_near ? out.state : goal.guess);
     if (!found.converged && round > 0) found = solve_from(is_near ? goal.guess : out.state);
@@ -99,12 +99,12 @@ std::optional<Reduced> solve_tangents(
   return out;
 }
 
-std::optional<Reduced> solve_reduced(Stepper& stepper, const StepGoal& goal, int max_iterations) {
+std::optional<Reduced> solve_reduced(Stepper& stepper, const StepGoal& goal) {
   System& system = stepper.system();
   if (!system.linear().updates() || system.iterates_multipliers() || has_offsets(system)) return {};
-  if (const auto sum = goal.control.as_sum(goal.step)) return solve_sum(stepper, *sum, goal, max_iterations);
+  if (const auto sum = goal.control.as_sum(goal.step)) return solve_sum(stepper, *sum, goal);
   return solve_tangents(system, goal, [&](const ControlSum& sum, const State& guess) {
-    return solve_sum(stepper, sum, {goal.start, goal.control, goal.step, guess}, max_iterations);
+    return solve_sum(stepper, sum, {goal.start, goal.control, goal.step, guess});
   });
 }
 

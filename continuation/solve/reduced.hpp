@@ -21,7 +21,7 @@ struct Reduced {
 /// that it goes the way of Newton's method for all unknowns. It is a better guess and no more: equilibrium is
 /// judged by the full residual. Nothing where the points' equations are none of all: where no base is kept, with
 /// initial stress or iterated multipliers, and where more points crack than a base bears beside it.
-std::optional<Reduced> solve_reduced(Stepper& stepper, const StepGoal& goal, int max_iterations);
+std::optional<Reduced> solve_reduced(Stepper& stepper, const StepGoal& goal);
 
 /// Under a control that looks at every point: its tangent is a gauge, taken anew at each state that `solve` has found
 /// with the one before prescribed, from where the last has ended. Nothing where that finds nothing.

@@ -54,7 +54,7 @@ StepTries::StepTries(Stepper& stepper, const StepGoal& goal, Thoroughness thorou
 
 Attempt StepTries::find() {
   const NewtonParameters& newton = stepper_.parameters().newton;
-  auto reduced = only_touches() ? std::nullopt : solve_reduced(stepper_, goal_, newton.max_iterations);
+  auto reduced = only_touches() ? std::nullopt : solve_reduced(stepper_, goal_);
   if (reduced && reduced->converged &&
       !(touches_ && strays(system_, reduced->state, goal_.start, goal_.guess)))
     if (auto whole = finished(system_, goal_, *reduced, newton.tolerance)) out_ = *std::move(whole);

@@ -31,7 +31,7 @@ def beam_table(rows):
            "factorisations | processor time [s] | exit code |")
     yield "|---|---|---|---|---|---|---|---|---|---|---|"
     for row in rows:
-        iterations = row["newton_iterations"] + row["reduced_iterations"]
+        iterations = row["whole_iterations"] + row["reduced_iterations"]
         yield (f"| {row['name']} | {row['blocks']:.0f} | {row['peak_load'] / 1000:.3f} | {row['peak_deflection']:.4f} | "
                f"{row['steps']:.0f} | {row['rejected_steps']:.0f} | {iterations:.0f} | {row['relaxation_iterations']:.0f} | "
                f"{row['factorisations']:.0f} | {row['seconds']:.2f} | {row['exit_code']:.0f} |")

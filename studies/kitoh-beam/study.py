@@ -90,7 +90,7 @@ def execute(run, output):
 
 
 def row_of(run, summary, seconds, code):
-    names = ("blocks", "steps", "rejected_steps", "newton_iterations", "reduced_iterations", "relaxation_iterations",
+    names = ("blocks", "steps", "rejected_steps", "whole_iterations", "reduced_iterations", "relaxation_iterations",
              "factorisations", "energy_balance_error")
     return {"group": run.group, "name": run.name, "seed": run.seed} | {name: summary[name] for name in names} | {
         "peak_load": summary["peak"]["load"], "peak_deflection": summary["peak"]["gauges"]["deflection"],

@@ -32,7 +32,7 @@ def table(rows, names):
     yield "|---|" + "---|" * (len(rows) + 1)
     for title, key, form in (("points that can crack", "crackable_points", "{:.0f}"), ("steps", "steps", "{:.0f}"),
                              ("iterations on the cracked points", "reduced_iterations", "{:.0f}"),
-                             ("iterations on all unknowns", "newton_iterations", "{:.0f}"),
+                             ("iterations on all unknowns", "whole_iterations", "{:.0f}"),
                              ("factorisations", "factorisations", "{:.0f}"), ("peak load [N]", "peak_load", "{:.2f}"),
                              ("memory [MiB]", "memory_mib", "{:.0f}"), ("at least, by `check` [MiB]", "predicted_mib", "{:.0f}")):
         yield f"| {title} | " + " | ".join(form.format(row[key]) for row in rows) + " | |"

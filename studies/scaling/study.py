@@ -60,7 +60,7 @@ def measure(deck, repeats):
             summary = done.run.summary
             rows.append(row_of(done.seconds, summary))
         memory = predicted_memory(deck, folder)
-    names = ("blocks", "crackable_points", "steps", "reduced_iterations", "newton_iterations", "factorisations")
+    names = ("blocks", "crackable_points", "steps", "reduced_iterations", "whole_iterations", "factorisations")
     out = {name: summary[name] for name in names}
     out |= {"peak_load": summary["peak"]["load"], "memory_mib": summary["peak_memory_mib"], "predicted_mib": memory}
     return out | {name: statistics.median(row[name] for row in rows) for name in rows[0]}

@@ -103,11 +103,11 @@ class Outcome:
     @property
     def iterations(self):
         """Newton iterations for all unknowns and on the cracked points alone."""
-        return self.summary.get("newton_iterations", 0) + self.summary.get("reduced_iterations", 0)
+        return self.summary.get("whole_iterations", 0) + self.summary.get("reduced_iterations", 0)
 
     def row(self):
         """All that is kept of it, one value per column."""
-        columns = ("blocks", "crackable_points", "steps", "rejected_steps", "rescues", "newton_iterations",
+        columns = ("blocks", "crackable_points", "steps", "rejected_steps", "rescues", "whole_iterations",
                    "reduced_iterations", "factorisations", "energy_balance_error")
         kept = {name: self.summary.get(name) for name in columns}
         return {"name": self.case.name, **self.case.labels, "verdict": self.verdict, "exit": self.exit,

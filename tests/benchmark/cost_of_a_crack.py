@@ -32,7 +32,7 @@ def seconds_per_iteration(summary):
     spent = sum(profile[name]["seconds"] for name in FOLLOWING if name in profile)
     factorisation = profile["factorisation"]
     spent += factorisation["seconds"] * (factorisation["calls"] - 1) / factorisation["calls"]
-    return spent / (summary["newton_iterations"] + summary["reduced_iterations"])
+    return spent / (summary["whole_iterations"] + summary["reduced_iterations"])
 
 
 def iterations(program, runs):

@@ -60,7 +60,7 @@ def overview(measured):
           "| target [s] |")
     print("|---|---|---|---|---|---|---|---|")
     for case, (seconds, _, summary) in measured:
-        names = ("blocks", "steps", "reduced_iterations", "newton_iterations", "factorisations")
+        names = ("blocks", "steps", "reduced_iterations", "whole_iterations", "factorisations")
         counts = " | ".join(str(summary[name]) for name in names)
         print(f"| {case.name} | {counts} | {seconds:.2f} | {case.target:g} |")
 

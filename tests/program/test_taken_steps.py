@@ -4,6 +4,7 @@
 """
 
 import csv
+import json
 import os
 import re
 import subprocess
@@ -64,6 +65,13 @@ class TakenSteps(unittest.TestCase):
             found = [int(row["newton_iterations"]) for row in rows if row["control"] == kind]
             self.assertTrue(found, control)
             self.assertGreater(min(found), 0, control)
+
+    def test_the_summary_has_the_iterations_of_the_rows(self):
+        for settings in ((), ("path.update=refactorise",)):
+            rows = self.follow(*settings)
+            summary = json.loads((self.folder / "summary.json").read_text(encoding="utf-8"))
+            self.assertEqual(summary["newton_iterations"], sum(int(row["newton_iterations"]) for row in rows))
+            self.assertGreater(summary["newton_iterations"], 0)
 
     def test_a_resumed_run_counts_on(self):
         self.follow("path.stop.steps=7")

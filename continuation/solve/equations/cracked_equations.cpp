@@ -184,11 +184,10 @@ Verdict CrackedEquations::judge_newton(int iterations) {
       iterations > 0 && (q_ - before_).lpNorm<Eigen::Infinity>() <= rounding * opening_scale();
   before_ = q_;
   if (stands || is_solved(rule_.accuracy)) return {converged};
-  constexpr int most = 50;
   pieces_.see(pieces());
   if (pieces_.returns() && !rule_.may_settle)
     return {failed, "the iteration cycles between sets of loading points"};
-  if (iterations >= most || pieces_.on_seen_sets() > rule_.max_iterations)
+  if (iterations >= rule_.most || pieces_.on_seen_sets() > rule_.max_iterations)
     return {failed, fmt::format("no convergence in {} iterations on the cracked points", iterations)};
   return {goes_on, "no further iterate was found on the cracked points"};
 }

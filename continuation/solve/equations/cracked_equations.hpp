@@ -8,6 +8,7 @@
 #include "continuation/linear/dense/condensed_update.hpp"
 #include "continuation/solve/equations/equations.hpp"
 #include "continuation/solve/equations/pieces_watch.hpp"
+#include "continuation/solve/equations/whole_equations.hpp"
 
 namespace dda {
 
@@ -24,13 +25,22 @@ class CrackedEquations final : public WalkedEquations {
   /// What the error of q is measured by: the openings, or what the points carry, t/(E/h), by which
   /// equilibrium is judged: joints may open much further than they are pressed together.
   enum class Accuracy { of_openings, of_what_is_carried };
-  /// When an iteration ends. Newton's method counts only iterations that bring no new set of pieces of the laws;
-  /// a set that comes back ends it at once where something else can be tried.
+  /// When an iteration ends. Newton's method ends after `most` iterations, and after `max_iterations` that bring no new
+  /// set of pieces of the laws; a set that comes back ends it at once where something else can be tried.
   struct Rule {
-    int max_iterations = 15;
+    int max_iterations = NewtonParameters::usual;
+    int most = 50;
     bool may_settle = false;  ///< of Newton's method: sets may come back
     int at_least = 0;         ///< of walks
     Accuracy accuracy = Accuracy::of_openings;
+
+    /// As the parameters have it, which if they limit the iterations limit them all.
+    static Rule of(const NewtonParameters& newton) {
+      Rule out;
+      out.most = newton.max_iterations.value_or(out.most);
+      out.max_iterations = newton.most();
+      return out;
+    }
   };
 
   CrackedEquations(const System& system, LinearSystem& linear, const ControlSum& control);

@@ -104,7 +104,8 @@ Verdict WholeEquations::verdict(bool is_equilibrium, double control, int iterati
   const bool meets = is_equilibrium && meets_control(control);
   control_before_ = is_equilibrium ? std::optional(control) : std::nullopt;
   if (meets && is_improved) return {converged};
-  const int most = (aim_ == Aim::improved ? 2 : 1) * parameters_.max_iterations;
+  const bool takes_more = aim_ == Aim::improved && !parameters_.max_iterations;
+  const int most = (takes_more ? 2 : 1) * parameters_.most();
   if (iterations >= most && is_equilibrium)
     return {failed, fmt::format("the control was met to {:.1e} only, in {} iterations", control, most)};
   if (iterations >= most)

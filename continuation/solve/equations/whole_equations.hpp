@@ -15,10 +15,14 @@ enum class LineSearch { full_step, backtrack, polynomial };
 /// How a Newton iteration goes on, and when it ends.
 struct NewtonParameters {
   double tolerance = 1e-9;  ///< ‖R‖ relative to the force level of the blocks
-  int max_iterations = 15;
+  std::optional<int> max_iterations =
+      {};  ///< of any iteration or walks; none: `usual`, or more where that helps
   LineSearch line_search = LineSearch::full_step;
   std::optional<double> reduction = {};  ///< of `backtrack`
   int output = 0;                        ///< NOX's and LOCA's, into a file (Stepper::log_to); bits
+
+  static constexpr int usual = 15;
+  int most() const { return max_iterations.value_or(usual); }
 };
 
 /// Largest |N| of a control that counts as none.

@@ -89,6 +89,8 @@ def summary_agrees(run):
     last, peak = curve.iloc[-1], summary["peak"]
     pairs = [(name, summary[name], last[name]) for name in ("external_work", "stored_energy", "dissipated_energy")]
     pairs += [("steps", summary["steps"], len(curve) - 1)]
+    if "whole_iterations" in summary:  # else it is of an earlier version
+        pairs += [("newton_iterations", summary["newton_iterations"], curve["newton_iterations"].sum())]
     if 0 <= peak["step"] < len(curve):
         pairs += [(f"peak {name}", peak[name], curve[name][peak["step"]]) for name in ("load", "load_factor")]
         largest = (np.sign(peak["load"] or 1) * of_last_stage(curve, run.deck)["load"]).max()  # the other way it unloads

@@ -12,6 +12,7 @@
 #include "meshing/scene/scene.hpp"
 #include "models/parameters.hpp"
 #include "studies/dda/case/event_kind.hpp"
+#include "studies/dda/case/listed_keys.hpp"
 
 namespace dda {
 
@@ -63,6 +64,7 @@ struct Deck : ModelParameters {
   RecordParameters record;
   std::optional<Node>
       sweep;  ///< of a file that describes many runs, see studies/dda/sweep/description/sweep.hpp; none in one run
+  ListedKeys listed;  ///< by NOX's and LOCA's lists
 
   /// Without loads there is nothing to follow, only a motion.
   bool has_path() const { return !stages.empty(); }

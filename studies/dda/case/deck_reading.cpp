@@ -76,31 +76,6 @@ WrittenDeck values_of(const DeckTree& tree) {
 
 namespace {
 
-bool is_same(const Position& one, const Position& other) {
-  return one.file == other.file && one.line == other.line && one.column == other.column;
-}
-
-/// Whether a finding is about a key: it begins with its name, and stands at its value or at its section.
-bool is_about(const Finding& finding, const std::string& key, const Finding& parameter, const Node& root) {
-  const std::size_t dot = key.rfind('.');
-  if (!finding.what.starts_with(key.substr(dot + 1) + ":")) return false;
-  const Node* section = find_value(root, key.substr(0, dot));
-  return is_same(finding.where, parameter.where) || (section && is_same(finding.where, section->where));
-}
-
-/// What is wrong with a deck, of values that lists have set said by their parameters' names and places.
-InputError said_by_lists(const InputError& error, const ListedKeys& listed, const Node& root) {
-  std::vector<Finding> out = error.findings();
-  for (Finding& finding : out) {
-    const auto found = std::ranges::find_if(
-        listed, [&](const auto& one) { return is_about(finding, one.first, one.second, root); });
-    if (found == listed.end()) continue;
-    const std::string said = finding.what.substr(finding.what.find(':'));
-    finding = {found->second.where, fmt::format("{} ({}){}", found->second.what, found->first, said)};
-  }
-  return InputError(std::move(out));
-}
-
 Deck values_of(const DeckTree& tree, const ListedKeys& listed) {
   try {
     return values_of(tree);
@@ -124,6 +99,7 @@ DeckFile read_deck(DeckSource source, const std::vector<std::string>& overrides)
                .overrides = std::move(resolved),
                .deck = values_of(tree, lists.keys)};
   Deck& deck = out.deck;
+  deck.listed = std::move(lists.keys);
   if (deck.path.then == AfterPath::motion && !deck.motion) {
     deck.motion = motion_schema().read(Node::map());
     deck.motion->where = deck.path.where;

@@ -6,15 +6,13 @@
 #include <vector>
 
 #include "framework/deck/document/node.hpp"
+#include "studies/dda/case/listed_keys.hpp"
 
 namespace dda {
 
 /// Parameter lists of NOX and LOCA, as users of Trilinos write them, stand for keys of the deck: "Max Steps"
 /// of LOCA's sublist "Stepper" for `path.stop.steps`. One table (parameter_list.cpp) tells which; what is not
 /// in it is refused.
-
-/// Keys of a deck that parameter lists have set: where, and the full name of the parameter.
-using ListedKeys = std::map<std::string, Finding>;
 
 /// What lists have set: assignments ("path.stop.steps=40") that say the same, and the keys.
 struct ResolvedLists {

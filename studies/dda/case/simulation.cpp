@@ -171,11 +171,15 @@ void Simulation::require_control() const {
   if (const std::string why = control->refusal(*equilibrium_); !why.empty())
     throw InputError(deck_.path.control.where(), "path.control: " + why);
   Findings findings;
-  for (const std::string& key : unheeded_keys(deck_.path, *control))
-    findings.add(deck_.path.where,
-                 fmt::format("path.{}: control '{}' does not heed it; leave it out, or take another "
+  for (const std::string& key : unheeded_keys(deck_.path, *control)) {
+    const auto listed = deck_.listed.find("path." + key);
+    const bool is_listed = listed != deck_.listed.end();
+    findings.add(is_listed ? listed->second.where : deck_.path.where,
+                 fmt::format("{}path.{}{}: control '{}' does not heed it; leave it out, or take another "
                              "`path.control`",
-                             key, deck_.path.control.name()));
+                             is_listed ? listed->second.what + " (" : "", key, is_listed ? ")" : "",
+                             deck_.path.control.name()));
+  }
   findings.throw_if_any();
 }
 

@@ -100,7 +100,7 @@ std::vector<TableCell> row(const Compared& run) {
           count("steps"),
           count("rejected_steps"),
           count("rescues"),
-          count("newton_iterations") + count("reduced_iterations"),
+          count("whole_iterations") + count("reduced_iterations"),
           count("factorisations"),
           run.seconds,
           s["peak"]["load"].get<double>(),

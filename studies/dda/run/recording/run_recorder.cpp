@@ -346,6 +346,7 @@ nlohmann::ordered_json RunRecorder::finish(const Ending& ending) {
   const CsvTable curve = read_csv(folder_.file("curve.csv"));
   memory_.events = events_with_peaks(memory_, measures_, curve);
   nlohmann::ordered_json out = summarise(simulation_, memory_, measures_, ending);
+  out["newton_iterations"] = iterations_of(curve);
   out["stability"] = stability_counts(curve);
   out["interfaces"] = interfaces_.summary(fields_, here());
   if (simulation_.cracks())

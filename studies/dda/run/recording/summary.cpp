@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <vector>
 
 #include "continuation/linear/matrix_quality.hpp"
 #include "continuation/linear/strips/strip_part.hpp"
@@ -153,12 +156,17 @@ void add_effort(const Effort& effort, Json& out) {
   out["rejected_steps"] = effort.rejected;
   out["cracked_steps"] = effort.cracked_steps;
   out["whole_steps"] = effort.whole_steps;
-  out["newton_iterations"] = effort.newton_iterations;
+  out["whole_iterations"] = effort.newton_iterations;
   out["reduced_iterations"] = effort.reduced_iterations;
   out["relaxation_iterations"] = effort.relaxation_iterations;
 }
 
 }  // namespace
+
+std::int64_t iterations_of(const CsvTable& curve) {
+  const std::vector<double> all = curve.numbers("newton_iterations");
+  return std::llround(std::accumulate(all.begin(), all.end(), 0.0));
+}
 
 void add_program(Json& summary) {
   summary["version"] = provenance().version;

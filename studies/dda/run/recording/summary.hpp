@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
@@ -30,6 +31,9 @@ nlohmann::ordered_json peak_of(const RunMemory& memory, const Measures& measures
 /// The events that the path has passed, with the peak of each of its stages among them (record/path/peak.hpp).
 nlohmann::ordered_json events_with_peaks(const RunMemory& memory, const Measures& measures,
                                          const CsvTable& curve);
+
+/// `newton_iterations`: of the rows of curve.csv, those of the accepted steps.
+std::int64_t iterations_of(const CsvTable& curve);
 
 /// Adds what computed a run: `version`, and `plugins` where there were any.
 void add_program(nlohmann::ordered_json& summary);
