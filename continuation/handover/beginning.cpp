@@ -41,7 +41,7 @@ Beginning begin_motion(const Pieces& pieces, const PathEnd& end, const MotionPar
   const double pull = pull_on(start.scene, start.velocities);
   out.time = time_of(start.scene, parameters, pull);
   Handover path = end.is_of_path ? as_on_path(pieces, end, parameters) : start;
-  const SideEnds ends = ends_of_sides(pieces, path);
+  const SideEnds ends = ends_of_sides(pieces, end.equilibrium, path);
   for (Handover* of : {&path, &start})
     of->bonds.insert(of->bonds.end(), ends.of_joints.begin(), ends.of_joints.end());
   const double dt = parameters.step * pace_of(start.scene, pull);

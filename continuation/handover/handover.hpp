@@ -25,7 +25,8 @@ struct Handover {
 };
 
 /// Throws InputError for what could not be handed over: materials without density, blocks narrower than their offset.
-void require_handover(const Body& body, const Equilibrium& equilibrium, const MotionParameters& parameters);
+void require_handover(const Body& body, const Equilibrium& equilibrium, const MotionParameters& parameters,
+                      const ModelParameters& model);
 
 /// Where a path has ended; without a path the undeformed structure, under no load.
 struct PathEnd {

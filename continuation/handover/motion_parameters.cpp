@@ -8,6 +8,18 @@
 namespace dda {
 namespace {
 
+Kind<RegionNames> region_names_kind() {
+  const Kind<std::vector<std::string>> names = list_of(text_kind());
+  const auto read = [names](const Node& node, const Reading& reading) -> std::optional<RegionNames> {
+    auto found = names.read(node, reading);
+    if (!found) return {};
+    RegionNames out{std::move(*found), {}};
+    for (const Node& item : node.items) out.where.push_back(item.where);
+    return out;
+  };
+  return {names.info, read, [names](const RegionNames& of) { return names.echo(of.names); }};
+}
+
 Kind<PairParameters> pair_kind() {
   using P = PairParameters;
   return Schema<P>("What bodies of two materials do where they meet.")
@@ -133,8 +145,8 @@ Schema<MotionParameters> with_actions(Schema<MotionParameters> schema) {
               .dimension = dimension::length,
               .text = "Acceleration (gx, gy) of all that moves, beside the loads [per s²]: (0, 0) where the "
                       "weight is a load already."})
-      .texts("held", &P::held,
-             {.fallback = {{}},
+      .value("held", &P::held, region_names_kind(),
+             {.fallback = RegionNames{},
               .text = "Names of regions whose blocks stay where they are, such as the ground."})
       .list("driven", &P::driven, drive_kind(),
             {.at_least = 0, .text = "Regions that are moved over time; displacements add up."})

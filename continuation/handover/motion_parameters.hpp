@@ -15,6 +15,12 @@ namespace dda {
 /// What becomes of the loads of the path when the structure is let go.
 enum class KeptLoads { all, dead };
 
+/// Names of regions, and where each stands in the deck.
+struct RegionNames {
+  std::vector<std::string> names;
+  std::vector<Position> where;
+};
+
 /// What two materials do where their bodies meet.
 struct PairParameters {
   std::vector<std::string> between;
@@ -57,15 +63,15 @@ struct MotionParameters {
   KeptLoads loads = KeptLoads::all;
   bool keeps_supports = true;
   double push = 0.01;  ///< share by which the last load grows at the beginning, where it has been falling
-  Vec2 gravity = Vec2::Zero();    ///< [L/T²]
-  std::vector<std::string> held;  ///< regions that stay where they are
+  Vec2 gravity = Vec2::Zero();  ///< [L/T²]
+  RegionNames held;             ///< regions that stay where they are
   std::vector<DriveParameters> driven;
   std::vector<VelocityParameters> velocities;
   IntegratorChoice integrator;
   DampingRates damping;
   MeetingParameters contact;
   double step = 0.01;      ///< in √(L/g)
-  double frame_every = 0;  ///< [T]; 0: a hundredth of `time`
+  double frame_every = 0;  ///< [T]; 0: by how long it takes
   Position where;
 };
 

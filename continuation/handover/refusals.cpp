@@ -38,7 +38,8 @@ class NameCheck {
 
 void check_names(const Body& body, const MotionParameters& parameters, Findings& findings) {
   NameCheck check(body, findings);
-  check.regions(parameters.where, "motion.held", parameters.held);
+  for (std::size_t i = 0; i < parameters.held.names.size(); ++i)
+    check.regions(parameters.held.where[i], "motion.held", {parameters.held.names[i]});
   for (const DriveParameters& drive : parameters.driven)
     check.regions(drive.where, "motion.driven", drive.regions);
   for (const VelocityParameters& thrown : parameters.velocities) {
@@ -53,13 +54,15 @@ void check_names(const Body& body, const MotionParameters& parameters, Findings&
     check.materials(pair.where, "motion.contact.pairs", pair.between);
 }
 
-void check_density(const Body& body, const MotionParameters& parameters, Findings& findings) {
+void check_density(const Body& body, const MotionParameters& parameters, const ModelParameters& model,
+                   Findings& findings) {
   std::set<std::string> without;
   for (std::size_t r = 0; r < body.assembly.regions.size(); ++r)
     if (!is_held(body, parameters, static_cast<int>(r)) && body.materials[r]->density() <= 0)
       without.insert(body.assembly.regions[r].material);
   for (const std::string& material : without)
-    findings.add(parameters.where, "motion: material '" + material + "' needs a `density`");
+    findings.add(model.material_names.at(material).where(),
+                 "motion: material '" + material + "' needs a `density`");
 }
 
 void check_offset(const Body& body, const MotionParameters& parameters, Findings& findings) {
@@ -86,9 +89,16 @@ void check_open_close(const Equilibrium& equilibrium, const MotionParameters& pa
                                        " with rotations in first order is for blocks that nothing joins");
 }
 
+/// Of the first region that is named as held or driven.
+const Position& place_of_held(const MotionParameters& parameters) {
+  if (!parameters.held.where.empty()) return parameters.held.where.front();
+  return parameters.driven.empty() ? parameters.where : parameters.driven.front().where;
+}
+
 }  // namespace
 
-void require_handover(const Body& body, const Equilibrium& equilibrium, const MotionParameters& parameters) {
+void require_handover(const Body& body, const Equilibrium& equilibrium, const MotionParameters& parameters,
+                      const ModelParameters& model) {
   const Position& where = parameters.where;
   Findings findings;
   if (!friction_of_others(equilibrium.interfaces(), parameters) && !pairs_tell_all(body, parameters))
@@ -111,7 +121,7 @@ void require_handover(const Body& body, const Equilibrium& equilibrium, const Mo
     findings.add(where, "motion.velocities: '" + parameters.integrator.name() + "' knows of no velocities");
   if (std::ranges::all_of(body.assembly.blocks,
                           [&](const Block& block) { return is_held(body, parameters, block.region); }))
-    findings.add(where, "motion.held: nothing is left that could move");
+    findings.add(place_of_held(parameters), "motion.held: nothing is left that could move");
   for (const DriveParameters& drive : parameters.driven) {
     try {
       drive.displacement.make();
@@ -121,7 +131,7 @@ void require_handover(const Body& body, const Equilibrium& equilibrium, const Mo
   }
   check_open_close(equilibrium, parameters, findings);
   check_names(body, parameters, findings);
-  check_density(body, parameters, findings);
+  check_density(body, parameters, model, findings);
   check_offset(body, parameters, findings);
   findings.throw_if_any();
 }

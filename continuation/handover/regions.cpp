@@ -18,7 +18,7 @@ bool is_named(const std::vector<std::string>& regions, const Body& body, int reg
 }
 
 bool is_held(const Body& body, const MotionParameters& parameters, int region) {
-  return is_named(parameters.held, body, region) ||
+  return is_named(parameters.held.names, body, region) ||
          std::ranges::any_of(parameters.driven, [&](const DriveParameters& drive) {
            return is_named(drive.regions, body, region);
          });

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <tuple>
 
 #include "continuation/bodies/joined.hpp"
 #include "framework/deck/document/node.hpp"
+#include "meshing/geometry/polygon.hpp"
 
 namespace dda {
 namespace {
@@ -17,23 +19,48 @@ const InterfaceLaw& pressure() {
   return *law;
 }
 
-/// The points of one side.
+/// A side between two pieces, and the points on it.
 struct PointsOfSide {
-  const InterfacePoint* first = nullptr;
-  double area = 0;      ///< [L²]
-  bool at_end = false;  ///< one stands at an end of the side
+  const InterfacePoint* point = nullptr;            ///< one of them
+  std::pair<std::size_t, std::size_t> bodies = {};  ///< beside it
+  double area = 0;                                  ///< [L²]
+  bool at_end = false;                              ///< one stands at an end of the side
 };
 
-/// Of sides that can open.
-std::map<std::size_t, PointsOfSide> points_by_side(const Pieces& pieces) {
+/// Finds the side of the pieces' assembly on which a point of the whole lies.
+class SidesOfPieces {
+ public:
+  explicit SidesOfPieces(const std::vector<Side>& sides) : sides_(sides) {
+    for (std::size_t s = 0; s < sides.size(); ++s) between_[pair_of(sides[s])].push_back(s);
+  }
+  std::size_t at(const std::pair<std::size_t, std::size_t>& bodies, const Vec2& x) const {
+    const auto from_x = [&](std::size_t s) { return distance(x, sides_[s].start, sides_[s].end); };
+    return std::ranges::min(between_.at(std::minmax(bodies.first, bodies.second)), {}, from_x);
+  }
+
+ private:
+  static std::pair<std::size_t, std::size_t> pair_of(const Side& side) {
+    return std::minmax(side.first.value(), side.second.value());
+  }
+  const std::vector<Side>& sides_;
+  std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> between_;
+};
+
+/// Of sides that can open, and of cuts.
+std::map<std::size_t, PointsOfSide> points_by_side(const Pieces& pieces, const Equilibrium& whole) {
   constexpr double near = 1e-6;
+  const std::vector<Side>& sides = pieces.body().assembly.sides;
+  const SidesOfPieces places(sides);
   std::map<std::size_t, PointsOfSide> out;
-  for (const InterfacePoint& point : pieces.equilibrium().interfaces().points) {
-    if (point.cut || !point.law->can_crack()) continue;
-    const Side& side = pieces.body().assembly.sides[point.side];
+  for (const InterfacePoint& point : whole.interfaces().points) {
+    if (!point.law->can_crack()) continue;
+    const auto bodies = pieces.beside(point);
+    const std::size_t index = places.at(bodies, point.x);
+    const Side& side = sides[index];
     const double from_end = std::min((point.x - side.start).norm(), (point.x - side.end).norm());
-    PointsOfSide& points = out[point.side];
-    points.first = &point;
+    PointsOfSide& points = out[index];
+    points.point = &point;
+    points.bodies = bodies;
     points.area += point.weight;
     points.at_end = points.at_end || from_end < near * (side.end - side.start).norm();
   }
@@ -41,17 +68,15 @@ std::map<std::size_t, PointsOfSide> points_by_side(const Pieces& pieces) {
 }
 
 Bond end_at(const Vec2& x, const PointsOfSide& points, const Body& body) {
-  const InterfacePoint& point = *points.first;
   Bond out;
-  out.first = point.first.value();
-  out.second = point.second.value();
-  out.at_first = x - body.block(point.first).moments.centroid;
-  out.at_second = x - body.block(point.second).moments.centroid;
-  out.normal = point.normal;
+  std::tie(out.first, out.second) = points.bodies;
+  out.at_first = x - body.block(BlockId{out.first}).moments.centroid;
+  out.at_second = x - body.block(BlockId{out.second}).moments.centroid;
+  out.normal = points.point->normal;
   out.stress_first.setZero();
   out.stress_second.setZero();
   out.weight = points.area / 2;
-  out.stiffness = point.stiffness;
+  out.stiffness = points.point->stiffness;
   out.law = &pressure();
   out.is_end = true;
   return out;
@@ -59,11 +84,11 @@ Bond end_at(const Vec2& x, const PointsOfSide& points, const Body& body) {
 
 }  // namespace
 
-SideEnds ends_of_sides(const Pieces& pieces, const Handover& from) {
-  constexpr double further = 1.0 / 20, most = 1.0 / 4;  // of the offset
+SideEnds ends_of_sides(const Pieces& pieces, const Equilibrium& whole, const Handover& from) {
+  constexpr double further = 1.0 / 20, most = 3.0 / 4;  // of the offset
   const std::vector<MeetingSearch::Pair> joined = joined_by(from.bonds, from.scene.around);
   SideEnds out;
-  for (const auto& [index, points] : points_by_side(pieces)) {
+  for (const auto& [index, points] : points_by_side(pieces, whole)) {
     if (points.at_end) continue;
     const Side& side = pieces.body().assembly.sides[index];
     for (const Vec2& x : {side.start, side.end}) {

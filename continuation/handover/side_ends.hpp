@@ -13,11 +13,11 @@ namespace dda {
 ///     t_n = k min(q_n + g, 0)
 struct SideEnds {
   /// Of joints that hold, which they leave alone: g is what they overlap by at the handover and a twentieth of the offset s
-  /// more, a quarter of s at most.
+  /// more, three quarters of s at most.
   std::vector<Bond> of_joints;
   /// Of what only touches, or has torn: g = 0.
   std::vector<Bond> of_contacts;
 };
-SideEnds ends_of_sides(const Pieces& pieces, const Handover& from);
+SideEnds ends_of_sides(const Pieces& pieces, const Equilibrium& whole, const Handover& from);
 
 }  // namespace dda

@@ -23,6 +23,13 @@ class LastStep : public Integrator {
     out.velocity = (out.now - out.before) / dt;
     return out;
   }
+  BodyCourse calmed(const BodyCourse& at, double dt) const final {
+    BodyCourse out = at;
+    out.before = pose_of(centre_of(at.before), rotation(polar_of(gradient_of(at.before)).angle) *
+                                                   polar_of(gradient_of(at.now)).stretch);
+    out.velocity = (out.now - out.before) / dt;
+    return out;
+  }
   bool has_mean_velocities() const final { return true; }
   double per_square_time(const Interval& dt) const final { return 1 / (dt.now * mean(dt)); }
   BodyCourse arrive(const BodyStep& step) const final {

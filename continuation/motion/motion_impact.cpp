@@ -6,20 +6,6 @@
 #include "continuation/motion/motion_try.hpp"
 
 namespace dda {
-namespace {
-
-/// The same course without rates of strain; dt was its last step.
-BodyCourse calmed(const BodyCourse& at, const Integrator& integrator, double dt) {
-  BodyCourse out = at;
-  out.velocity = rate_of(at.now, rigid_part(at.now, at.velocity));
-  if (!integrator.has_mean_velocities()) return out;
-  out.before = pose_of(centre_of(at.before), rotation(polar_of(gradient_of(at.before)).angle) *
-                                                 polar_of(gradient_of(at.now)).stretch);
-  out.velocity = (out.now - out.before) / dt;
-  return out;
-}
-
-}  // namespace
 
 /// What impacts give back, as far as the step has taken it, and what they take away.
 void Motion::bounce(Try& step) {
@@ -57,7 +43,7 @@ void Motion::calm(Try& step, const std::vector<Meeting>& meetings,
     if (!is_hit[b]) continue;
     const AffineBlock& block = scene_.bodies[b].block;
     out.kinetic -= kinetic_energy(block, step.courses[b].velocity);
-    step.courses[b] = calmed(step.courses[b], *course_.integrator, m_.dt.now);
+    step.courses[b] = course_.integrator->calmed(step.courses[b], m_.dt.now);
     out.kinetic += kinetic_energy(block, step.courses[b].velocity);
   }
   out.stored = stored(step.courses);

@@ -98,7 +98,7 @@ class Meeting(unittest.TestCase):
         """A motion that is at rest long before it has to be has as many frames as another."""
         frames = {}
         for name, motion in (("early", {"time": 60}), ("whole", {"time": 1, "stop_at_rest": False})):
-            deck = alone(velocities=[], **motion)
+            deck = alone(velocities=[], **motion) | {"gauges": {}}
             deck["scene"]["regions"][1]["vertices"] = [[0, 0.2], [1, 0.2], [1, 1.2], [0, 1.2]]
             run = ddapath.run(deck, folder=self.folder, overwrite=True)
             frames[name] = len(run.motion.steps)

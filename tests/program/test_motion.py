@@ -145,7 +145,7 @@ class ThroughBlocks(unittest.TestCase):
 
     def test_breaks_along_the_crack_and_rests(self):
         deck = ddapath.read_deck(STUDY / "through-blocks.yaml")
-        deck["scene"]["subdivision"]["size"] = 35
+        deck["scene"]["subdivision"]["size"] = 28
         with tempfile.TemporaryDirectory() as scratch:
             run = ddapath.run(deck, folder=Path(scratch) / "run")
             pieces, motion = run.cracks(), run.summary["motion"]

@@ -116,7 +116,7 @@ class Lists(unittest.TestCase):
                 self.assertNotEqual(self.outcome("before"), self.outcome("after"))
 
     def test_no_iteration_is_longer_than_allowed(self):
-        for settings, most in ((LONG_STEPS, 2), (("path.update=refactorise", *LONG_STEPS), 4)):
+        for settings, most in ((LONG_STEPS, 2), ((*LONG_STEPS, "path.update=refactorise", "path.stop.after_steps=30"), 4)):
             for given in ((), (f"path.newton.max_iterations={most}",)):
                 self.run_deck("run", settings=(*settings, "path.newton.output=2", *given))
                 log = (self.folder / "run" / "nox.log").read_text(encoding="utf-8")
@@ -125,7 +125,7 @@ class Lists(unittest.TestCase):
 
     def test_each_kind_of_output_is_what_the_manual_says(self):
         words = {2: "Nonlinear Solver Step", 8: "Parameters Passed to Nonlinear Solver", 16: "FORCING TERM", 32: "Status Test Results",
-                 256: "Step Converged in", 512: "Calling Predictor with method: path.step.predictor",
+                 256: "Step Converged in", 512: "Calling Predictor with method",
                  1024: "Write Only Converged Solution"}
         for bit, said in words.items():
             self.run_deck("run", settings=("path.stop.after_steps=2", f"path.newton.output={bit}"))

@@ -2,7 +2,6 @@
 #include <LOCA_Factory.H>
 #include <LOCA_GlobalData.H>
 #include <LOCA_MultiContinuation_AbstractStrategy.H>
-#include <LOCA_MultiPredictor_Constant.H>
 #include <LOCA_StepSize_AbstractStrategy.H>
 #include <LOCA_Stepper.H>
 #include <NOX_Solver_Generic.H>
@@ -44,21 +43,11 @@ class PathStepSize final : public LOCA::StepSize::AbstractStrategy {
   double before_ = 0;
 };
 
-/// By its name in nox.log: LOCA takes each guess as it is, which the path has predicted.
-constexpr auto predictor_of_path = "path.step.predictor";
-
-/// What LOCA's factories ask for by the name "path", and the predictor.
+/// What LOCA's factories ask for by the name "path".
 class PathStrategies final : public LOCA::Abstract::Factory {
  public:
   explicit PathStrategies(std::shared_ptr<const ActiveSolve> active) : active_(std::move(active)) {}
-  void init(const Teuchos::RCP<LOCA::GlobalData>& data) override { data_ = data.create_weak(); }
-  bool createPredictorStrategy(const std::string& name, const Teuchos::RCP<LOCA::Parameter::SublistParser>&,
-                               const Teuchos::RCP<Teuchos::ParameterList>& list,
-                               Teuchos::RCP<LOCA::MultiPredictor::AbstractStrategy>& strategy) override {
-    if (name != predictor_of_path) return false;
-    strategy = Teuchos::rcp(new LOCA::MultiPredictor::Constant(data_, list));
-    return true;
-  }
+  void init(const Teuchos::RCP<LOCA::GlobalData>&) override {}
   bool createStepSizeStrategy(const std::string& name, const Teuchos::RCP<LOCA::Parameter::SublistParser>&,
                               const Teuchos::RCP<Teuchos::ParameterList>&,
                               Teuchos::RCP<LOCA::StepSize::AbstractStrategy>& strategy) override {
@@ -69,7 +58,6 @@ class PathStrategies final : public LOCA::Abstract::Factory {
 
  private:
   std::shared_ptr<const ActiveSolve> active_;
-  Teuchos::RCP<LOCA::GlobalData> data_;
 };
 
 /// What NOX and LOCA print goes into a file, or nowhere.
@@ -105,7 +93,7 @@ Teuchos::RCP<Teuchos::ParameterList> list_of(const LocaSettings& settings,
   stepper.set("Bordered Solver Method", "Bordering");
   stepper.set("Compute Eigenvalues", false);
   loca.sublist("Step Size").set("Method", "path");
-  loca.sublist("Predictor").set("Method", predictor_of_path);
+  loca.sublist("Predictor").set("Method", "Constant");
   loca.sublist("Constraints").set("Bordered Solver Method", "Bordering");
   return list;
 }

@@ -126,7 +126,7 @@ Simulation::Simulation(const Deck& deck, Timings& timings) : deck_(deck), timing
   }
   if (deck.moves()) {
     motion_column::require_free(deck, equilibrium_->interfaces().names);
-    require_handover(*body_, *equilibrium_, *deck.motion);
+    require_handover(*body_, *equilibrium_, *deck.motion, deck);
   }
   notices_ = first_notices(*body_, *equilibrium_, deck);
   require_way();
