@@ -45,8 +45,10 @@ std::optional<Point> event_step(PathState& path) {
     if (path.control->may_be_rescued() && path.walker.leaving().dissipates)
       if (auto point = sequential_step(path, StepKind::sequentially_linear, path.memory.last_quantum))
         return point;
-    if (can_slide(path)) return sliding_step(path);
+    const bool slides_on_the_way = can_slide(path) && std::isfinite(next_contact_change(path.walker));
+    if (slides_on_the_way) return sliding_step(path);
     if (auto point = approach(path, amount)) return point;
+    if (can_slide(path)) return sliding_step(path);
     if (path.control->may_be_rescued()) {
       if (auto point = sequential_step(path, StepKind::sequentially_linear, path.memory.last_quantum))
         return point;

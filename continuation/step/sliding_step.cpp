@@ -51,8 +51,8 @@ std::optional<Point> sliding_step(PathState& path) {
   const double change = next_contact_change(path.walker), goal = amount_to_landing(path);
   const bool is_loaded = path.walker.here().stored > 0;
   if (!std::isfinite(change) && is_loaded) {
-    const bool may_release = path.releases_at_once && std::isfinite(next_event(path.walker));
-    if (!std::isfinite(goal) && !may_release && !moves_freely(path)) return linear_for_good(path);
+    const bool may_crack = std::isfinite(next_event(path.walker));
+    if (!std::isfinite(goal) && !may_crack && !moves_freely(path)) return linear_for_good(path);
     if (auto point = land_on_next(path)) return point;
   }
   const bool is_far = std::isfinite(change) &&
