@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "framework/base/threads.hpp"
+#include "models/driven_springs.hpp"
 #include "models/kinematics/second_order.hpp"
 #include "models/loading.hpp"
 
@@ -128,6 +129,7 @@ Equilibrium::Equilibrium(const Body& body, const ModelParameters& model, StageHi
   driven_ = programme.driven;
   added_ = dda::added_springs(all_supports_, model, findings);
   removed_ = programme.removed(all_supports_);
+  check_driven(programme.stages, supports_after(0, removed_.size()), findings);
   if (!model.stages.empty()) check_supports(body, model, findings);
   for (std::size_t i = 0; i < history_.rest.size(); ++i)
     all_supports_[added_[i].spring].rest = history_.rest[i];
@@ -143,24 +145,6 @@ Equilibrium::Equilibrium(const Body& body, const ModelParameters& model, StageHi
   extent_ = extent_of(body.assembly);
   fit_stages();
   assemble(body, model, springs);
-}
-
-void Equilibrium::fit_stages() {
-  for (auto* stages : {&stages_, &later_stages_})
-    for (Loading& stage : *stages)
-      for (auto* force : {&stage.dead, &stage.reference, &stage.dead_work, &stage.reference_work})
-        force->resize(num_unknowns(), 0.0);
-}
-
-void Equilibrium::hold(const Body& body, const ModelParameters& model, double load_factor) {
-  assert(!later_stages_.empty());
-  history_.held_load_factors.push_back(load_factor);
-  Findings none;
-  StageLoadings made = make_stages({body, model, set_, all_supports_, supports_, removed_, history_},
-                                   make_loads(body, model, none), none);
-  std::ranges::move(made.begun, stages_.begin());
-  later_stages_ = std::move(made.later);
-  fit_stages();
 }
 
 bool Equilibrium::remake(const Body& body, const ModelParameters& model) {

@@ -59,8 +59,8 @@ struct Loading {
   Functional load;             ///< the load gauge: λ Σ|force|, or the sum of the driven reactions
   bool load_is_force = true;   ///< else it is λ itself, of loads without a resultant
   bool all_are_forces = true;  ///< the load of every followed stage
-  std::map<std::string, Functional> reactions;  ///< by support and driven spring
-  std::vector<NamedGauge> gauges;               ///< as the deck names them
+  std::map<std::string, Reaction> reactions;  ///< by support and driven spring
+  std::vector<NamedGauge> gauges;             ///< as the deck names them
 
  private:
   static Vec2 part_of(const std::vector<double>& offset, std::size_t p) {
@@ -104,6 +104,9 @@ class Equilibrium {
   /// Ends the stage that is followed: its loads become dead at this load factor, and the first of `later_stages` takes its
   /// place at the back of `stages`, to which references stay good.
   void hold(const Body& body, const ModelParameters& model, double load_factor);
+  /// Takes over the last stage of the model, which has come behind all others since: it is the only one of `later_stages`. Throws
+  /// InputError for one with springs of its own, whose stiffness would be another; nothing has changed then.
+  void append_stage(const Body& body, const ModelParameters& model);
   /// Place of the stage that is followed among those with loads.
   std::size_t present_stage() const { return num_dead_stages_ + history_.held_load_factors.size(); }
   /// Springs that the stage which is followed puts in and takes away, when it has not done so.

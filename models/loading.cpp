@@ -7,6 +7,7 @@
 #include <span>
 
 #include "framework/base/suggestion.hpp"
+#include "models/driven_springs.hpp"
 #include "models/load/eigenstress.hpp"
 
 namespace dda {
@@ -56,10 +57,8 @@ class StageMaker {
     if (programme_.stages.empty()) return {{no_stage()}, {}};
     StageLoadings out;
     bool are_forces = true;
-    std::size_t first_driven = 0;
     for (std::size_t s = 0; s < programme_.stages.size(); ++s) {
-      Loading now = stage(s, first_driven);
-      first_driven += programme_.stages[s].driven.size();
+      Loading now = stage(s);
       are_forces = are_forces && (s < num_dead_ || now.load_is_force);
       if (s < present()) absorb(now, s < num_dead_ ? 1 : held_[s - num_dead_]);
       if (s < num_dead_ || s == present())
@@ -73,12 +72,6 @@ class StageMaker {
   }
 
  private:
-  /// What of a stage is not in its loads.
-  struct Beside {
-    std::size_t first_driven = 0;
-    double borne = 0;  ///< Σ |r| of supports that it takes away [F]
-  };
-
   /// The stage that is followed.
   std::size_t present() const { return num_dead_ + held_.size(); }
 
@@ -89,7 +82,7 @@ class StageMaker {
     return out;
   }
 
-  Loading stage(std::size_t index, std::size_t first_driven) {
+  Loading stage(std::size_t index) {
     const StageLoads& loads = programme_.stages[index];
     add_borne(index, 1, so_far_.dead, so_far_.dead_work);
     Loading out = so_far_;
@@ -104,16 +97,17 @@ class StageMaker {
       add_scaled(1, offset.force, out.reference_work);
     }
     Vector reference(programme_.driven.size(), 0.0);
-    for (std::size_t i = 0; i < loads.driven.size(); ++i) {
-      const Spring& spring = programme_.driven[first_driven + i];
-      reference[first_driven + i] = loads.driven[i].prescribed;
-      spring.displacement.add_gradient(spring.stiffness * loads.driven[i].prescribed, out.reference);
+    for (const DrivenSpring& driven : loads.driven) {
+      const Spring& spring = programme_.driven[driven.spring];
+      const double prescribed = driven.sense * driven.prescribed;
+      reference[driven.spring] = prescribed;
+      spring.displacement.add_gradient(spring.stiffness * prescribed, out.reference);
     }
     add_borne(index, -1, out.reference, out.reference_work);
     add_reactions(out, reference);
     add_fading_reactions(index, out);
     out.load_is_force = has_resultant(loads, resultant_of_borne(index));
-    out.load = load_gauge(out, loads, {.first_driven = first_driven, .borne = resultant_of_borne(index)});
+    out.load = load_gauge(out, loads, resultant_of_borne(index));
     add_gauges(out, index == present());
     driven_now_ = std::move(reference);
     return out;
@@ -121,7 +115,8 @@ class StageMaker {
 
   void add_reactions(Loading& out, const Vector& driven_reference) {
     for (const Spring& spring : all_)
-      if (!spring.reaction.empty()) out.reactions[spring.reaction];  // 0 of those that are not there
+      if (!spring.reaction.empty())
+        out.reactions[spring.reaction].is_moment = spring.turns;  // 0 of those that are not there
     for (const Spring& spring : supports_)
       if (!spring.reaction.empty()) out.reactions[spring.reaction].add(1, force_of(spring, spring.rest, 0));
     for (std::size_t i = 0; i < programme_.driven.size(); ++i) {
@@ -172,12 +167,11 @@ class StageMaker {
   }
 
   /// λ Σ|force|; with driven springs the sum of their reactions; λ itself when the loads have no resultant.
-  Functional load_gauge(const Loading& out, const StageLoads& loads, const Beside& beside) const {
-    const double resultant = loads.resultant + beside.borne;
+  Functional load_gauge(const Loading& out, const StageLoads& loads, double borne) const {
+    const double resultant = loads.resultant + borne;
     if (loads.driven.empty()) return {.rows = {}, .per_load_factor = out.load_is_force ? resultant : 1.0};
     Functional sum;
-    for (std::size_t i = 0; i < loads.driven.size(); ++i)
-      sum.add(1, out.driven[beside.first_driven + i].force);
+    for (const DrivenSpring& driven : loads.driven) sum.add(driven.sense, out.driven[driven.spring].force);
     return sum;
   }
 
@@ -185,10 +179,13 @@ class StageMaker {
     for (const auto& [name, choice] : model_.gauge_names) {
       try {
         const auto gauge = choice.make();
-        out.gauges.push_back({name,
-                              gauge->functional({body_, out.reactions, out.dead_stress, out.reference_stress,
-                                                 out.dead_out_of_plane, out.reference_out_of_plane}),
-                              gauge->dimension()});
+        const GaugeSources sources{body_,
+                                   out.reactions,
+                                   out.dead_stress,
+                                   out.reference_stress,
+                                   out.dead_out_of_plane,
+                                   out.reference_out_of_plane};
+        out.gauges.push_back({name, gauge->functional(sources), gauge->dimension_of(sources)});
       } catch (const InputError& error) {
         if (report) findings_.add(error);
       }
@@ -307,21 +304,22 @@ void check_removals(const ModelParameters& model, const LoadProgramme& programme
 
 LoadProgramme make_loads(const Body& body, const ModelParameters& model, Findings& findings) {
   LoadProgramme out;
-  const double stiffness = model.support_stiffness * body.largest_modulus() * body.thickness;
+  DrivenSprings driven(model.support_stiffness * body.largest_modulus() * body.thickness);
   for (const StageParameters& stage : model.loaded_stages()) {
     StageLoads loads;
     loads.force.assign(block_unknowns * body.num_nodes(), 0.0);
     for (const LoadChoice& load : stage.loads) {
       try {
+        const std::size_t before = loads.driven.size();
         load.make()->add_to(loads, body);
+        driven.place(out.stages.size(), std::span(loads.driven).subspan(before));
       } catch (const InputError& error) {
         findings.add(error);
       }
     }
-    for (const DrivenSpring& driven : loads.driven)
-      out.driven.push_back({driven.name, driven.displacement, driven.share * stiffness});
     out.stages.push_back(std::move(loads));
   }
+  out.driven = driven.springs();
   check_removals(model, out, findings);
   return out;
 }

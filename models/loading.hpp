@@ -7,7 +7,7 @@ namespace dda {
 /// Everything the loads of a deck become, stage by stage.
 struct LoadProgramme {
   std::vector<StageLoads> stages;
-  std::vector<Spring> driven;  ///< every driven spring of every stage
+  std::vector<Spring> driven;  ///< what any stage drives
 
   /// Of the springs of all supports those that stages take away, in the order in which they go.
   std::vector<ChangingSpring> removed(const std::vector<Spring>& supports) const;

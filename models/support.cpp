@@ -73,7 +73,10 @@ class SupportMaker {
     const double length =
         (locate(body_.assembly, p.over->back()) - locate(body_.assembly, p.over->front())).norm();
     if (p.fix == Fix::rotation)
-      out_.push_back({name, rotation_over(body_, p, p.where), stiffness * length * length / 12});
+      out_.push_back({.reaction = name,
+                      .displacement = rotation_over(body_, p, p.where),
+                      .stiffness = stiffness * length * length / 12,
+                      .turns = true});
     if (p.fix == Fix::straight)
       for (auto& [departure, part] : departures_over(body_, p, p.where))
         out_.push_back({"", std::move(departure), stiffness * part / length});
@@ -107,9 +110,10 @@ class SupportMaker {
   }
   /// A rotational spring p̄ A on r0, and on what turns beside it.
   void add_rotation(const std::string& name, const Held& held, double stiffness) {
-    out_.push_back({name,
-                    {.rows = rotations_at(body_, held.block, held.x)},
-                    stiffness * body_.block(held.block).moments.area});
+    out_.push_back({.reaction = name,
+                    .displacement = {.rows = rotations_at(body_, held.block, held.x)},
+                    .stiffness = stiffness * body_.block(held.block).moments.area,
+                    .turns = true});
   }
 
   const Body& body_;
@@ -149,7 +153,9 @@ std::string motion_name(const Eigen::Vector3d& motion, const Vec2& centre, doubl
     if (std::abs(motion[0]) < small) return "translation in y";
     return fmt::format("translation along ({:.3g}, {:.3g})", motion[0], motion[1]);
   }
-  const Vec2 pole = centre + size / motion[2] * Vec2(-motion[1], motion[0]);
+  Vec2 pole = centre + size / motion[2] * Vec2(-motion[1], motion[0]);
+  for (double& x : pole)
+    if (std::abs(x) < small * size) x = 0;
   return fmt::format("rotation about ({:.4g}, {:.4g})", pole.x(), pole.y());
 }
 

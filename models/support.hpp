@@ -16,6 +16,7 @@ struct Spring {
   double stiffness = 0;      ///< p̄ [F/L]
   std::string support = "";  ///< to which it belongs; "" of what a load drives
   double rest = 0;           ///< e, where it was put in [L]
+  bool turns = false;        ///< it holds a rotation: l · u [-], p̄ [F L], its force a moment
 
   /// On the structure along l [F].
   double force(std::span<const double> d) const { return stiffness * (rest - displacement.value(d, 0)); }

@@ -97,7 +97,8 @@ void begin_next_leg(PathState& path) {
   path.report("leg", path.leg().name);
 }
 
-/// The loads stay as they are; those of the next leg begin at nothing.
+}  // namespace
+
 void begin_stage(PathState& path, std::string reason) {
   const StageEnd end{path.walker.state().load_factor, std::move(reason)};
   path.walker.head_for({});
@@ -112,8 +113,6 @@ void begin_stage(PathState& path, std::string reason) {
   path.report("leg", fmt::format("{}; what acted before is held at load factor {:.9g} ({})", path.leg().name,
                                  end.load_factor, end.reason));
 }
-
-}  // namespace
 
 void set_out(PathState& path) {
   path.memory.travels.clear();

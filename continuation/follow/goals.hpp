@@ -27,6 +27,9 @@ void settle(PathState& path);
 /// equilibrium at which they begin belongs to the loads before: it is recorded first.
 void begin_stages(PathState& path);
 
+/// Begins the next leg, which has loads of its own, whatever the present one is to reach: these are held as they are.
+void begin_stage(PathState& path, std::string reason);
+
 /// Ends the path where nothing changes any more.
 void look_for_standstill(PathState& path, const Point& point);
 

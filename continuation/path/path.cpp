@@ -77,6 +77,8 @@ void Path::switch_control(const Aims& aims) {
   state_.memory.step_kind.reset();
 }
 
+void Path::begin_next_stage(std::string reason) { begin_stage(state_, std::move(reason)); }
+
 void Path::interrupt_when(std::function<bool()> asked) {
   interrupted_ = std::move(asked);
   state_.walker.stepper().watch_by([this] {

@@ -34,6 +34,8 @@ class Path {
   /// Goes on by the control that its parameters name by now; gauges and route are looked up again. Its first step has the
   /// size that a first step has. Throws InputError for a gauge that there is not.
   void switch_control(const Aims& aims);
+  /// Holds the loads as they are and goes on with the next leg, which has loads of its own.
+  void begin_next_stage(std::string reason);
   /// Size of the next step in the quantity that the control prescribes; 0 where no step under one has been taken.
   double next_step() const { return state_.memory.step_kind ? state_.memory.step : 0; }
   /// Sets it: above 0, and only where it is known. The path may still shorten it.

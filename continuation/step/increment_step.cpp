@@ -5,7 +5,7 @@
 #include "continuation/detour/increment/load_increment.hpp"
 #include "continuation/follow/mechanism.hpp"
 #include "continuation/follow/trial.hpp"
-#include "continuation/step/rungs.hpp"
+#include "continuation/step/rung/rungs.hpp"
 #include "continuation/step/steps.hpp"
 
 namespace dda {

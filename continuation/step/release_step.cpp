@@ -8,7 +8,7 @@
 #include "continuation/follow/landings.hpp"
 #include "continuation/follow/mechanism.hpp"
 #include "continuation/follow/trial.hpp"
-#include "continuation/step/rungs.hpp"
+#include "continuation/step/rung/rungs.hpp"
 #include "continuation/step/steps.hpp"
 
 namespace dda {

@@ -6,7 +6,7 @@
 #include "continuation/follow/landings.hpp"
 #include "continuation/follow/pace.hpp"
 #include "continuation/follow/trial.hpp"
-#include "continuation/step/rungs.hpp"
+#include "continuation/step/rung/rungs.hpp"
 
 namespace dda {
 namespace {

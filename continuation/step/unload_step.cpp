@@ -6,7 +6,7 @@
 #include "continuation/follow/mechanism.hpp"
 #include "continuation/follow/pace.hpp"
 #include "continuation/follow/trial.hpp"
-#include "continuation/step/rungs.hpp"
+#include "continuation/step/rung/rungs.hpp"
 #include "continuation/step/steps.hpp"
 
 namespace dda {

@@ -1,6 +1,7 @@
 #include "framework/deck/formula.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -13,43 +14,63 @@ namespace dda {
 
 namespace {
 
-const std::vector<std::string>& coordinates() {
-  static const std::vector<std::string> names{"x", "y"};
+using Arguments = std::vector<std::string>;
+
+const Arguments& coordinates() {
+  static const Arguments names{"x", "y"};
   return names;
 }
 
-bool speaks_of_place(const Node& node) {
-  return node.is_scalar() && std::ranges::any_of(names_in(node.text), [](const NameInText& found) {
-           return std::ranges::find(coordinates(), found.name) != coordinates().end();
+const Arguments& time_alone() {
+  static const Arguments names{"t"};
+  return names;
+}
+
+bool speaks_of(const Node& node, const Arguments& arguments) {
+  return node.is_scalar() && std::ranges::any_of(names_in(node.text), [&](const NameInText& found) {
+           return std::ranges::find(arguments, found.name) != arguments.end();
          });
 }
 
-std::optional<Formula> read_formula(const Node& node, const Reading& reading, Dimension dimension) {
-  if (!speaks_of_place(node)) {
+std::optional<Formula> read_formula(const Node& node, const Reading& reading, Dimension dimension,
+                                    const Arguments& arguments) {
+  if (!speaks_of(node, arguments)) {
     const auto value = number_kind(dimension).read(node, reading);
     return value ? std::optional<Formula>(*value) : std::nullopt;
   }
   Variables& variables = ReadingScope::variables();
-  const auto compiled = variables.compile(node, coordinates());
+  const auto compiled = variables.compile(node, arguments);
   if (const auto* failure = std::get_if<Variables::Failure>(&compiled)) {
     if (!failure->is_told)
       add_finding(failure->where, reading,
-                  fmt::format("expected a number or an expression of x and y, found {}: {}", found(node),
-                              failure->what));
+                  fmt::format("expected a number or an expression of {}, found {}: {}",
+                              fmt::join(arguments, " and "), found(node), failure->what));
     return {};
   }
-  return Formula(std::get<0>(compiled), variables.resolved(node, coordinates()), node.where);
+  return Formula(std::get<0>(compiled), variables.resolved(node, arguments), node.where);
+}
+
+Kind<Formula> kind_of(Dimension dimension, const Arguments& arguments) {
+  auto read = [dimension, &arguments](const Node& node, const Reading& reading) {
+    return read_formula(node, reading, dimension, arguments);
+  };
+  return {{.form = KindInfo::Form::number, .dimension = dimension}, read, [](const Formula& formula) {
+            return formula.echo();
+          }};
 }
 
 }  // namespace
 
-double Formula::operator()(const Vec2& x) const {
+double Formula::value(std::span<const double> arguments) const {
   if (!expression_) return value_;
-  const double value = expression_->value(std::array{x.x(), x.y()});
+  const double value = expression_->value(arguments);
   if (std::isfinite(value)) return value;
-  throw InputError(
-      where_, fmt::format("'{}' is no finite number at ({:.6g}, {:.6g})", shortened(text_), x.x(), x.y()));
+  throw InputError(where_, fmt::format("'{}' is no finite number at ({:.6g})", shortened(text_),
+                                       fmt::join(arguments, ", ")));
 }
+
+double Formula::operator()(const Vec2& x) const { return value(std::array{x.x(), x.y()}); }
+double Formula::operator()(double time) const { return value(std::array{time}); }
 
 Node Formula::echo() const {
   if (!expression_) return Node::number(value_);
@@ -58,14 +79,8 @@ Node Formula::echo() const {
   return node;
 }
 
-Kind<Formula> formula_kind(Dimension dimension) {
-  auto read = [dimension](const Node& node, const Reading& reading) {
-    return read_formula(node, reading, dimension);
-  };
-  return {{.form = KindInfo::Form::number, .dimension = dimension}, read, [](const Formula& formula) {
-            return formula.echo();
-          }};
-}
+Kind<Formula> formula_kind(Dimension dimension) { return kind_of(dimension, coordinates()); }
+Kind<Formula> time_formula_kind(Dimension dimension) { return kind_of(dimension, time_alone()); }
 
 Kind<VectorFormula> vector_formula_kind(Dimension dimension) {
   auto read = [dimension](const Node& node, const Reading& reading) -> std::optional<VectorFormula> {
@@ -73,8 +88,8 @@ Kind<VectorFormula> vector_formula_kind(Dimension dimension) {
       expected("two components [fx, fy]", node, reading);
       return {};
     }
-    auto x = read_formula(node.items[0], reading, dimension);
-    auto y = read_formula(node.items[1], reading, dimension);
+    auto x = read_formula(node.items[0], reading, dimension, coordinates());
+    auto y = read_formula(node.items[1], reading, dimension, coordinates());
     return x && y ? std::optional(VectorFormula{*x, *y}) : std::nullopt;
   };
   auto echo = [](const VectorFormula& v) { return Node::sequence({v.x.echo(), v.y.echo()}); };

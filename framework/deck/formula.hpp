@@ -5,8 +5,8 @@
 
 namespace dda {
 
-/// A quantity that depends on the place, f(x, y): a number, or an expression of x and y [L] and of the deck's variables.
-/// Not for several threads at once.
+/// A quantity that depends on the place, f(x, y), or on time, f(t): a number, or an expression of x and y [L] or of t [s], and
+/// of the deck's variables. Not for several threads at once.
 class Formula {
  public:
   Formula(double value = 0) : value_(value) {}
@@ -15,11 +15,14 @@ class Formula {
       : expression_(std::move(expression)), text_(std::move(text)), where_(std::move(where)) {}
 
   bool is_constant() const { return !expression_; }
-  /// Throws InputError with the place where it is no finite number.
+  /// Throws InputError with the place or the time where it is no finite number.
   double operator()(const Vec2& x) const;
+  double operator()(double time) const;
   Node echo() const;
 
  private:
+  double value(std::span<const double> arguments) const;
+
   double value_ = 0;  ///< of a constant
   std::shared_ptr<const Expression> expression_;
   std::string text_;
@@ -34,7 +37,8 @@ struct VectorFormula {
   Vec2 operator()(const Vec2& place) const { return {x(place), y(place)}; }
 };
 
-Kind<Formula> formula_kind(Dimension dimension);
+Kind<Formula> formula_kind(Dimension dimension);               ///< of x and y
+Kind<Formula> time_formula_kind(Dimension dimension);          ///< of t
 Kind<VectorFormula> vector_formula_kind(Dimension dimension);  ///< [fx, fy]
 
 }  // namespace dda

@@ -1,4 +1,8 @@
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
+#include <numeric>
 
 #include "meshing/geometry/voronoi.hpp"
 #include "meshing/room.hpp"
@@ -10,45 +14,95 @@ namespace {
 
 enum class Bond { stack, running, flemish, english };
 
+/// A course: bricks of these lengths one after the other, again and again, one of which begins at `start`.
+struct Course {
+  std::vector<double> lengths;
+  double start = 0, height = 0;
+  Position where = {};
+
+  double period() const { return std::accumulate(lengths.begin(), lengths.end(), 0.0); }
+};
+
 struct BricksParameters {
-  double length = 0, height = 0;
-  std::optional<double> header, overlap;
+  std::optional<double> length, height, header, overlap;
   Bond bond = Bond::running;
+  std::vector<Course> courses;
   std::optional<Vec2> origin;
   Position where;
 };
 
-/// A course: bricks of these lengths one after the other, again and again, one of which begins at `start`.
-struct Course {
-  std::vector<double> lengths;
-  double start = 0;
-
-  double period() const {
-    double sum = 0;
-    for (const double length : lengths) sum += length;
-    return sum;
+/// Courses that come again and again, from below.
+class Courses {
+ public:
+  explicit Courses(const BricksParameters& p) : courses_(p.courses.empty() ? of_bond(p) : p.courses) {
+    if (p.courses.empty()) shortest_ = std::min(*p.height, header_of(p));
+    for (const Course& course : courses_) {
+      bottoms_.push_back(period_);
+      period_ += course.height;
+      shortest_ = std::min({shortest_, course.height, std::ranges::min(course.lengths)});
+    }
   }
+
+  /// Calls visit(course, from, to) of every one between two heights above the lowest.
+  void between(double low, double high,
+               const std::function<void(const Course&, double, double)>& visit) const {
+    const auto n = static_cast<std::int64_t>(courses_.size());
+    for (std::int64_t j = n * static_cast<std::int64_t>(std::floor(low / period_)); bottom(j) < high; ++j)
+      if (bottom(j + 1) > low)
+        visit(courses_[static_cast<std::size_t>(((j % n) + n) % n)], bottom(j), bottom(j + 1));
+  }
+  double shortest() const { return shortest_; }  ///< side of a brick
+  double mean_area() const {
+    double area = 0;
+    for (const Course& course : courses_)
+      area += course.height * course.period() / static_cast<double>(course.lengths.size());
+    return area / static_cast<double>(courses_.size());
+  }
+
+ private:
+  /// The same for every region, to the last bit.
+  double bottom(std::int64_t j) const {
+    const auto n = static_cast<std::int64_t>(courses_.size()), within = ((j % n) + n) % n;
+    return static_cast<double>((j - within) / n) * period_ + bottoms_[static_cast<std::size_t>(within)];
+  }
+  static double header_of(const BricksParameters& p) { return p.header.value_or(*p.length / 2); }
+  static std::vector<Course> of_bond(const BricksParameters& p) {
+    const double length = *p.length, height = *p.height, header = header_of(p);
+    switch (p.bond) {
+      case Bond::stack:
+        return {{{length}, 0, height}};
+      case Bond::running:
+        return {{{length}, 0, height}, {{length}, -p.overlap.value_or(0.5) * length, height}};
+      case Bond::flemish:
+        return {{{length, header}, 0, height}, {{length, header}, -(length + header) / 2, height}};
+      case Bond::english:
+        return {{{length}, 0, height}, {{header}, -header / 2, height}};
+    }
+    return {};
+  }
+
+  std::vector<Course> courses_;
+  std::vector<double> bottoms_;  ///< of each above that of the first
+  double period_ = 0, shortest_ = std::numeric_limits<double>::infinity();
 };
 
 /// Courses of bricks whose joints have no thickness, cut at the outline.
 class Bricks final : public Subdivision {
  public:
-  explicit Bricks(BricksParameters parameters) : p_(std::move(parameters)) {}
+  explicit Bricks(BricksParameters parameters) : p_(std::move(parameters)), courses_(p_) {}
 
   Cells divide(const Layout& layout) const override {
     if (layout.model) require_sound(layout);
-    require_room(area_of(layout) / (p_.height * std::min(p_.length, header())), p_.where);
+    require_room(area_of(layout) / courses_.mean_area(), p_.where);
     const std::vector<LayoutPart> parts = parts_of(layout);
     return cells_of_parts(layout, parts, [&](std::size_t i) {
       const Vec2 origin = p_.origin.value_or(box_of_region(layout, parts[i].region).low);
       return cells_in(parts[i].figure, pattern(origin, bounding_box(parts[i].figure.outline.vertices)),
-                      std::min(p_.height, header()));
+                      courses_.shortest());
     });
   }
 
  private:
-  double header() const { return p_.header.value_or(p_.length / 2); }
-
   static Box box_of_region(const Layout& layout, int region) {
     Box out;
     for (const Shape& shape : layout.shapes)
@@ -57,29 +111,14 @@ class Bricks final : public Subdivision {
     return out;
   }
 
-  /// Of the course above an even or an odd number of others.
-  Course course(bool is_odd) const {
-    switch (p_.bond) {
-      case Bond::stack:
-        return {{p_.length}, 0};
-      case Bond::running:
-        return {{p_.length}, is_odd ? -p_.overlap.value_or(0.5) * p_.length : 0};
-      case Bond::flemish:
-        return {{p_.length, header()}, is_odd ? -(p_.length + header()) / 2 : 0};
-      case Bond::english:
-        return is_odd ? Course{{header()}, -header() / 2} : Course{{p_.length}, 0};
-    }
-    return {};
-  }
-
   std::vector<Polygon> pattern(const Vec2& origin, const Box& box) const {
     std::vector<Polygon> bricks;
-    const auto first = static_cast<std::int64_t>(std::floor((box.low.y() - origin.y()) / p_.height));
-    for (std::int64_t j = first; origin.y() + static_cast<double>(j) * p_.height < box.high.y(); ++j) {
-      const double low = origin.y() + static_cast<double>(j) * p_.height,
-                   high = origin.y() + static_cast<double>(j + 1) * p_.height;
-      add_course(course(j % 2 != 0), origin.x(), {{box.low.x(), low}, {box.high.x(), high}}, bricks);
-    }
+    courses_.between(box.low.y() - origin.y(), box.high.y() - origin.y(),
+                     [&](const Course& course, double bottom, double top) {
+                       add_course(course, origin.x(),
+                                  {{box.low.x(), origin.y() + bottom}, {box.high.x(), origin.y() + top}},
+                                  bricks);
+                     });
     return bricks;
   }
 
@@ -97,7 +136,37 @@ class Bricks final : public Subdivision {
   }
 
   BricksParameters p_;
+  Courses courses_;
 };
+
+Kind<Course> course_kind() {
+  using P = Course;
+  return Schema<P>("A course of bricks.")
+      .numbers("lengths", &P::lengths,
+               {.dimension = dimension::length,
+                .bounds = above(0),
+                .at_least = 1,
+                .text = "Lengths of its bricks, one after the other, again and again."})
+      .number("height", &P::height,
+              {.dimension = dimension::length, .bounds = above(0), .text = "Its height."})
+      .number("offset", &P::start,
+              {.fallback = 0,
+               .dimension = dimension::length,
+               .text = "How far from `origin` one of its first bricks begins, to the right."})
+      .kind();
+}
+
+void check(const BricksParameters& p, const Position& where, Findings& findings) {
+  const bool has_headers = p.bond == Bond::flemish || p.bond == Bond::english;
+  if (p.header && !has_headers) findings.add(where, "'header' belongs to flemish and english bond");
+  if (p.overlap && p.bond != Bond::running) findings.add(where, "'overlap' belongs to running bond");
+  if (p.courses.empty() && !(p.length && p.height))
+    findings.add(where, "bricks need `length` and `height`, or `courses` one by one");
+  if (!p.courses.empty() && (p.length || p.height || p.header || p.overlap || p.bond != Bond::running))
+    findings.add(
+        where,
+        "`courses` say all of their bricks: leave out `length`, `height`, `bond`, `header` and `overlap`");
+}
 
 Schema<BricksParameters> schema() {
   using P = BricksParameters;
@@ -105,10 +174,11 @@ Schema<BricksParameters> schema() {
              "Masonry: courses of bricks in a bond, joints of no thickness, cut at the outline; interfaces "
              "and slits are "
              "followed.")
-      .number("length", &P::length,
-              {.dimension = dimension::length, .bounds = above(0), .text = "Length of a stretcher."})
+      .number(
+          "length", &P::length,
+          {.dimension = dimension::length, .bounds = above(0), .text = "Length of a stretcher; of a bond."})
       .number("height", &P::height,
-              {.dimension = dimension::length, .bounds = above(0), .text = "Height of a course."})
+              {.dimension = dimension::length, .bounds = above(0), .text = "Height of a course; of a bond."})
       .one_of("bond", &P::bond,
               {{"stack", Bond::stack},
                {"running", Bond::running},
@@ -131,11 +201,12 @@ Schema<BricksParameters> schema() {
              {.text = "Lower left corner of a brick of a course that begins with a whole one; that of each "
                       "region's box if "
                       "absent."})
-      .check([](const P& p, const Position& where, Findings& findings) {
-        const bool has_headers = p.bond == Bond::flemish || p.bond == Bond::english;
-        if (p.header && !has_headers) findings.add(where, "'header' belongs to flemish and english bond");
-        if (p.overlap && p.bond != Bond::running) findings.add(where, "'overlap' belongs to running bond");
-      });
+      .list("courses", &P::courses, course_kind(),
+            {.at_least = 0,
+             .text = "Instead of a bond: courses from below, one by one, with bricks of any length; behind "
+                     "the last the first "
+                     "comes again."})
+      .check(check);
 }
 
 }  // namespace

@@ -40,4 +40,9 @@ struct Functional {
   }
 };
 
+/// What a support or a driven spring exerts on the structure: a force [F], or where it holds a rotation a moment [F L].
+struct Reaction : Functional {
+  bool is_moment = false;
+};
+
 }  // namespace dda

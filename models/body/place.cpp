@@ -110,9 +110,11 @@ int boundary_index(const Assembly& assembly, const std::string& name, const Posi
   if (std::ranges::none_of(assembly.boundary,
                            [index](const BoundarySide& side) { return side.boundary == index; }))
     throw InputError(
-        where, fmt::format("boundary '{}' is a plane of symmetry: its interface holds what crosses it, and "
-                           "nothing else may hold or load it",
-                           name));
+        where,
+        fmt::format(
+            "boundary '{}' has no side of its own: each is on a plane of symmetry, which nothing else may "
+            "hold or load, or on a boundary that is listed before it; name that one",
+            name));
   return index;
 }
 

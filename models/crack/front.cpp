@@ -61,10 +61,29 @@ void CrackFront::begin() {
   for (int crack = 0; crack < static_cast<int>(num_cracks()); ++crack) {
     if (cut_ahead(crack, at(crack).direction)) continue;
     const CrackParameters& entry = parameters(crack);
-    throw InputError(entry.where, fmt::format("no crack can begin at ({:g}, {:g}) along ({:g}, {:g}): {}",
-                                              at(crack).tip.x(), at(crack).tip.y(), at(crack).direction.x(),
-                                              at(crack).direction.y(), end_of(crack)));
+    throw InputError(entry.where,
+                     fmt::format("no crack can begin at ({:g}, {:g}) along ({:g}, {:g}): {}",
+                                 at(crack).tip.x(), at(crack).tip.y(), at(crack).direction.x(),
+                                 at(crack).direction.y(), why_not_from(at(crack).tip, end_of(crack))));
   }
+}
+
+/// A way begins on an outline: at the boundary, at the end of a slit or on the side of a block.
+std::string CrackFront::why_not_from(const Vec2& x, const std::string& end) const {
+  const std::vector<BlockId> around = blocks_at(body_.assembly, x, geometry_.tolerance());
+  if (around.empty()) return "that lies outside every block";
+  const auto& corners = body_.block(around.front()).outline.vertices;
+  Vec2 nearest = corners.front();
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vec2 &a = corners[i], way = corners[(i + 1) % corners.size()] - a,
+               on = a + std::clamp(way.dot(x - a) / way.squaredNorm(), 0.0, 1.0) * way;
+    if ((on - x).norm() < (nearest - x).norm()) nearest = on;
+  }
+  if ((nearest - x).norm() <= geometry_.tolerance()) return end;
+  return fmt::format(
+      "that lies inside a block, and cracks begin at the boundary, at the end of a slit or on a side "
+      "of a block; the nearest is at ({:.6g}, {:.6g})",
+      nearest.x(), nearest.y());
 }
 
 bool CrackFront::is_automatic() const {

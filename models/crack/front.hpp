@@ -114,6 +114,7 @@ class CrackFront {
   std::optional<Vec2> cut_from_corner(int crack, const Vec2& from, const Vec2& direction);
   std::optional<Vec2> open_side(int crack, const Vec2& from, const Vec2& direction, double within);
   std::string end_at(int crack, const Vec2& x, const Vec2& direction) const;
+  std::string why_not_from(const Vec2& x, const std::string& end) const;
   bool passes(int crack, std::size_t side) const;
   bool is_open_to_cracks(int region) const { return resistance_.contains(region); }
   /// A corner of the block next to a point of its outline, else the point: passing so close by a corner a crack would

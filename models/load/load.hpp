@@ -12,10 +12,14 @@ namespace dda {
 
 /// A stiff spring whose far end the stage moves: paper eqs 16-22.
 struct DrivenSpring {
-  std::string name;
+  std::string name;         ///< of its reaction; "" where the deck gives none
   Functional displacement;  ///< l · u of the driven point
   double prescribed = 0;    ///< δ at full stage value [L]
   double share = 1;         ///< of the stiffness p̄ that every driven spring has
+  Vec2 direction = Vec2::Zero();
+  Position where = {};
+  std::size_t spring = 0;  ///< among those of all stages; this and what follows as DrivenSprings has it
+  double sense = 1;        ///< −1 where that spring measures the opposite
 };
 
 /// A support that is taken away: what it bears when the stage begins acts in its place, and fades.

@@ -7,7 +7,7 @@ namespace {
 
 struct PrescribedDisplacementParameters : Place {
   std::optional<std::string> boundary;
-  std::string name = "driven";
+  std::string name;
   Vec2 direction = Vec2::Zero();
   double displacement = 1;
   Position where;
@@ -18,7 +18,8 @@ struct PrescribedDisplacementParameters : Place {
 ///
 ///     K += p̄ Tᵀ l lᵀ T,   f += p̄ δ Tᵀ l,   reaction r = p̄ (δ − lᵀ u)
 ///
-/// The spring is there in every stage; before its own it holds the point. Springs of a platen, two per side, are as
+/// The spring is there in every stage; before its own it holds the point, and another stage that drives the same goes on from where
+/// it has been left. Springs of a platen, two per side, are as
 /// stiff as the length that they stand for. Source: Pearce et al. (2000), eqs 16-22.
 class PrescribedDisplacement final : public Load {
  public:
@@ -29,7 +30,7 @@ class PrescribedDisplacement final : public Load {
       add_platen(stage, body);
     else
       stage.driven.push_back(
-          {p_.name, displacement_at(body, p_, p_.direction.normalized(), p_.where), p_.displacement});
+          {p_.name, displacement_at(body, p_, along(), p_.where), p_.displacement, 1, along(), p_.where});
   }
   std::optional<Action> action() const override {
     if (p_.boundary) return {};
@@ -37,16 +38,18 @@ class PrescribedDisplacement final : public Load {
   }
 
  private:
+  Vec2 along() const { return p_.direction.normalized(); }
+
   void add_platen(StageLoads& stage, const Body& body) const {
     const auto points = held_points(body, *p_.boundary, p_.where);
     double length = 0;
     for (const BoundaryPoint& point : points) length += point.length;
     for (const BoundaryPoint& point : points) {
-      Functional along;
+      Functional displacement;
       for (const auto& [node, rows] : motions_at(body, point.block, point.x))
-        along.rows.emplace_back(node, rows.transpose() * p_.direction.normalized());
+        displacement.rows.emplace_back(node, rows.transpose() * along());
       const double share = static_cast<double>(points.size()) * point.length / length;
-      stage.driven.push_back({p_.name, std::move(along), p_.displacement, share});
+      stage.driven.push_back({p_.name, std::move(displacement), p_.displacement, share, along(), p_.where});
     }
   }
 
@@ -66,7 +69,12 @@ Schema<PrescribedDisplacementParameters> schema() {
           {.text =
                "Name of a boundary, every point of which is driven alike, as by a rigid platen that does not "
                "turn; instead of `at` or `over`. Its reaction is the sum."})
-      .text("name", &P::name, {.fallback = "driven", .text = "Name under which its reaction is recorded."})
+      .text("name", &P::name,
+            {.fallback = "",
+             .text = "Name under which its reaction is recorded; without one `driven`, `driven_2` along "
+                     "another direction. "
+                     "Stages that drive the same place along the same direction move it on or back, under "
+                     "one name."})
       .point("direction", &P::direction,
              {.dimension = dimension::none, .text = "Direction (lx, ly), any length."})
       .number("displacement", &P::displacement,

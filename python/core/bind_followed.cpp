@@ -162,6 +162,7 @@ void add_steering(py::class_<Follower>& type) {
   type.def_property("control", &Follower::control, &Follower::switch_control)
       .def_property("next_step", &Follower::next_step, &Follower::set_next_step)
       .def("next", &Follower::next)
+      .def("go_on_with", &Follower::go_on_with)
       .def("conclude", &Follower::conclude)
       .def("stop",
            [](Follower& f, const std::string& reason) {

@@ -94,6 +94,17 @@ void Follower::switch_control(const std::string& yaml) {
   run().switch_control(controls().choose(chosen));
 }
 
+void Follower::go_on_with(const std::string& yaml) {
+  Node given = parse_yaml(yaml, "stage");
+  name_places(given, "stage", "");
+  Findings findings;
+  auto stage = stage_kind().read(given, {findings, ".", "stage", "stage"});
+  findings.throw_if_any();
+  stage->where = given.where;
+  const py::gil_scoped_release unlocked;
+  run().go_on_with(*std::move(stage));
+}
+
 double Follower::next_step() const { return run().simulation().path().next_step(); }
 
 void Follower::set_next_step(double size) {

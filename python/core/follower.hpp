@@ -35,6 +35,8 @@ class Follower {
 
   std::string control() const;
   void switch_control(const std::string& yaml);
+  /// Holds all that acts, and goes on with a stage.
+  void go_on_with(const std::string& yaml);
   double next_step() const;
   void set_next_step(double size);
 

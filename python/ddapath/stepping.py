@@ -155,6 +155,13 @@ class Path:
         """Ends the path at the point where it stands, as a goal that it has reached."""
         self._follower.stop(reason)
 
+    def load(self, *loads, name="loading"):
+        """Holds all that acts as it is, and goes on with other loads, dictionaries as in `stages` of a deck, whose load factor
+        begins at 0. What a displacement drives, an earlier stage has to have driven along the same direction. InputError for
+        loads that cannot serve, for a path with a folder, which has the loads of its deck, and while stages of the deck are
+        yet to come; the path then goes on as it did."""
+        self._follower.go_on_with(json.dumps({"name": name, "loads": decks.plain(list(loads))}))
+
     @property
     def here(self):
         """The Point at which the path stands; before the first one its start, with the dead loads."""

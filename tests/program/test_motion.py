@@ -177,6 +177,24 @@ def alone(**motion):
                        "velocities": [{"regions": ["block"], "velocity": [2, 0], "spin": 1}]} | motion}
 
 
+class Driven(unittest.TestCase):
+    def test_by_an_expression_as_by_the_same_sine(self):
+        curves = []
+        for displacement in ({"type": "harmonic", "amplitude": 0.15, "frequency": 1.5},
+                             {"type": "expression", "value": "A*sin(2*pi*1.5*t)"}):
+            deck = copy.deepcopy(SHAKEN) | {"variables": {"A": 0.15}}
+            deck["motion"]["driven"][0]["displacement"] = displacement
+            with tempfile.TemporaryDirectory() as scratch:
+                curves.append(ddapath.run(deck, folder=Path(scratch) / "run").motion.curve)
+        np.testing.assert_allclose(curves[0]["external_work"], curves[1]["external_work"], rtol=1e-9, atol=1e-9)
+
+    def test_begins_where_it_is(self):
+        deck = copy.deepcopy(SHAKEN)
+        deck["motion"]["driven"][0]["displacement"] = {"type": "expression", "value": "0.1*cos(t)"}
+        with tempfile.TemporaryDirectory() as scratch, self.assertRaisesRegex(ddapath.InputError, "is 0 at the time 0"):
+            ddapath.run(deck, folder=Path(scratch) / "run")
+
+
 class Alone(unittest.TestCase):
     """Decks without stages."""
 

@@ -57,6 +57,33 @@ class Following(Scratch):
         self.assertEqual({point.stage for point in points}, {1, 2})
         self.assertEqual({point.stage for point in ddapath.follow(DECK, settings)}, {len(ddapath.read_deck(DECK)["stages"])})
 
+    def test_loads_may_change_on_the_way(self):
+        """As a deck that has the same stages: the first is held where the loop has changed the loads."""
+        deck, settings = ddapath.read_deck(DECK), {"path.stop.after_steps": 4}
+        first = deck["stages"][-1]
+        more = [load | {"force": [1000, -500]} for load in first["loads"]]
+        path, before = ddapath.follow(deck, {"path.stop.steps": 50}), None
+        for point in path:
+            if point.step == 1:
+                before = point
+                path.load(*more, name="more")
+            if point.step == 5:
+                break
+        deck["stages"] = deck["stages"][:-1] + [first | {"until": {"load_factor": before.load_factor}},
+                                               {"name": "more", "loads": more}]
+        theirs = list(ddapath.follow(deck, {"path.stop.steps": 5}))
+        self.assertEqual([point.stage for point in theirs][-1], point.stage)
+        for name in SAME:
+            self.assertAlmostEqual(getattr(theirs[-1], name), getattr(point, name), delta=1e-9 * abs(getattr(point, name)), msg=name)
+        with self.assertRaisesRegex(ddapath.InputError, "did you mean 'point_load'"):
+            path.load({"type": "pointload", "at": [0, 0], "force": [1, 0]})
+        with self.assertRaisesRegex(ddapath.InputError, "drives what an earlier stage has driven"):
+            path.load({"type": "prescribed_displacement", "at": more[0].get("at", [0, 100]), "direction": [0, 1]})
+        with ddapath.follow(DECK, settings, folder=self.folder / "run") as recorded, \
+                self.assertRaisesRegex(ddapath.InputError, "has the loads of its deck"):
+            next(recorded)
+            recorded.load(*more)
+
     def test_a_folder_is_that_of_the_program(self):
         path = ddapath.follow(DECK, SHORT, folder=self.folder / "run")
         count = sum(1 for _ in path)

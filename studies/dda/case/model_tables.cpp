@@ -132,10 +132,9 @@ void add_initial_stress(const StageSums& loads, std::size_t num_blocks, std::vec
 std::vector<Vector> far_ends(const LoadProgramme& programme, const ModelParameters& model,
                              std::size_t num_supports) {
   std::vector<Vector> out(names_of(model).size(), Vector(num_supports + programme.driven.size()));
-  std::size_t spring = num_supports;
   for (std::size_t s = 0; s < programme.stages.size(); ++s)
     for (const DrivenSpring& driven : programme.stages[s].driven)
-      out[place_of(s, model)][spring++] = driven.prescribed;
+      out[place_of(s, model)][num_supports + driven.spring] += driven.sense * driven.prescribed;
   return out;
 }
 

@@ -9,7 +9,9 @@
 namespace dda::motion_column {
 
 inline constexpr const char *work = "external_work", *kinetic = "kinetic_energy", *stored = "stored_energy",
-                            *friction = "friction", *fracture = "fracture", *damping = "viscous_damping",
+                            *strain = "strain_energy",
+                            *contact = "contact_energy",  // parts of what is stored
+                                *friction = "friction", *fracture = "fracture", *damping = "viscous_damping",
                             *numerical = "impact_and_damping", *error = "energy_error";
 
 /// The columns of motion.csv but for the gauges, which stand behind them: those of the energy book, and what fracture has

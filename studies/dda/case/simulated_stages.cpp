@@ -76,6 +76,12 @@ void Simulation::go_through(const StageHistory& history) {
   gauges_.gauges = loading().gauges;
 }
 
+void Simulation::go_on_with_last_stage(const std::string& reason) {
+  equilibrium_->append_stage(*body_, deck_);
+  require_loads();
+  path_->begin_next_stage(reason);
+}
+
 void Simulation::hold_loads(double load_factor) {
   equilibrium_->hold(*body_, deck_, load_factor);
   change_supports();

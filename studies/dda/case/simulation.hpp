@@ -46,6 +46,9 @@ class Simulation {
   void go_through(const StageHistory& history);
   /// The path of the followed stages, with the deck's landings.
   void begin_path();
+  /// Holds the loads as they are and goes on with the last stage of the deck, which has come since. Throws InputError for one
+  /// that cannot serve; the path then goes on as it did.
+  void go_on_with_last_stage(const std::string& reason);
   /// Goes on by the control that the deck names by now. Throws InputError for one that cannot serve here.
   void switch_control();
   Walker& walker() { return *walker_; }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "continuation/control/control.hpp"
+#include "framework/base/suggestion.hpp"
 #include "framework/figure/plot.hpp"
 #include "framework/files/whole_file.hpp"
 #include "framework/messages/tell.hpp"
@@ -27,8 +29,19 @@ struct Compared {
   bool is_expected = false;
 };
 
+void require_known(const std::vector<std::string>& names) {
+  std::vector<std::string> known;
+  for (const FamilyMember* member : controls().entries()) known.push_back(member->name);
+  Findings findings;
+  for (const std::string& name : names)
+    if (!controls().find(name))
+      findings.add(Position{"--controls"}, fmt::format("unknown control '{}'{}", name, suggest(name, known)));
+  findings.throw_if_any();
+}
+
 /// One deck per control; a control that the deck describes keeps its parameters.
 std::vector<DeckFile> decks_of(const CommandLine& line) {
+  require_known(line.controls);
   const DeckFile given = read_deck(line.deck, line.overrides);
   std::vector<DeckFile> out;
   for (const std::string& control : line.controls) {

@@ -28,7 +28,8 @@ Measures::Measures(const Loading& loading, Functional load, std::string load_uni
   }
   num_gauges_ = names_.size();
   for (const auto& [name, reaction] : loading.reactions)
-    add(is_taken(name) ? "reaction_" + name : name, dimension::force, reaction);
+    add(is_taken(name) ? "reaction_" + name : name, reaction.is_moment ? dimension::moment : dimension::force,
+        reaction);
 }
 
 RecordedColumns Measures::path_columns() const {

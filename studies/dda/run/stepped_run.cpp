@@ -1,5 +1,7 @@
 #include "studies/dda/run/stepped_run.hpp"
 
+#include <fmt/format.h>
+
 #include "framework/base/memory.hpp"
 #include "studies/dda/figures/model_picture.hpp"
 #include "studies/dda/run/conclusion.hpp"
@@ -60,6 +62,27 @@ void SteppedRun::switch_control(ControlChoice control) {
     simulation_.switch_control();
   } catch (...) {
     std::swap(deck_.deck.path.control, control);
+    throw;
+  }
+}
+
+void SteppedRun::go_on_with(StageParameters stage) {
+  if (is_recorded())
+    throw InputError(stage.where,
+                     "a run in a folder has the loads of its deck; follow this one without a folder");
+  if (has_ended()) throw InputError(stage.where, "the path has ended: " + ending_.reason);
+  Deck& deck = deck_.deck;
+  const auto leg = static_cast<std::size_t>(simulation_.path().memory().leg);
+  if (leg + 1 < deck.legs().size())
+    throw InputError(stage.where,
+                     fmt::format("stage '{}' of the deck is yet to come", deck.legs()[leg + 1].name));
+  const std::vector<StageParameters> before = deck.stages;
+  deck.stages.back().until = {{"load_factor", simulation_.walker().state().load_factor}};
+  deck.stages.push_back(std::move(stage));
+  try {
+    simulation_.go_on_with_last_stage("as told");
+  } catch (const InputError&) {
+    deck.stages = before;
     throw;
   }
 }

@@ -118,7 +118,7 @@ TEST_F(OnSquare, PrescribedDisplacementDrivesASpring) {
   const StageLoads found =
       load("{type: prescribed_displacement, at: [1, 0.2], direction: [0, -2], displacement: 0.3}");
   ASSERT_EQ(found.driven.size(), 1u);
-  EXPECT_EQ(found.driven[0].name, "driven");
+  EXPECT_EQ(found.driven[0].name, "");
   EXPECT_EQ(found.driven[0].prescribed, 0.3);
   const std::vector<double> d = random_.vector(24, 1);
   EXPECT_NEAR(found.driven[0].displacement.value(d, 0), -displacement(1, {1, 0.2}, d).y(), 1e-14);

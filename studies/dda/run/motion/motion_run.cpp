@@ -91,6 +91,8 @@ class MotionRecorder {
                                ledger.external,
                                ledger.kinetic,
                                ledger.stored.sum(),
+                               ledger.stored.strain,
+                               ledger.stored.contact + ledger.stored.friction,
                                ledger.friction,
                                ledger.fracture,
                                ledger.damping,
@@ -124,7 +126,7 @@ class MotionRecorder {
   /// Where the deck leaves it open so short that there are a hundred frames at least, however early all is at rest, and
   /// twice as long whenever there are twice as many: a hundred where it takes its whole time.
   double between_frames() const {
-    constexpr double frames = 100, shortest = 1.0 / 64;
+    constexpr double frames = 100, shortest = 1.0 / 256;
     if (const double wanted = moved_.deck.motion->frame_every; wanted > 0) return wanted;
     double out = shortest * moved_.time / frames;
     while (motion_.time() > (1 - 1e-9) * 2 * frames * out) out *= 2;

@@ -122,6 +122,7 @@ std::vector<std::string> reserved_columns() {
                                "cracked_steps",
                                "whole_steps",
                                "newton_iterations",
+                               "whole_iterations",
                                "reduced_iterations",
                                "relaxation_iterations",
                                "factorisations",

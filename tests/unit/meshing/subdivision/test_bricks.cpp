@@ -42,6 +42,33 @@ TEST(Bricks, InRunningBondEverySecondCourseIsMovedByHalfABrick) {
   EXPECT_THAT(courses(mesh_of(wall("overlap: 0.3333"))), ElementsAre(whole, third, whole, third));
 }
 
+TEST(Bricks, CoursesMayBeSaidOneByOne) {
+  const Assembly given = mesh_of(
+      "{regions: [{material: brick, vertices: [[0, 0], [3, 0], [3, 1.2], [0, 1.2]]}], subdivision: {type: "
+      "bricks, courses: "
+      "[{height: 0.3, lengths: [1, 0.5]}, {height: 0.3, lengths: [0.75], offset: -0.25}, {height: 0.3, "
+      "lengths: [3]}]}}");
+  EXPECT_THAT(courses(given), ElementsAre(Course{100, 50, 100, 50}, Course{50, 75, 75, 75, 25}, Course{300},
+                                          Course{100, 50, 100, 50}));
+}
+
+TEST(Bricks, CoursesOrABond) {
+  const auto refusal = [](const std::string& bricks) {
+    try {
+      mesh_of(
+          "{regions: [{material: brick, vertices: [[0, 0], [3, 0], [3, 1], [0, 1]]}], subdivision: {type: "
+          "bricks, " +
+          bricks + "}}");
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_THAT(refusal("length: 1"), testing::HasSubstr("bricks need `length` and `height`, or `courses`"));
+  EXPECT_THAT(refusal("height: 1, courses: [{height: 0.3, lengths: [1]}]"),
+              testing::HasSubstr("`courses` say all of their bricks"));
+}
+
 TEST(Bricks, InStackBondJointsAreAboveEachOther) {
   EXPECT_THAT(courses(mesh_of(wall("bond: stack"))), testing::Each(Course(6, 100)));
 }

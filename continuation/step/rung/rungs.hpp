@@ -70,6 +70,17 @@ std::optional<Outcome> look_between(PathState& path, const Candidate& candidate,
 /// The quadrature of the work misses a kink, or joints have snapped.
 std::optional<Outcome> refine_coarse(PathState& path, const Candidate& candidate, Stride& stride);
 
+// What they share.
+
+inline constexpr int most_refinements = 20;  ///< of one step
+
+/// Tries again with a share of the step, which sees more.
+Outcome shorten(PathState& path, Stride& stride, const std::string& why, double share);
+/// Tries again before what lies at a share of the step and could not be landed on.
+Outcome stop_short(Stride& stride, std::string why, double share);
+/// Share of the way to where the next point reaches its strength, where that is to be landed on; else 1.
+double share_to_awaited(const PathState& path, const Candidate& candidate);
+
 /// What is asked of a converged try, one after another; the first that has a say decides.
 inline constexpr std::array<Rung, 9> rungs{refuse_stray,  bracket_peak,     bracket_turn,
                                            look_between,  refine_coarse,    stop_at_branch,
