@@ -104,7 +104,7 @@ class Meeting(unittest.TestCase):
             frames[name] = len(run.motion.steps)
             stored = {int(file.stem) for file in (self.folder / "motion" / "fields").glob("0*.h5")}
             self.assertEqual(stored, set(run.motion.steps))
-        self.assertGreater(frames["early"], 95)
+        self.assertGreater(frames["early"], 75)  # next to all of its steps
         self.assertLess(frames["early"], 210)
         self.assertAlmostEqual(frames["whole"], 101, delta=2)
 

@@ -180,9 +180,9 @@ def alone(**motion):
 class Driven(unittest.TestCase):
     def test_by_an_expression_as_by_the_same_sine(self):
         curves = []
-        for displacement in ({"type": "harmonic", "amplitude": 0.15, "frequency": 1.5},
-                             {"type": "expression", "value": "A*sin(2*pi*1.5*t)"}):
-            deck = copy.deepcopy(SHAKEN) | {"variables": {"A": 0.15}}
+        for displacement, variables in (({"type": "harmonic", "amplitude": 0.15, "frequency": 1.5}, {}),
+                                        ({"type": "expression", "value": "A*sin(2*pi*1.5*t)"}, {"A": 0.15})):
+            deck = copy.deepcopy(SHAKEN) | {"variables": variables}
             deck["motion"]["driven"][0]["displacement"] = displacement
             with tempfile.TemporaryDirectory() as scratch:
                 curves.append(ddapath.run(deck, folder=Path(scratch) / "run").motion.curve)
