@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -108,6 +109,10 @@ struct PathMemory {
   double standing_load = 0;    ///< and the load then
   double standing_energy = 0;  ///< stored and dissipated then [FL]
   bool releases = false;       ///< the last step was one of a release, at whose end more may be borne
+  double load_before =
+      std::numeric_limits<double>::infinity();  ///< of the point before; infinite where a leg begins
+  double way_from = 0;                          ///< displacement of the load where the leg has begun
+  double farthest_way = 0;                      ///< and the largest way from there
   /// The point before the present one, for `Predictor::secant`; none after a jump and where a leg begins.
   std::optional<State> before = {};
   double dissipated_before = 0;  ///< there [FL]
@@ -144,6 +149,9 @@ struct PathMemory {
     visit("cracked_since_peak", self.cracked_since_peak);
     visit("is_mechanism", self.is_mechanism);
     visit("releases", self.releases);
+    visit("load_before", self.load_before);
+    visit("way_from", self.way_from);
+    visit("farthest_way", self.farthest_way);
     visit("mechanism_way", self.mechanism_way);
     visit("mechanism_load", self.mechanism_load);
     visit("mechanism_share", self.mechanism_share);

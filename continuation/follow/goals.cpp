@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "continuation/detour/release.hpp"
@@ -42,12 +43,19 @@ bool has_ruptured(PathState& path) {
          std::abs(path.load_of(path.walker.state())) <= nothing * path.memory.peak_load && !bears_load(path);
 }
 
+/// Whether the last step has led to a load above that before it, and to no strength that would end that: what a release has left
+/// bears load anew, and may bear more.
+bool rises(PathState& path) {
+  return path.memory.load_before < path.load_of(path.walker.state()) &&
+         !(path.releases_at_once && is_release_pending(path.walker.system()));
+}
+
 /// Whether the load has fallen to the share of its peak at which a path ends.
-bool has_fallen(const PathState& path) {
+bool has_fallen(PathState& path) {
   const double target = path.parameters.stop.load_below * path.memory.peak_load * (1 + same_value);
   return target > 0 && path.is_last_leg() && !path.leg().unloads && !path.memory.releases &&
          path.memory.leg_peak > std::max(target, path.smallest_load()) &&
-         path.load_of(path.walker.state()) <= target;
+         path.load_of(path.walker.state()) <= target && !rises(path);
 }
 
 /// Whether the path has gone back since its peak while next to nothing cracked, less than a tenth of what had before, and
@@ -56,8 +64,7 @@ bool has_turned_round(PathState& path) {
   constexpr double back = 0.9, little = 0.1, near = 2;
   const PathMemory& memory = path.memory;
   return memory.cracked_since_peak <= little * memory.cracked_to_peak &&
-         std::abs(path.displacement_of(path.walker.state())) < back * memory.largest_displacement &&
-         bears_load(path, near);
+         way_of_leg(path, path.walker.state()) < back * memory.farthest_way && bears_load(path, near);
 }
 
 std::string fallen_load(const PathState& path) {
@@ -121,6 +128,9 @@ void set_out(PathState& path) {
     path.memory.travels[gauge.name] = {now, now};
   }
   path.memory.leg_peak = path.load_of(path.walker.state());
+  path.memory.way_from = path.displacement_of(path.walker.state());
+  path.memory.farthest_way = 0;
+  path.memory.load_before = std::numeric_limits<double>::infinity();
 }
 
 void set_heading(PathState& path) {

@@ -181,6 +181,10 @@ bool can_slide(const PathState& path) {
          !(path.releases_at_once && std::isfinite(amount_to_event(path)));
 }
 
+double way_of_leg(const PathState& path, const State& state) {
+  return std::abs(path.displacement_of(state) - path.memory.way_from);
+}
+
 double standing_load(const PathState& path, double load) {
   constexpr double same = 1e-6;
   return std::max(same * std::abs(load), path.smallest_load());
@@ -198,6 +202,14 @@ bool moves_freely(const PathState& path) {
                along = mechanism_way * std::abs(path.displacement_of(path.walker.state()));
   return moved > 0 &&
          std::abs(load_rate(path)) * along / moved <= standing_load(path, path.load_of(path.walker.state()));
+}
+
+bool hardly_resists(const PathState& path) {
+  constexpr double hardly = 1e-3;
+  const double moved = std::abs(path.displacement_rate(path.walker.leaving())),
+               so_far = std::abs(path.displacement_of(path.walker.state()));
+  return moved > 0 &&
+         std::abs(load_rate(path)) * so_far <= hardly * moved * std::abs(path.load_of(path.walker.state()));
 }
 
 bool bears_load(PathState& path, double within) {

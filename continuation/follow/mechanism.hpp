@@ -20,6 +20,9 @@ double amount_to_event(const PathState& path);
 /// the release finds what follows.
 bool can_slide(const PathState& path);
 
+/// How far the displacement on which the load works is from where the leg has begun.
+double way_of_leg(const PathState& path, const State& state);
+
 /// By how much a load may change that stays.
 double standing_load(const PathState& path, double load);
 
@@ -29,6 +32,10 @@ double load_rate(const PathState& path);
 
 /// Whether the structure moves on by as much as makes a mechanism while its load stays.
 bool moves_freely(const PathState& path);
+
+/// Whether the load grows with the displacement a thousand times more slowly than it has so far: near the angle at which
+/// joints wedge, what residual stiffness is left of those that slide takes so much.
+bool hardly_resists(const PathState& path);
 
 /// Whether what has cracked would bear its peak load again, nothing cracking or sliding on, by at most so many times its
 /// largest displacement so far: no rupture, whatever load is left. Weight on a crack that friction holds does.

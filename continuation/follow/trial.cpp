@@ -132,6 +132,8 @@ Point noted(PathState& path, const Candidate& candidate, StepKind kind) {
   }
   path.memory.largest_displacement =
       std::max(path.memory.largest_displacement, std::abs(path.displacement_of(candidate.state)));
+  path.memory.farthest_way = std::max(path.memory.farthest_way, way_of_leg(path, candidate.state));
+  path.memory.load_before = path.load_of(path.walker.state());
   return out;
 }
 

@@ -70,7 +70,13 @@ std::optional<Point> next_step(PathState& path) {
   if (!move.to_event && !between_releases) return cracking_step(path, move);
   if (!path.walker.leaving().dissipates) return event_step(path);
   auto point = sequential_step(path, StepKind::event, std::numeric_limits<double>::min());
-  return point ? point : path.stop_early(Stop::no_further_crack, "no interface limits the load any more");
+  if (point || path.ending.kind != Ending::Kind::running) return point;
+  if (!std::isfinite(next_event(path.walker)))
+    return path.stop_early(Stop::no_further_crack, "no interface limits the load any more");
+  return end_without_equilibrium(
+      path, Stop::no_next_equilibrium,
+      "event control found no equilibrium at which the next joint reaches its strength" +
+          (path.refusal.empty() ? "" : ": " + path.refusal));
 }
 
 }  // namespace

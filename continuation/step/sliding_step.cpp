@@ -33,12 +33,16 @@ std::optional<Point> first_slip(PathState& path, double change) {
   return point;
 }
 
-/// No contact changes any more: up to the full reference load, unless something has happened on the path.
+/// No contact changes any more: up to the full reference load, unless something has happened on the path. What slides goes on:
+/// as a mechanism where it takes next to none of what the load has grown by with the displacement so far.
 std::optional<Point> linear_for_good(PathState& path) {
   const bool has_begun = path.walker.state().load_factor != 0;
+  if (path.memory.has_slid && hardly_resists(path))
+    return path.end_with_structure(fmt::format("joints slide on under this load, at a load factor of {:.9g}",
+                                               path.walker.state().load_factor));
   if (path.memory.has_slid || (has_begun && path.walker.here().dissipated > 0))
     return path.end_with_structure(
-        fmt::format("no joint cracks, slides, opens or closes any more beyond a load factor of {:g}",
+        fmt::format("no joint begins to crack, slide, open or close any more beyond a load factor of {:g}",
                     path.walker.state().load_factor));
   return linear_step(path);
 }
