@@ -18,15 +18,22 @@ enum class Bond { stack, running, flemish, english };
 struct Course {
   std::vector<double> lengths;
   double start = 0, height = 0;
-  Position where = {};
 
   double period() const { return std::accumulate(lengths.begin(), lengths.end(), 0.0); }
 };
 
+struct CourseParameters {
+  std::vector<double> lengths;
+  std::optional<double> height;
+  double offset = 0;
+  Position where;
+};
+
 struct BricksParameters {
-  std::optional<double> length, height, header, overlap;
+  double length = 0, height = 0;
+  std::optional<double> header, overlap;
   Bond bond = Bond::running;
-  std::vector<Course> courses;
+  std::vector<CourseParameters> courses;
   std::optional<Vec2> origin;
   Position where;
 };
@@ -34,8 +41,8 @@ struct BricksParameters {
 /// Courses that come again and again, from below.
 class Courses {
  public:
-  explicit Courses(const BricksParameters& p) : courses_(p.courses.empty() ? of_bond(p) : p.courses) {
-    if (p.courses.empty()) shortest_ = std::min(*p.height, header_of(p));
+  explicit Courses(const BricksParameters& p) : courses_(p.courses.empty() ? of_bond(p) : as_said(p)) {
+    if (p.courses.empty()) shortest_ = std::min(p.height, header_of(p));
     for (const Course& course : courses_) {
       bottoms_.push_back(period_);
       period_ += course.height;
@@ -65,9 +72,16 @@ class Courses {
     const auto n = static_cast<std::int64_t>(courses_.size()), within = ((j % n) + n) % n;
     return static_cast<double>((j - within) / n) * period_ + bottoms_[static_cast<std::size_t>(within)];
   }
-  static double header_of(const BricksParameters& p) { return p.header.value_or(*p.length / 2); }
+  static double header_of(const BricksParameters& p) { return p.header.value_or(p.length / 2); }
+  static std::vector<Course> as_said(const BricksParameters& p) {
+    std::vector<Course> out;
+    for (const CourseParameters& course : p.courses)
+      out.push_back({course.lengths.empty() ? std::vector{p.length} : course.lengths, course.offset,
+                     course.height.value_or(p.height)});
+    return out;
+  }
   static std::vector<Course> of_bond(const BricksParameters& p) {
-    const double length = *p.length, height = *p.height, header = header_of(p);
+    const double length = p.length, height = p.height, header = header_of(p);
     switch (p.bond) {
       case Bond::stack:
         return {{{length}, 0, height}};
@@ -139,17 +153,18 @@ class Bricks final : public Subdivision {
   Courses courses_;
 };
 
-Kind<Course> course_kind() {
-  using P = Course;
+Kind<CourseParameters> course_kind() {
+  using P = CourseParameters;
   return Schema<P>("A course of bricks.")
-      .numbers("lengths", &P::lengths,
-               {.dimension = dimension::length,
-                .bounds = above(0),
-                .at_least = 1,
-                .text = "Lengths of its bricks, one after the other, again and again."})
+      .numbers(
+          "lengths", &P::lengths,
+          {.dimension = dimension::length,
+           .bounds = above(0),
+           .at_least = 0,
+           .text = "Lengths of its bricks, one after the other, again and again; else all have `length`."})
       .number("height", &P::height,
-              {.dimension = dimension::length, .bounds = above(0), .text = "Its height."})
-      .number("offset", &P::start,
+              {.dimension = dimension::length, .bounds = above(0), .text = "Its height, if another."})
+      .number("offset", &P::offset,
               {.fallback = 0,
                .dimension = dimension::length,
                .text = "How far from `origin` one of its first bricks begins, to the right."})
@@ -160,12 +175,8 @@ void check(const BricksParameters& p, const Position& where, Findings& findings)
   const bool has_headers = p.bond == Bond::flemish || p.bond == Bond::english;
   if (p.header && !has_headers) findings.add(where, "'header' belongs to flemish and english bond");
   if (p.overlap && p.bond != Bond::running) findings.add(where, "'overlap' belongs to running bond");
-  if (p.courses.empty() && !(p.length && p.height))
-    findings.add(where, "bricks need `length` and `height`, or `courses` one by one");
-  if (!p.courses.empty() && (p.length || p.height || p.header || p.overlap || p.bond != Bond::running))
-    findings.add(
-        where,
-        "`courses` say all of their bricks: leave out `length`, `height`, `bond`, `header` and `overlap`");
+  if (!p.courses.empty() && (p.header || p.overlap || p.bond != Bond::running))
+    findings.add(where, "`courses` say how their bricks lie: leave out `bond`, `header` and `overlap`");
 }
 
 Schema<BricksParameters> schema() {
@@ -174,11 +185,10 @@ Schema<BricksParameters> schema() {
              "Masonry: courses of bricks in a bond, joints of no thickness, cut at the outline; interfaces "
              "and slits are "
              "followed.")
-      .number(
-          "length", &P::length,
-          {.dimension = dimension::length, .bounds = above(0), .text = "Length of a stretcher; of a bond."})
+      .number("length", &P::length,
+              {.dimension = dimension::length, .bounds = above(0), .text = "Length of a stretcher."})
       .number("height", &P::height,
-              {.dimension = dimension::length, .bounds = above(0), .text = "Height of a course; of a bond."})
+              {.dimension = dimension::length, .bounds = above(0), .text = "Height of a course."})
       .one_of("bond", &P::bond,
               {{"stack", Bond::stack},
                {"running", Bond::running},

@@ -8,19 +8,12 @@ namespace dda {
 namespace {
 
 std::string stray(const PathState& path, const Candidate& candidate, const State& ahead) {
-  const bool sets_out = path.walker.state().load_factor == 0 && path.walker.leaving().load_factor > 0;
-  if (sets_out && candidate.state.load_factor < 0) return "the load goes back where the stage begins";
   constexpr double far = 0.5;  // of all displacement so far, and of what a step may change the load by
   const double moved = std::abs(path.displacement_of(candidate.state) - path.displacement_of(ahead));
   const double largest = path.memory.largest_displacement;
   if (largest > 0 && moved > far * std::max(largest, std::abs(path.displacement_of(candidate.state))))
     return "the step strays from its tangent by more than half of all displacement so far";
-  constexpr double many = 100;
-  const double load = path.load_of(candidate.state), fallen = path.load_of(ahead) - load,
-               foreseen = path.load_of(ahead) - path.load_of(path.walker.state());
-  if (path.memory.peak_load > 0 && std::abs(fallen) > path.memory.peak_load &&
-      std::abs(fallen) > many * std::abs(foreseen))
-    return "the step strays from its tangent by more than the largest load so far";
+  const double load = path.load_of(candidate.state), fallen = path.load_of(ahead) - load;
   if (path.walker.leaving().dissipates && path.memory.peak_load > 0 && load > 0 &&
       fallen > far * path.parameters.step.largest * path.memory.peak_load)
     return "the step falls off its tangent by more than half of what the load may change in one";

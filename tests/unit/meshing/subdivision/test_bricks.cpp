@@ -43,30 +43,22 @@ TEST(Bricks, InRunningBondEverySecondCourseIsMovedByHalfABrick) {
 }
 
 TEST(Bricks, CoursesMayBeSaidOneByOne) {
-  const Assembly given = mesh_of(
-      "{regions: [{material: brick, vertices: [[0, 0], [3, 0], [3, 1.2], [0, 1.2]]}], subdivision: {type: "
-      "bricks, courses: "
-      "[{height: 0.3, lengths: [1, 0.5]}, {height: 0.3, lengths: [0.75], offset: -0.25}, {height: 0.3, "
-      "lengths: [3]}]}}");
+  const Assembly given =
+      mesh_of(wall("courses: [{lengths: [1, 0.5]}, {lengths: [0.75], offset: -0.25}, {lengths: [3]}]",
+                   "[[0, 0], [3, 0], [3, 1.2], [0, 1.2]]"));
   EXPECT_THAT(courses(given), ElementsAre(Course{100, 50, 100, 50}, Course{50, 75, 75, 75, 25}, Course{300},
                                           Course{100, 50, 100, 50}));
+  EXPECT_EQ(mesh_of(wall("courses: [{height: 0.4}, {height: 0.2, offset: -0.5}]")).num_blocks(),
+            6u + 7 + 6 + 7);
 }
 
 TEST(Bricks, CoursesOrABond) {
-  const auto refusal = [](const std::string& bricks) {
-    try {
-      mesh_of(
-          "{regions: [{material: brick, vertices: [[0, 0], [3, 0], [3, 1], [0, 1]]}], subdivision: {type: "
-          "bricks, " +
-          bricks + "}}");
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
-    return std::string();
-  };
-  EXPECT_THAT(refusal("length: 1"), testing::HasSubstr("bricks need `length` and `height`, or `courses`"));
-  EXPECT_THAT(refusal("height: 1, courses: [{height: 0.3, lengths: [1]}]"),
-              testing::HasSubstr("`courses` say all of their bricks"));
+  try {
+    mesh_of(wall("bond: stack, courses: [{lengths: [1]}]"));
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("`courses` say how their bricks lie"));
+  }
 }
 
 TEST(Bricks, InStackBondJointsAreAboveEachOther) {
