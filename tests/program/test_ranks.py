@@ -27,7 +27,7 @@ PATHS = {
     "notched beam": (STUDIES / "notched-beam" / "deck.yaml", ("record.at={cmod: [0.005, 0.01, 0.02]}",)),
     "snap-back": (STUDIES / "snap-back-beam" / "deck.yaml", ("record.at={cmod: [0.005, 0.01, 0.02]}",)),
     "friction": (BEAM, (SLIDING,)),
-    "release": (BEAM, (RELEASING,)),
+    "release": (BEAM, (RELEASING, "path.stop.after_steps=170")),
     "all unknowns": (BEAM, ("path.update=refactorise", SMALL)),
     "multipliers": (BEAM, (LAGRANGE, SMALL)),
     "dead load": (BEAM, ("stages=[{loads: [{type: body_force, force: [0, -2.4e-5]}]}, "
