@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "framework/base/threads.hpp"
-#include "models/driven_springs.hpp"
 #include "models/kinematics/second_order.hpp"
 #include "models/loading.hpp"
 
@@ -129,7 +128,7 @@ Equilibrium::Equilibrium(const Body& body, const ModelParameters& model, StageHi
   driven_ = programme.driven;
   added_ = dda::added_springs(all_supports_, model, findings);
   removed_ = programme.removed(all_supports_);
-  check_driven(programme.stages, supports_after(0, removed_.size()), findings);
+  check_driven(programme, supports_after(0, removed_.size()), findings);
   if (!model.stages.empty()) check_supports(body, model, findings);
   for (std::size_t i = 0; i < history_.rest.size(); ++i)
     all_supports_[added_[i].spring].rest = history_.rest[i];

@@ -7,7 +7,7 @@
 #include <span>
 
 #include "framework/base/suggestion.hpp"
-#include "models/driven_springs.hpp"
+#include "models/load/driven_springs.hpp"
 #include "models/load/eigenstress.hpp"
 
 namespace dda {
@@ -304,7 +304,8 @@ void check_removals(const ModelParameters& model, const LoadProgramme& programme
 
 LoadProgramme make_loads(const Body& body, const ModelParameters& model, Findings& findings) {
   LoadProgramme out;
-  DrivenSprings driven(model.support_stiffness * body.largest_modulus() * body.thickness);
+  const double stiffness = model.support_stiffness * body.largest_modulus() * body.thickness;
+  DrivenSprings driven;
   for (const StageParameters& stage : model.loaded_stages()) {
     StageLoads loads;
     loads.force.assign(block_unknowns * body.num_nodes(), 0.0);
@@ -319,9 +320,22 @@ LoadProgramme make_loads(const Body& body, const ModelParameters& model, Finding
     }
     out.stages.push_back(std::move(loads));
   }
-  out.driven = driven.springs();
+  for (const DrivenSpring& spring : driven.springs())
+    out.driven.push_back({spring.name, spring.displacement, spring.share * stiffness});
   check_removals(model, out, findings);
   return out;
+}
+
+void check_driven(const LoadProgramme& programme, const std::vector<Spring>& supports, Findings& findings) {
+  for (const StageLoads& stage : programme.stages)
+    for (const DrivenSpring& driven : stage.driven)
+      for (const Spring& support : supports)
+        if (sense_of(support.displacement, driven.displacement) != 0) {
+          findings.add(driven.where, fmt::format("support '{}' holds what this load drives along the same "
+                                                 "direction; take that out of the support",
+                                                 support.support));
+          return;
+        }
 }
 
 StageLoadings make_stages(const Structure& structure, const LoadProgramme& programme, Findings& findings) {

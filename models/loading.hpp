@@ -23,6 +23,9 @@ StressOffset stress_offset(const Body& body, const InterfaceSet& set, const std:
 /// Asks the loads of every stage for their forces; places outside the structure are findings.
 LoadProgramme make_loads(const Body& body, const ModelParameters& model, Findings& findings);
 
+/// Finds where supports, those that are there from first to last, hold what a load drives along the same direction.
+void check_driven(const LoadProgramme& programme, const std::vector<Spring>& supports, Findings& findings);
+
 /// What loads act on.
 struct Structure {
   const Body& body;

@@ -53,11 +53,11 @@ bool rises(PathState& path) {
 /// Whether the load has fallen to the share of its peak at which a path ends. One that acts the other way by more than that peak
 /// has not.
 bool has_fallen(PathState& path) {
-  const double target = path.parameters.stop.load_below * path.memory.peak_load * (1 + same_value);
+  const double target = path.parameters.stop.load_below * path.memory.peak_load * (1 + same_value),
+               load = path.load_of(path.walker.state());
   return target > 0 && path.is_last_leg() && !path.leg().unloads && !path.memory.releases &&
-         path.memory.leg_peak > std::max(target, path.smallest_load()) &&
-         path.load_of(path.walker.state()) <= target &&
-         path.load_of(path.walker.state()) >= -path.memory.peak_load && !rises(path);
+         path.memory.leg_peak > std::max(target, path.smallest_load()) && load <= target &&
+         load >= -path.memory.peak_load && !rises(path);
 }
 
 /// Whether the path has gone back since its peak while next to nothing cracked, less than a tenth of what had before, and

@@ -4,9 +4,7 @@
 namespace dda {
 
 std::optional<Outcome> bracket_turn(PathState& path, const Candidate& candidate, Stride& stride) {
-  const auto share = before_turn(path, candidate);
-  if (!share || stride.refinements++ >= most_refinements) return {};
-  return shorten(path, stride, "the step crosses a turning point of a gauge", *share);
+  return bracket(path, stride, before_turn(path, candidate), "a turning point of a gauge");
 }
 
 }  // namespace dda

@@ -14,6 +14,12 @@ Outcome shorten(PathState& path, Stride& stride, const std::string& why, double 
   return {};
 }
 
+std::optional<Outcome> bracket(PathState& path, Stride& stride, const std::optional<double>& share,
+                               const std::string& what) {
+  if (!share || stride.refinements++ >= most_refinements) return {};
+  return shorten(path, stride, "the step crosses " + what, *share);
+}
+
 Outcome stop_short(Stride& stride, std::string why, double share) {
   stride.why = std::move(why);
   stride.amount *= 0.5 * std::max(share, 0.1);

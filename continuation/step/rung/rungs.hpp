@@ -74,7 +74,10 @@ std::optional<Outcome> refine_coarse(PathState& path, const Candidate& candidate
 
 inline constexpr int most_refinements = 20;  ///< of one step
 
-/// Tries again with a share of the step, which sees more.
+/// Tries again with a share of the step, which sees more, where there is such a share, some times in a step.
+std::optional<Outcome> bracket(PathState& path, Stride& stride, const std::optional<double>& share,
+                               const std::string& what);
+/// Tries again with a share of the step.
 Outcome shorten(PathState& path, Stride& stride, const std::string& why, double share);
 /// Tries again before what lies at a share of the step and could not be landed on.
 Outcome stop_short(Stride& stride, std::string why, double share);

@@ -12,7 +12,7 @@
 #include "meshing/scene/scene.hpp"
 #include "models/parameters.hpp"
 #include "studies/dda/case/event_kind.hpp"
-#include "studies/dda/case/listed_keys.hpp"
+#include "studies/dda/case/lists/listed_keys.hpp"
 
 namespace dda {
 

@@ -6,7 +6,7 @@
 #include "framework/deck/expression/reading_scope.hpp"
 #include "framework/files/whole_file.hpp"
 #include "meshing/files/geo_constants.hpp"
-#include "studies/dda/case/parameter_list.hpp"
+#include "studies/dda/case/lists/parameter_list.hpp"
 #include "studies/dda/case/written_deck.hpp"
 
 namespace dda {

@@ -9,7 +9,7 @@
 #include "framework/deck/writing/explain.hpp"
 #include "framework/deck/writing/keys.hpp"
 #include "pages_of_explain.hpp"
-#include "studies/dda/case/parameter_list.hpp"
+#include "studies/dda/case/lists/parameter_list.hpp"
 #include "studies/dda/case/written_deck.hpp"
 #include "studies/dda/commands/commands.hpp"
 #include "studies/dda/run/recording/summary.hpp"

@@ -47,10 +47,6 @@ class ModelPicture {
 
   void add_blocks() {
     const MaterialColours colours = material_colours(body_.assembly);
-    Box box;
-    for (const Block& block : body_.assembly.blocks)
-      for (const Vec2& x : block.outline.vertices) box.include(x);
-    size_ = box.size();
     for (const Block& block : body_.assembly.blocks)
       drawing_.polygons.push_back({.outline = block.outline.vertices, .tint = colours.of(block)});
     for (std::size_t i = 0; i < colours.names.size(); ++i)
@@ -106,9 +102,10 @@ class ModelPicture {
     const Vec2 along = arrow.along.normalized(), aside(along.y(), -along.x());
     const auto is_hidden = [&](const svg::Symbol& other) {
       return other.mark == Mark::force && other.colour != arrow.colour &&
-             (other.at - arrow.at).norm() < near * size_ && other.along.normalized().dot(along) > 1 - near;
+             (other.at - arrow.at).norm() < near * equilibrium_.extent() &&
+             other.along.normalized().dot(along) > 1 - near;
     };
-    while (std::ranges::any_of(drawing_.symbols, is_hidden)) arrow.at += step * size_ * aside;
+    while (std::ranges::any_of(drawing_.symbols, is_hidden)) arrow.at += step * equilibrium_.extent() * aside;
     return arrow;
   }
 
@@ -242,7 +239,6 @@ class ModelPicture {
   const Simulation& simulation_;
   const Equilibrium& equilibrium_;
   const Body& body_;
-  double size_ = 0;  ///< of the structure [L]
   svg::Drawing drawing_;
 };
 

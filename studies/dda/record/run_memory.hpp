@@ -24,7 +24,7 @@ struct FirstCrack {
   }
 };
 
-/// A followed stage whose loads are held.
+/// Where a followed stage has begun.
 struct BegunStage {
   int number = 0;   ///< in the deck's `stages`, from 1
   double load = 0;  ///< where it begins: the curve has no row there
@@ -36,6 +36,7 @@ struct BegunStage {
   }
 };
 
+/// A followed stage whose loads are held.
 struct HeldStage {
   int number = 0;  ///< in the deck's `stages`, from 1
   int end = 0;     ///< step at which it ended

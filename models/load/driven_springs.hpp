@@ -3,24 +3,23 @@
 #include <span>
 #include <vector>
 
-#include "framework/base/errors.hpp"
 #include "models/load/load.hpp"
-#include "models/support.hpp"
 
 namespace dda {
 
-/// The springs that loads drive: one for a place and a direction, whatever stages move its far end, so that what one stage has
+/// 1 where two functionals measure the same displacement, −1 where the opposite, 0 else.
+double sense_of(const Functional& one, const Functional& other);
+
+/// What loads drive: one spring for a place and a direction, whatever stages move its far end, so that what one stage has
 /// driven there another drives on or back.
 class DrivenSprings {
  public:
-  /// p̄ of a whole place [F/L].
-  explicit DrivenSprings(double stiffness) : stiffness_(stiffness) {}
-
   /// Gives what a load of a stage drives its springs, and names where it has none: that of what has been driven there before;
   /// else `driven`, with a number where another direction has that name. Throws InputError where the stage drives it already,
   /// and where it had another name before.
   void place(std::size_t stage, std::span<DrivenSpring> of_load);
-  const std::vector<Spring>& springs() const { return springs_; }
+  /// The first that has moved each.
+  const std::vector<DrivenSpring>& springs() const { return springs_; }
 
  private:
   struct Known {
@@ -31,14 +30,9 @@ class DrivenSprings {
   void go_on(std::size_t stage, const Known& known, DrivenSpring& driven);
   std::string name_along(const Vec2& direction);
 
-  double stiffness_;
-  std::vector<Spring> springs_;
+  std::vector<DrivenSpring> springs_;
   std::vector<std::size_t> stages_;  ///< that have driven each last
   std::vector<Vec2> directions_;     ///< of what is called driven, driven_2, ...
 };
-
-/// Where supports, those that are there from first to last, hold what a load drives along the same direction.
-void check_driven(const std::vector<StageLoads>& stages, const std::vector<Spring>& supports,
-                  Findings& findings);
 
 }  // namespace dda

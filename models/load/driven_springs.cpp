@@ -1,4 +1,4 @@
-#include "models/driven_springs.hpp"
+#include "models/load/driven_springs.hpp"
 
 #include <fmt/format.h>
 
@@ -6,9 +6,7 @@
 #include <cmath>
 
 namespace dda {
-namespace {
 
-/// 1 where two functionals measure the same displacement, −1 where the opposite, 0 else.
 double sense_of(const Functional& one, const Functional& other) {
   constexpr double same = 1e-9;
   if (one.rows.size() != other.rows.size()) return 0;
@@ -24,8 +22,6 @@ double sense_of(const Functional& one, const Functional& other) {
   const double sense = product < 0 ? -1 : 1;
   return difference[sense < 0] <= same * same * square ? sense : 0;
 }
-
-}  // namespace
 
 DrivenSprings::Known DrivenSprings::find(const DrivenSpring& driven) const {
   for (std::size_t s = 0; s < springs_.size(); ++s)
@@ -45,7 +41,7 @@ std::string DrivenSprings::name_along(const Vec2& direction) {
 }
 
 void DrivenSprings::go_on(std::size_t stage, const Known& known, DrivenSpring& driven) {
-  const std::string& name = springs_[known.spring].reaction;
+  const std::string& name = springs_[known.spring].name;
   if (stages_[known.spring] == stage)
     throw InputError(driven.where, "is driven along this direction by another load of the stage; keep one");
   if (!driven.name.empty() && driven.name != name)
@@ -70,23 +66,9 @@ void DrivenSprings::place(std::size_t stage, std::span<DrivenSpring> of_load) {
     }
     if (driven.name.empty()) driven.name = name.empty() ? name = name_along(driven.direction) : name;
     driven.spring = springs_.size();
-    springs_.push_back({driven.name, driven.displacement, driven.share * stiffness_});
+    springs_.push_back(driven);
     stages_.push_back(stage);
   }
-}
-
-void check_driven(const std::vector<StageLoads>& stages, const std::vector<Spring>& supports,
-                  Findings& findings) {
-  for (const StageLoads& stage : stages)
-    for (const DrivenSpring& driven : stage.driven)
-      for (const Spring& support : supports)
-        if (sense_of(support.displacement, driven.displacement) != 0) {
-          findings.add(driven.where,
-                       fmt::format("support '{}' holds what this load drives along the same direction; "
-                                   "take that out of the support",
-                                   support.support));
-          return;
-        }
 }
 
 }  // namespace dda
