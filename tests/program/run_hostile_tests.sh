@@ -116,6 +116,7 @@ limits() {
   done
   grep -q __asan_init "$program" || # whose shadow of the memory alone takes terabytes of address space
     (ulimit -v 100000 && refused "little memory" "of address space" "$program" run "$bar" --folder none
+     refused "little memory to check" "of address space" "$program" check "$bar"
      exit $failed) || failed=1
   is_absent none
 }

@@ -96,6 +96,7 @@ bool is_zero(const std::vector<double>& numbers) {
 }  // namespace
 
 Simulation::Simulation(const Deck& deck, Timings& timings) : deck_(deck), timings_(timings) {
+  require_address_space();
   {
     const auto scope = timings.measure("meshing");
     assembly_ = std::make_unique<const Assembly>(with_mirrors(mesh(deck.scene), deck));

@@ -5,7 +5,6 @@
 #include <functional>
 #include <memory>
 
-#include "framework/base/memory.hpp"
 #include "framework/base/threads.hpp"
 #include "framework/files/whole_file.hpp"
 #include "framework/messages/interrupt.hpp"
@@ -43,7 +42,6 @@ nlohmann::ordered_json summary_of(const Simulation& simulation, const MotionReco
 class Run {
  public:
   Run(const DeckFile& deck, const RunOptions& options) : deck_(deck), options_(options) {
-    require_address_space();
     timings_.end_start_up();
     simulation_ = std::make_unique<const Simulation>(deck.deck, timings_);
     guard_.set_flag_first();

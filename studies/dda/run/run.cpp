@@ -4,7 +4,6 @@
 
 #include <cstdio>
 
-#include "framework/base/memory.hpp"
 #include "framework/files/run/results.hpp"
 #include "framework/files/whole_file.hpp"
 #include "framework/messages/interrupt.hpp"
@@ -79,7 +78,6 @@ RunResult run_deck(const DeckFile& deck, const RunOptions& options) {
 RunResult resume_run(const fs::path& existing, const std::vector<std::string>& overrides,
                      const RunOptions& options) {
   Timings timings;
-  require_address_space();
   InterruptGuard guard(OnInterrupt::end);
   const RunFolder source = RunFolder::open(existing);
   require_restart(source);

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "framework/base/memory.hpp"
 #include "studies/dda/figures/model_picture.hpp"
 #include "studies/dda/run/conclusion.hpp"
 #include "studies/dda/run/new_run.hpp"
@@ -12,7 +11,6 @@ namespace dda {
 namespace {
 
 DeckFile with_path(DeckFile deck, Timings& timings) {
-  require_address_space();
   timings.end_start_up();
   if (!deck.deck.has_path())
     throw InputError(Position{deck.path.string()},
