@@ -51,6 +51,7 @@ bool ContactMatrix::factor(const ContactProblem& problem, const std::vector<Mat2
 
 double ContactMatrix::add(const ContactProblem& problem, const RankOne& change) {
   changes_[change.point] = change.sum;
+  ++num_changes_;
   constexpr double singular = 1e-11;
   const auto columns = problem.couplings.middleCols<2>(pair_at(change.point));
   const double ratio = inverse_.add(columns.lazyProduct(change.u), pair_at(change.point), change.v);

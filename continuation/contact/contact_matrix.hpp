@@ -37,6 +37,8 @@ class ContactMatrix {
   /// Brings a solution before the last change up to it.
   void update(Vector& x) const { inverse_.update(x); }
   int num_factorisations() const { return num_factorisations_; }
+  /// Changes of rank one so far.
+  std::size_t num_changes() const { return num_changes_; }
   /// Forgets everything, as where the couplings, the loads or the control are others now.
   void reset() { changes_.clear(); }
 
@@ -47,6 +49,7 @@ class ContactMatrix {
   std::vector<Mat2> changes_;  ///< E; none without factors
   bool is_nearly_singular_ = false;
   int num_factorisations_ = 0;
+  std::size_t num_changes_ = 0;
 };
 
 }  // namespace dda

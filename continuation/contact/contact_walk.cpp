@@ -33,10 +33,12 @@ struct Limits {
   std::size_t all, after_turn;
 };
 
+constexpr std::size_t few_corners = 200;
+constexpr std::size_t many_per_point = 20;  // of a walk that ends by itself, and of a search by many of them
+
 Limits limits_of(Patience patience, std::size_t per_point, std::size_t points) {
-  constexpr std::size_t few = 200;
-  const std::size_t all = per_point * points + few;
-  return {all, patience == Patience::little ? few : all};
+  const std::size_t all = per_point * points + few_corners;
+  return {all, patience == Patience::little ? few_corners : all};
 }
 
 /// How a point at a corner is read: as on the piece on which it has come to stand, or on the one it is moved onto.
@@ -74,7 +76,7 @@ class Walk {
     tau_ = covering(overlap);
     x_ += tau_ * overlap;
     // Ends by itself, but where strong friction wedges bricks many joints are let go and held again on the way.
-    return follow(times(overlap), limits_of(Patience::much, 20, size()));
+    return follow(times(overlap), limits_of(Patience::much, many_per_point, size()));
   }
 
  private:
@@ -208,7 +210,7 @@ class Walk {
     std::uint64_t set = 0;  // of the pieces that are others than at the start
     std::size_t after_turn = 0;
     for (std::size_t corners = 0; corners < limits.all && after_turn < limits.after_turn; ++corners) {
-      if (!passed.insert(set).second) return {};
+      if (!passed.insert(set).second || rule_.gives_up()) return {};
       const Vector along = direction_ * way_;
       const auto end = next_end(along);
       const double rest = direction_ < 0 ? tau_ : std::numeric_limits<double>::infinity();
@@ -363,9 +365,12 @@ std::optional<Vector> walk_proximally(const ContactProblem& problem, Vector star
   double moved = 0, moved_then = 0;
   int patience = 1, stays = 0;
   bool is_trial = false;
-  for (int walks = 0; walks < most_walks && level >= firmest; ++walks) {
+  const std::size_t most =
+      matrix.num_changes() + limits_of(Patience::much, many_per_point, problem.points.size()).all;
+  for (int walks = 0; walks < most_walks && level >= firmest && matrix.num_changes() <= most; ++walks) {
     const double share = std::max(wanted, std::pow(firm, level));
-    const auto found = walk_from(problem, start, matrix, {share, share <= wanted, Patience::little});
+    const auto found =
+        walk_from(problem, start, matrix, {share, share <= wanted, Patience::little, rule.is_over});
     if (!found) {
       if (is_trial) patience *= 2;
       moved_then = moved;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "continuation/contact/contact_matrix.hpp"
@@ -15,6 +16,9 @@ struct WalkRule {
   double share = 1e-7;       ///< ε of the residual stiffness ε P of what is open or slides
   bool is_taken_off = true;  ///< by corrections at the end
   Patience patience = Patience::much;
+  std::function<bool()> is_over = {};  ///< asked at every corner; true gives the walk up
+
+  bool gives_up() const { return is_over && is_over(); }
 };
 
 /// Solves a contact problem by walking from piece to piece: with x₀ and F(x₀) = r the solutions of F(x) = τ r are followed
@@ -37,7 +41,8 @@ std::optional<Eigen::VectorXd> walk_from(const ContactProblem& problem, const Ei
 /// one wanders, as among the many states in which bricks are wedged by strong friction: with more residual
 /// stiffness a walk ends soon, and from there with less again. Where less wanders, the same again, twice as
 /// often each time or until what moves is nearly at rest, as in viscous motion. Given up where it has moved much
-/// farther than the loads open joints: what no residual stiffness keeps near has no solution.
+/// farther than the loads open joints: what no residual stiffness keeps near has no solution. And given up after twenty
+/// corners a point, more than any search that found something has been seen to pass.
 std::optional<Eigen::VectorXd> walk_proximally(const ContactProblem& problem, Eigen::VectorXd start,
                                                ContactMatrix& matrix, const WalkRule& rule = {});
 /// Solves it by a walk that starts with all joints closed and held, so far overlapping that no ray leads to

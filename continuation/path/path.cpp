@@ -12,9 +12,6 @@
 namespace dda {
 namespace {
 
-/// Leaves a step that somebody does not want to wait for.
-struct BrokenOff {};
-
 /// What a step changes before it accepts anything, to be put back. The point before the last stays where it is, and so
 /// does the history but for its flags: only an accepted step replaces them.
 class BeforeStep {
@@ -81,9 +78,8 @@ void Path::begin_next_stage(std::string reason) { begin_stage(state_, std::move(
 
 void Path::interrupt_when(std::function<bool()> asked) {
   interrupted_ = std::move(asked);
-  state_.walker.stepper().watch_by([this] {
-    if (interrupted_() && state_.walker.effort().accepted == accepted_before_) throw BrokenOff{};
-  });
+  state_.walker.stepper().break_off_when(
+      [this] { return interrupted_() && state_.walker.effort().accepted == accepted_before_; });
 }
 
 std::optional<Point> Path::take() {

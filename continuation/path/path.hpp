@@ -28,7 +28,7 @@ class Path {
   const Ending& ending() const { return state_.ending; }
   PathMemory memory() const;
   void restore(const PathMemory& memory);
-  /// Asked before each step and before each solve of one; true ends the path as interrupted, where it stood before the
+  /// Asked before each step and within one; true ends the path as interrupted, where it stood before the
   /// step. Steps that have accepted something, and those of running cracks, are taken to their end.
   void interrupt_when(std::function<bool()> asked);
   /// Goes on by the control that its parameters name by now; gauges and route are looked up again. Its first step has the

@@ -60,7 +60,7 @@ std::optional<Reduced> ContactSolver::solve_sum(const ControlSum& sum, const Ste
   int iterations = 0;
   constexpr int most_rounds = 60;
   for (int round = 0; round < most_rounds; ++round) {
-    if (linear.updated_points().size() > most_points_) return {};
+    if (linear.updated_points().size() > limits_.points) return {};
     if (!points_ || points_->num_points() != linear.updated_points().size())
       points_.emplace(system_, linear, sum);
     const auto scope = system_.timings().measure("contact");
@@ -78,10 +78,17 @@ std::optional<Reduced> ContactSolver::solve_sum(const ControlSum& sum, const Ste
   return {};
 }
 
+CrackedEquations::Rule ContactSolver::rule() const {
+  auto out = CrackedEquations::Rule::of(stepper_.parameters().newton);
+  out.searches = limits_.searches;
+  out.is_over = [&stepper = stepper_] { return stepper.is_broken_off(); };
+  return out;
+}
+
 /// By Newton's method where something cracks, that is wanted and does it, else by walking: where only
 /// contacts change one walk is all, and Newton's method steps round between their pieces, or ends far away.
 std::optional<Reduced> ContactSolver::iterate(const State& start, const State& guess, double step) {
-  const auto rule = CrackedEquations::Rule::of(stepper_.parameters().newton);
+  const auto rule = this->rule();
   std::optional<Reduced> far_away;
   if (tries_newton_ && !points_->only_touch()) {
     auto found = solve_from(points_->begin(guess, rule), step, Method::newton);
@@ -110,7 +117,7 @@ void ContactSolver::refine(Reduced& found, double step) {
   for (int i = 0; i < most && (excess > newton.tolerance || (once && i == 0)); ++i) {
     using enum CrackedEquations::Accuracy;
     points_->refine();
-    auto rule = CrackedEquations::Rule::of(newton);
+    auto rule = this->rule();
     rule.at_least = 1;
     rule.accuracy = once && excess > newton.tolerance ? of_what_is_carried : of_openings;
     auto next = solve_from(points_->go_on_walking(rule), step, Method::walk);

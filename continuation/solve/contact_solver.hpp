@@ -17,14 +17,17 @@ namespace dda {
 /// as while multipliers are iterated.
 class ContactSolver {
  public:
-  /// More than `most_points` are not tried: dense equations grow with the third power.
-  ContactSolver(Stepper& stepper, const State& near, std::size_t most_points)
-      : stepper_(stepper), system_(stepper.system()), most_points_(most_points) {
+  struct Limits {
+    std::size_t points;    ///< more are not tried: dense equations grow with the third power
+    bool searches = true;  ///< other ways where the straight one leads nowhere
+  };
+  ContactSolver(Stepper& stepper, const State& near, const Limits& limits)
+      : stepper_(stepper), system_(stepper.system()), limits_(limits) {
     prepare(near);
   }
 
   /// Walks begin at the start of the step: between it and what is wanted they are equilibria of the path.
-  /// Nothing with initial stress, where no joint is in contact, where more than `most_points` points would
+  /// Nothing with initial stress, where no joint is in contact, where more points than the limit would
   /// take part, and where there is no equilibrium.
   std::optional<Reduced> solve(const StepGoal& goal);
   /// Whether to walk at once, as where Newton's method has ended far away on a singular matrix.
@@ -34,6 +37,7 @@ class ContactSolver {
 
  private:
   void prepare(const State& near);
+  CrackedEquations::Rule rule() const;
   std::optional<Reduced> solve_sum(const ControlSum& sum, const StepGoal& goal, const State& guess);
   std::optional<Reduced> iterate(const State& start, const State& guess, double step);
   std::optional<Reduced> solve_from(const Iterate& at, double step, Method method);
@@ -41,7 +45,7 @@ class ContactSolver {
 
   Stepper& stepper_;
   System& system_;
-  std::size_t most_points_;
+  Limits limits_;
   bool tries_newton_ = true;
   std::optional<CrackedEquations> points_;
 };

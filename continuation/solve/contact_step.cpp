@@ -33,7 +33,9 @@ Attempt contact_step(Stepper& stepper, const StepGoal& goal, Thoroughness thorou
   if (!system.has_contacts()) return out;
   const double tolerance = parameters.newton.tolerance;
   if (parameters.multipliers.predicted) system.set_multipliers(goal.guess.multipliers);
-  ContactSolver solver(stepper, goal.guess, most_contacts(system, thoroughness));
+  ContactSolver solver(
+      stepper, goal.guess,
+      {.points = most_contacts(system, thoroughness), .searches = thoroughness != Thoroughness::quick});
   const State* from = &goal.start;
   const auto solve = [&](bool tries_newton) {
     solver.try_newton(tries_newton);

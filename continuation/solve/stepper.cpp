@@ -56,7 +56,7 @@ int Stepper::num_steps(Unknowns unknowns) const {
 }
 
 Attempt Stepper::find(const StepGoal& goal, Thoroughness thoroughness) {
-  if (watch_) watch_();
+  if (is_broken_off()) throw BrokenOff{};
   const State& start = goal.start;
   const FrozenDamage frozen(system_, goal.control.freezes_damage());
   system_.set_multipliers(start.multipliers);

@@ -46,6 +46,9 @@ struct StepperParameters {
   bool stability = true;  ///< count the negative eigenvalues of every equilibrium that is tried
 };
 
+/// Leaves a step that somebody does not want to wait for: the path stands where it stood.
+struct BrokenOff {};
+
 /// How much is tried before a step is given up.
 enum class Thoroughness {
   quick,  ///< a shorter one is tried next: the cracked points alone, where only cracks open
@@ -77,8 +80,9 @@ class Stepper {
   int num_steps(Unknowns unknowns) const;
   /// Iterations of NOX since they were last taken.
   int take_iterations(Unknowns unknowns) { return std::exchange(iterations_[place(unknowns)], 0); }
-  /// Called before each attempt. What it throws ends the step: the path stands where it stood.
-  void watch_by(std::function<void()> watch) { watch_ = std::move(watch); }
+  /// Asked before each attempt, which then throws BrokenOff, and while contact is searched for.
+  void break_off_when(std::function<bool()> asked) { asked_ = std::move(asked); }
+  bool is_broken_off() const { return asked_ && asked_(); }
   /// Where NOX and LOCA print what `path.newton.output` asks for, from the first solve on.
   void log_to(const std::filesystem::path& file) { log_ = file; }
 
@@ -88,7 +92,7 @@ class Stepper {
 
   System& system_;
   StepperParameters parameters_;
-  std::function<void()> watch_;
+  std::function<bool()> asked_;
   std::filesystem::path log_;
   std::array<std::unique_ptr<LocaStepper>, 2> loca_;
   std::array<int, 2> iterations_{};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "continuation/follow/advice.hpp"
 #include "continuation/follow/landings.hpp"
@@ -63,19 +64,26 @@ std::optional<Stopped> turning_point(PathState& path) {
 }
 
 /// Looks beyond the last load that load control could reach, by the displacement on which the load works: where that
-/// goes on and the load stays, what slides or turns is a mechanism under it.
-std::optional<Stopped> mechanism_beyond(PathState& path, const Move& move) {
+/// goes on and the load falls, a limit point; where it stays, at once or after the last corners before it, what slides or
+/// turns is a mechanism under it.
+std::optional<Stopped> beyond_load(PathState& path, const Move& move) {
   if (move.kind != StepKind::load || !path.walker.system().has_contacts()) return {};
-  const double load = path.load_of(path.walker.state());
+  double load = path.load_of(path.walker.state());
   const double along = mechanism_way * std::abs(path.displacement_of(path.walker.state()));
   const Move by_displacement = displacement_move(path);
   if (by_displacement.rate == 0 || along == 0) return {};
-  for (const double multiple : {1.0, 10.0}) {
+  for (const double multiple : {1.0, 10.0, 100.0}) {
     const auto beyond = try_step(path, by_displacement, multiple * along / std::abs(by_displacement.rate),
                                  Thoroughness::full);
-    if (!beyond || std::abs(path.load_of(beyond->state) - load) > standing_load(path, load) ||
-        !is_free_beyond(path))
-      continue;
+    if (!beyond) continue;
+    const double before = std::exchange(load, path.load_of(beyond->state));
+    const double change = load - before, hardly = standing_load(path, load);
+    if (change < -hardly) {
+      Tangent down = beyond->arriving;
+      down.load_factor = beyond->state.load_factor - path.walker.state().load_factor;
+      return path.control->obstacle(down);
+    }
+    if (change > hardly || (multiple == 1 && !is_free_beyond(path))) continue;
     return Stopped{
         Stop::limit_point,
         fmt::format("the load rises no further: at a load factor of {:.9g} the structure moves on as a "
@@ -119,10 +127,10 @@ std::optional<Point> end_of_steps(PathState& path, const Stride& stride) {
 /// Why a path ends whose control finds no next equilibrium.
 std::optional<Point> end_of_control(PathState& path, const Stride& stride) {
   if (const auto turned = turning_point(path)) return path.stop_early(turned->stop, turned->text);
-  if (const auto free = mechanism_beyond(path, stride.move)) {
-    path.unsound.reset();  // states that only weak springs would hold are beyond it
-    return path.stop_early(free->stop, free->text);
-  }
+  const auto refused = path.unsound;
+  const auto limit = beyond_load(path, stride.move);
+  path.unsound = limit ? std::nullopt : refused;  // what is refused beyond the end is not why
+  if (limit) return path.stop_early(limit->stop, limit->text);
   constexpr double hardly_any = 1e-3;
   const double left = std::abs(path.load_of(path.walker.state())) / path.memory.peak_load;
   if (left < hardly_any && !bears_load(path))

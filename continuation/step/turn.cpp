@@ -58,7 +58,6 @@ std::optional<Point> land_on_turn(PathState& path, const Stride& stride, bool on
 }
 
 std::optional<Point> land_on_contact_change(PathState& path, double amount, StepKind kind) {
-  if (!path.walker.leaving().dissipates && kind != StepKind::arc_length) return {};
   if (!path.walker.system().has_contacts()) return {};
   const auto change = find_contact_change(path.walker);
   if (!change || change->amount >= amount || change->amount < hardly * amount) return {};

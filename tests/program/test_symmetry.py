@@ -100,7 +100,7 @@ class Symmetry(ProgramCase):
             "it is not straight": {"scene": bent},
             "take another treatment": {"interfaces": {"ligament": {"boundary": "axis", "treatment": "lagrange"}}},
             "is another interface already": {"interfaces": {"one": {"boundary": "axis"}, "two": {"boundary": "axis"}}},
-            "nothing else may hold or load it": {"supports": deck["supports"] | {"axis": {"boundary": "axis", "fix": "normal"}}},
+            "each is on a plane of symmetry, which nothing else may hold or load": {"supports": deck["supports"] | {"axis": {"boundary": "axis", "fix": "normal"}}},
             "cracks through blocks do not know planes of symmetry": {"cracks": [{"through_blocks": ["beam"], "law": "ligament", "begin": "automatic"}]},
             "`motion` needs the whole structure": {"motion": {"time": 1}},
         }

@@ -46,15 +46,18 @@ std::string tractions(const Drawing& drawing, const Vec3& stress) {
   return out;
 }
 
-/// Drives every corner of the outline to its exact place.
+/// Drives every corner of the outline to its exact place, but where the supports hold it there: the first, and the
+/// height of the second.
 std::string driven_corners(const Drawing& drawing, const LinearField& field) {
   std::string out;
-  for (const Vec2& x : drawing.outline.vertices)
-    for (const Vec2& l : {Vec2(1, 0), Vec2(0, 1)})
+  for (std::size_t i = 1; i < drawing.outline.size(); ++i)
+    for (const Vec2& l : i == 1 ? std::vector{Vec2(1, 0)} : std::vector{Vec2(1, 0), Vec2(0, 1)}) {
+      const Vec2& x = drawing.outline.at(i);
       out += fmt::format(
           "      - {{type: prescribed_displacement, at: [{:.17g}, {:.17g}], direction: [{}, {}], "
           "displacement: {:.17g}}}\n",
           x.x(), x.y(), l.x(), l.y(), l.dot(field(x)));
+    }
   return out;
 }
 

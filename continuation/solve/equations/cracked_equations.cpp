@@ -67,7 +67,6 @@ Iterate CrackedEquations::start_at(const State& guess, const Rule& rule, bool wa
   evaluate();
   rule_ = rule;
   walks_ = walks;
-  corrects_ = false;
   pieces_ = {};
   rises_ = 0;
   start_.assign(q_.begin(), q_.end());
@@ -94,7 +93,8 @@ Iterate CrackedEquations::go_on_walking(const Rule& rule) {
   walk_start_.resize(length() + 1);
   walk_start_ << q_, load_factor_;
   rule_ = rule;
-  walks_ = corrects_ = true;
+  rule_.searches = false;
+  walks_ = true;
   rises_ = 0;
   start_.assign(q_.begin(), q_.end());
   return {start_, load_factor_};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -33,6 +34,8 @@ class CrackedEquations final : public WalkedEquations {
     bool may_settle = false;  ///< of Newton's method: sets may come back
     int at_least = 0;         ///< of walks
     Accuracy accuracy = Accuracy::of_openings;
+    bool searches = true;                ///< of walks: other ways where the straight one leads nowhere
+    std::function<bool()> is_over = {};  ///< gives walks up, see WalkRule
 
     /// As the parameters have it, which if they limit the iterations limit them all.
     static Rule of(const NewtonParameters& newton) {
@@ -141,7 +144,7 @@ class CrackedEquations final : public WalkedEquations {
 
   // of the iteration
   Rule rule_;
-  bool walks_ = false, corrects_ = false;
+  bool walks_ = false;
   PiecesWatch pieces_;
   std::vector<double> start_;  ///< x where it begins
   Vector walk_start_;          ///< q and λ where the next walk begins

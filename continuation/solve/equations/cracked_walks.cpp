@@ -34,10 +34,10 @@ std::vector<double> CrackedEquations::walk_from(const Iterate& at) {
   evaluate(at);
   linearise();
   constexpr double smaller = 0.03;
-  WalkRule rule{.patience = Patience::little};
+  WalkRule rule{.patience = Patience::little, .is_over = rule_.is_over};
   rule.share *= std::pow(smaller, rises_);
   auto found = dda::walk_from(problem_, walk_start_, matrix_, rule);
-  if (!found && !corrects_) found = search(rule);
+  if (!found && rule_.searches) found = search(rule);
   if (!found || !found->allFinite()) return {};
   walk_start_ = *found;
   return {found->begin(), found->end()};

@@ -116,11 +116,6 @@ Simulation::Simulation(const Deck& deck, Timings& timings) : deck_(deck), timing
     throw InputError(deck.path.where,
                      "path.branch: switch is not available with the unknown multipliers of "
                      "'lagrange'; use another treatment");
-  if (deck.record.stiffness && equilibrium_->num_blocks() > RecordParameters::most_stiffness_blocks)
-    throw InputError(deck.where,
-                     fmt::format("record.stiffness: the structure has {} blocks; at most {} can be "
-                                 "written by contribution",
-                                 equilibrium_->num_blocks(), RecordParameters::most_stiffness_blocks));
   if (deck.has_path()) {
     require_control();
     require_shared_solver(deck);
@@ -131,10 +126,7 @@ Simulation::Simulation(const Deck& deck, Timings& timings) : deck_(deck), timing
   }
   notices_ = first_notices(*body_, *equilibrium_, deck);
   require_way();
-  if (deck.record.detail)
-    for (const Spot& corner : {deck.record.detail->from, deck.record.detail->to}) locate(*assembly_, corner);
-  if (deck.record.reference_peak)
-    for (const auto& [name, value] : deck.record.reference_peak->at) gauge(name, deck.where);
+  require_record();
 }
 
 void Simulation::assemble() {
@@ -165,6 +157,19 @@ void Simulation::require_loads() const {
       findings.add(stages[s].where, "stage '" + loadings[s]->name +
                                         "' applies no load: its forces are zero or cancel each other");
   findings.throw_if_any();
+}
+
+void Simulation::require_record() const {
+  const RecordParameters& record = deck_.record;
+  if (record.stiffness && equilibrium_->num_blocks() > RecordParameters::most_stiffness_blocks)
+    throw InputError(deck_.where,
+                     fmt::format("record.stiffness: the structure has {} blocks; at most {} can be "
+                                 "written by contribution",
+                                 equilibrium_->num_blocks(), RecordParameters::most_stiffness_blocks));
+  if (record.detail)
+    for (const Spot& corner : {record.detail->from, record.detail->to}) locate(*assembly_, corner);
+  if (record.reference_peak)
+    for (const auto& [name, value] : record.reference_peak->at) gauge(name, deck_.where);
 }
 
 void Simulation::require_control() const {

@@ -74,11 +74,13 @@ class Simulation {
   void assemble();
   /// Throws InputError for stages that apply nothing.
   void require_loads() const;
-  /// Throws InputError for a control that names no known gauge, that cannot serve, or whose steps have no size to
-  /// be set.
   /// Throws InputError for a goal at which the path starts, and for gauges that there are not.
   void require_way() const;
+  /// Throws InputError for a control that names no known gauge, that cannot serve, or whose steps have no size to
+  /// be set.
   void require_control() const;
+  /// Throws InputError for a record of places, gauges or sizes that there are not.
+  void require_record() const;
   /// Throws InputError for more eigenvalues than there are, or than fit into memory.
   void require_eigenvalues() const;
   void require_density() const;
