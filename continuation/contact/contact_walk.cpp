@@ -365,8 +365,7 @@ std::optional<Vector> walk_proximally(const ContactProblem& problem, Vector star
   double moved = 0, moved_then = 0;
   int patience = 1, stays = 0;
   bool is_trial = false;
-  const std::size_t most =
-      matrix.num_changes() + limits_of(Patience::much, many_per_point, problem.points.size()).all;
+  const std::size_t most = matrix.num_changes() + many_per_point * problem.points.size() + few_corners;
   for (int walks = 0; walks < most_walks && level >= firmest && matrix.num_changes() <= most; ++walks) {
     const double share = std::max(wanted, std::pow(firm, level));
     const auto found =

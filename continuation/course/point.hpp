@@ -108,7 +108,9 @@ struct PathMemory {
   double standing_way = 0;  ///< displacement of the load since when it has hardly changed; 0 where it is none
   double standing_load = 0;    ///< and the load then
   double standing_energy = 0;  ///< stored and dissipated then [FL]
-  bool releases = false;       ///< the last step was one of a release, at whose end more may be borne
+  double plateau_way = 0;      ///< displacement of the load since when it has stayed but for rounding
+  double plateau_load = std::numeric_limits<double>::infinity();  ///< and the load; infinite where it is none
+  bool releases = false;  ///< the last step was one of a release, at whose end more may be borne
   double load_before =
       std::numeric_limits<double>::infinity();  ///< of the point before; infinite where a leg begins
   double way_from = 0;                          ///< displacement of the load where the leg has begun
@@ -158,6 +160,8 @@ struct PathMemory {
     visit("standing_way", self.standing_way);
     visit("standing_load", self.standing_load);
     visit("standing_energy", self.standing_energy);
+    visit("plateau_way", self.plateau_way);
+    visit("plateau_load", self.plateau_load);
     visit("dissipated_before", self.dissipated_before);
   }
 };

@@ -95,6 +95,7 @@ void count_leg(PathState& path) {
   path.memory.leg_start = path.walker.effort().accepted;
   path.memory.step = 0;
   path.memory.mechanism_way = path.memory.mechanism_share = path.memory.standing_way = 0;
+  path.memory.plateau_load = std::numeric_limits<double>::infinity();
   path.memory.before.reset();
 }
 

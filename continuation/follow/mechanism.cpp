@@ -96,6 +96,19 @@ bool drifts(PathState& path, double load) {
   return out && path.walker.leaving().dissipates;
 }
 
+/// Whether the load has stayed, but for rounding, while the structure moved on by a part of its way, in one step or in many.
+bool stays(PathState& path, double load, const State& before) {
+  PathMemory& memory = path.memory;
+  const double load_before = path.load_of(before), standing = standing_load(path, load);
+  if (!(std::abs(load - memory.plateau_load) <= standing)) {
+    memory.plateau_load = load_before;
+    memory.plateau_way = path.displacement_of(before);
+  }
+  const double along = std::abs(path.displacement_of(path.walker.state()) - memory.plateau_way);
+  return std::abs(load - memory.plateau_load) <= standing &&
+         along >= mechanism_way * way_before(path, memory.plateau_way);
+}
+
 /// Whether the structure begins to move as a mechanism, none before or one under another load, which has locked.
 bool sets_out(PathState& path, double load) {
   PathMemory& memory = path.memory;
@@ -236,11 +249,9 @@ bool is_free_beyond(const PathState& path) {
 }
 
 void note_mechanism(PathState& path, Point& point, const Departure& before) {
-  const double load = path.load_of(path.walker.state()), from = path.displacement_of(before.state);
-  const double change = std::abs(load - path.load_of(before.state));
-  const double along = std::abs(path.displacement_of(path.walker.state()) - from);
-  const bool is_free = change <= standing_load(path, load) && along >= mechanism_way * way_before(path, from);
-  if (!drifts(path, load) && !is_free) return;
+  const double load = path.load_of(path.walker.state());
+  const bool is_free = stays(path, load, before.state), is_drift = drifts(path, load);
+  if (!is_free && !is_drift) return;
   const ContactMotion moving = contact_motion(path.walker, before.state);
   const double factor = std::abs(load) > path.smallest_load() ? path.walker.state().load_factor : 0;
   const std::string text =

@@ -31,18 +31,39 @@ struct Course {
   }
 };
 
-Course course_of(const Functional& gauge, const Walker& walker, const Candidate& candidate) {
-  const double dissipated = candidate.dissipated - walker.here().dissipated;
-  return {walker.value(gauge), candidate.state.value(gauge), walker.leaving().rate(gauge) * dissipated,
-          candidate.arriving.rate(gauge) * dissipated};
-}
-
 /// Looks in a row that may find nothing.
 constexpr int most_idle_looks = 10;
 
-bool is_smooth(const Walker& walker, const Candidate& candidate) {
-  return candidate.dissipated > walker.here().dissipated && walker.leaving().dissipates &&
-         candidate.arriving.dissipates;
+/// By what the rates at both ends of a step are to be multiplied to be changes over it.
+struct Spans {
+  double leaving, arriving;
+};
+
+/// The energy that is spent in it; nothing where cracks do not grow at both ends.
+std::optional<Spans> cracking_spans(const Walker& walker, const Candidate& candidate) {
+  const double dissipated = candidate.dissipated - walker.here().dissipated;
+  const bool grows = dissipated > 0 && walker.leaving().dissipates && candidate.arriving.dissipates;
+  return grows ? std::optional(Spans{dissipated, dissipated}) : std::nullopt;
+}
+
+/// Where none grows and contacts change, the displacement of the load over its rate. Nothing where neither runs on from end
+/// to end.
+std::optional<Spans> spans(const PathState& path, const Candidate& candidate) {
+  const Walker& walker = path.walker;
+  if (const auto cracking = cracking_spans(walker, candidate)) return cracking;
+  if (walker.leaving().dissipates || candidate.arriving.dissipates || !walker.system().has_contacts())
+    return {};
+  const double moved = path.displacement_of(candidate.state) - path.displacement_of(walker.state());
+  const Spans out{moved / path.displacement_rate(walker.leaving()),
+                  moved / path.displacement_rate(candidate.arriving)};
+  const bool runs_on = out.leaving > 0 && out.arriving > 0 && std::isfinite(out.leaving + out.arriving);
+  return runs_on ? std::optional(out) : std::nullopt;
+}
+
+Course course_of(const Functional& gauge, const Walker& walker, const Candidate& candidate,
+                 const Spans& over) {
+  return {walker.value(gauge), candidate.state.value(gauge), walker.leaving().rate(gauge) * over.leaving,
+          candidate.arriving.rate(gauge) * over.arriving};
 }
 
 /// What a turn of a gauge is measured by: its largest value so far; of one that hardly moves beside the
@@ -57,11 +78,12 @@ double size_of_gauge(const PathState& path, const NamedGauge& gauge, const Candi
 
 /// Whether a displacement gauge turns within the step.
 bool turns(const PathState& path, const Candidate& candidate) {
-  if (!is_smooth(path.walker, candidate)) return false;
+  const auto over = cracking_spans(path.walker, candidate);
+  if (!over) return false;
   constexpr double noticeable = 1e-3;
   return std::ranges::any_of(path.travelling, [&](const NamedGauge& gauge) {
     if (gauge.dimension != dimension::length) return false;
-    const Course course = course_of(gauge.functional, path.walker, candidate);
+    const Course course = course_of(gauge.functional, path.walker, candidate, *over);
     return course.turns() &&
            course.cut_off() > noticeable * turn_depth * size_of_gauge(path, gauge, candidate);
   });
@@ -70,25 +92,24 @@ bool turns(const PathState& path, const Candidate& candidate) {
 }  // namespace
 
 std::optional<double> before_peak(const PathState& path, const Candidate& candidate) {
-  const double dissipated = candidate.dissipated - path.walker.here().dissipated;
-  if (dissipated <= 0 || !path.walker.leaving().dissipates || !candidate.arriving.dissipates) return {};
+  const auto over = spans(path, candidate);
+  if (!over) return {};
   const double sign = path.memory.direction < 0 ? -1 : 1;
-  const double rise = sign * path.walker.leaving().rate(path.load) * dissipated;
-  const double fall = sign * candidate.arriving.rate(path.load) * dissipated;
-  if (rise <= 0 || fall >= 0) return {};
-  const double from = path.load_of(path.walker.state()), to = path.load_of(candidate.state);
-  const double share = (to - from - fall) / (rise - fall);
-  const double top = from + share * rise, highest = std::max({from, to, path.memory.peak_load});
-  if (top <= highest * (1 + path.parameters.peak_tolerance)) return {};
+  const Course load = course_of(path.load, path.walker, candidate, *over);
+  if (sign * load.leaving <= 0 || sign * load.arriving >= 0) return {};
+  const double share = load.meeting(), top = sign * (load.from + share * load.leaving),
+               highest = std::max({sign * load.from, sign * load.to, path.memory.peak_load});
+  if (top <= std::max(highest * (1 + path.parameters.peak_tolerance), path.smallest_load())) return {};
   return std::clamp(share, 0.1, 0.9);
 }
 
 std::optional<double> before_turn(const PathState& path, const Candidate& candidate) {
-  if (!is_smooth(path.walker, candidate)) return {};
+  const auto over = cracking_spans(path.walker, candidate);
+  if (!over) return {};
   std::optional<double> first;
   for (const NamedGauge& gauge : path.travelling) {
     if (gauge.dimension != dimension::length) continue;
-    const Course course = course_of(gauge.functional, path.walker, candidate);
+    const Course course = course_of(gauge.functional, path.walker, candidate, *over);
     if (!course.turns() || course.cut_off() <= 0.5 * turn_depth * size_of_gauge(path, gauge, candidate))
       continue;
     first = std::min(first.value_or(1), course.meeting());
@@ -98,7 +119,6 @@ std::optional<double> before_turn(const PathState& path, const Candidate& candid
 }
 
 std::optional<double> before_hidden_turn(const PathState& path, const Candidate& candidate, double amount) {
-  if (!is_smooth(path.walker, candidate)) return {};
   if (!may_hide_peak(path, candidate) && !may_hide_turns(path, candidate)) return {};
   const double corner = std::min(next_corner(path.walker), next_new_crack(path.walker)) / amount;
   constexpr double nearest = 0.1, farthest = 0.9, half = 0.5;
@@ -106,21 +126,24 @@ std::optional<double> before_hidden_turn(const PathState& path, const Candidate&
 }
 
 bool may_hide_peak(const PathState& path, const Candidate& candidate) {
-  if (path.memory.idle_looks >= most_idle_looks) return false;
+  const auto over = spans(path, candidate);
+  if (!over || path.memory.idle_looks >= most_idle_looks) return false;
   const double sign = path.memory.direction < 0 ? -1 : 1;
-  const Course load = course_of(path.load, path.walker, candidate);
+  const Course load = course_of(path.load, path.walker, candidate, *over);
   const double highest = std::max({sign * load.from, sign * load.to, path.memory.peak_load});
   const double top = std::max(sign * load.from, sign * load.to) + load.kink();
   const bool rises_on = sign * load.to >= highest && sign * load.arriving > 0;  // the peak is still ahead
-  return !rises_on && top > highest * (1 + 0.5 * path.parameters.peak_tolerance);
+  return !rises_on &&
+         top > std::max(highest * (1 + 0.5 * path.parameters.peak_tolerance), path.smallest_load());
 }
 
 bool may_hide_turns(const PathState& path, const Candidate& candidate) {
-  if (path.memory.idle_turn_looks >= most_idle_looks) return false;
+  const auto over = cracking_spans(path.walker, candidate);
+  if (!over || path.memory.idle_turn_looks >= most_idle_looks) return false;
   constexpr double smooth = 3;
   return std::ranges::any_of(path.travelling, [&](const NamedGauge& gauge) {
     if (gauge.dimension != dimension::length) return false;
-    const Course course = course_of(gauge.functional, path.walker, candidate);
+    const Course course = course_of(gauge.functional, path.walker, candidate, *over);
     const double depth = turn_depth * size_of_gauge(path, gauge, candidate);
     return course.kink() > smooth * depth && !course.turns() && course.turned_back() > depth;
   });

@@ -26,6 +26,14 @@ std::size_t most_contacts(const System& system, Thoroughness thoroughness) {
   return system.joins_by_contact() || thoroughness == Thoroughness::full ? 1500 : 200;
 }
 
+namespace {
+
+ContactSolver::Limits limits_of(const System& system, Thoroughness thoroughness) {
+  return {.points = most_contacts(system, thoroughness), .searches = thoroughness != Thoroughness::quick};
+}
+
+}  // namespace
+
 Attempt contact_step(Stepper& stepper, const StepGoal& goal, Thoroughness thoroughness) {
   System& system = stepper.system();
   const StepperParameters& parameters = stepper.parameters();
@@ -33,9 +41,7 @@ Attempt contact_step(Stepper& stepper, const StepGoal& goal, Thoroughness thorou
   if (!system.has_contacts()) return out;
   const double tolerance = parameters.newton.tolerance;
   if (parameters.multipliers.predicted) system.set_multipliers(goal.guess.multipliers);
-  ContactSolver solver(
-      stepper, goal.guess,
-      {.points = most_contacts(system, thoroughness), .searches = thoroughness != Thoroughness::quick});
+  ContactSolver solver(stepper, goal.guess, limits_of(system, thoroughness));
   const State* from = &goal.start;
   const auto solve = [&](bool tries_newton) {
     solver.try_newton(tries_newton);

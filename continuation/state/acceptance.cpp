@@ -85,8 +85,10 @@ std::string objection_to(const Holding& holding, const SoundnessLimits& limits,
                          const Equilibrium& equilibrium) {
   constexpr double of_load = 1e-3, of_largest = 1e-3;
   if (!(holding.movement <= limits.size))
-    return fmt::format("{} would move by {:.3g}, the structure being {:.3g} large: only weak springs hold it",
-                       names_of(holding.blocks, equilibrium), holding.movement, limits.size);
+    return fmt::format(
+        "{} would move by {:.3g}, the structure being {:.3g} large: only weak springs hold it, or the "
+        "load is far beyond what small displacements describe",
+        names_of(holding.blocks, equilibrium), holding.movement, limits.size);
   const double load = std::max(holding.load, of_largest * limits.largest_load);
   if (holding.weak <= of_load * load) return {};
   return fmt::format("only weak springs hold {}: they would bear {:.1e} of the load",

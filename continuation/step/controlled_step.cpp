@@ -63,32 +63,50 @@ std::optional<Stopped> turning_point(PathState& path) {
   return {};
 }
 
-/// Looks beyond the last load that load control could reach, by the displacement on which the load works: where that
-/// goes on and the load falls, a limit point; where it stays, at once or after the last corners before it, what slides or
-/// turns is a mechanism under it.
-std::optional<Stopped> beyond_load(PathState& path, const Move& move) {
-  if (move.kind != StepKind::load || !path.walker.system().has_contacts()) return {};
-  double load = path.load_of(path.walker.state());
-  const double along = mechanism_way * std::abs(path.displacement_of(path.walker.state()));
+/// How a path of joints that only touch goes on where what a control prescribes does not: at a constant load.
+Stopped moves_on(StepKind control, double load_factor) {
+  if (control == StepKind::load)
+    return {
+        Stop::limit_point,
+        fmt::format(
+            "the load rises no further: at a load factor of {:.9g} the structure moves on as a mechanism, "
+            "which load control cannot follow; use `staged` or `displacement`",
+            load_factor)};
+  return {
+      Stop::gauge_stands,
+      fmt::format(
+          "at a load factor of {:.9g} the structure moves on as a mechanism while the gauge that {} control "
+          "prescribes stands; use `staged`, or a gauge that moves with it",
+          load_factor, to_string(control))};
+}
+
+/// Looks beyond the last point that the control of a gauge or of the load could reach, by the displacement on which the load
+/// works: where that goes on and the load falls or the gauge goes back, the control's own word; where the load stays, at once
+/// or after the last corners before it, what slides or turns is a mechanism under it.
+std::optional<Stopped> beyond_control(PathState& path, const Move& move) {
+  const auto gauge = path.control->held_in_release();
+  if (!gauge || !path.walker.system().has_contacts()) return {};
+  const State& here = path.walker.state();
+  double load = path.load_of(here);
+  constexpr double hardly = 1e-6;
+  const double along = mechanism_way * std::abs(path.displacement_of(here));
   const Move by_displacement = displacement_move(path);
   if (by_displacement.rate == 0 || along == 0) return {};
   for (const double multiple : {1.0, 10.0, 100.0}) {
     const auto beyond = try_step(path, by_displacement, multiple * along / std::abs(by_displacement.rate),
                                  Thoroughness::full);
     if (!beyond) continue;
-    const double before = std::exchange(load, path.load_of(beyond->state));
-    const double change = load - before, hardly = standing_load(path, load);
-    if (change < -hardly) {
-      Tangent down = beyond->arriving;
-      down.load_factor = beyond->state.load_factor - path.walker.state().load_factor;
-      return path.control->obstacle(down);
-    }
-    if (change > hardly || (multiple == 1 && !is_free_beyond(path))) continue;
-    return Stopped{
-        Stop::limit_point,
-        fmt::format("the load rises no further: at a load factor of {:.9g} the structure moves on as a "
-                    "mechanism, which load control cannot follow; use `staged` or `displacement`",
-                    beyond->state.load_factor)};
+    Tangent way = beyond->arriving;
+    way.d = beyond->state.d.combined(1, -1, here.d);
+    way.load_factor = beyond->state.load_factor - here.load_factor;
+    const double before = std::exchange(load, path.load_of(beyond->state)),
+                 moved = std::abs(path.displacement_of(beyond->state) - path.displacement_of(here));
+    const bool stays = std::abs(load - before) <= standing_load(path, load);
+    const bool turns = move.kind == StepKind::load ? !stays : std::abs(way.rate(*gauge)) > hardly * moved;
+    if (turns)
+      if (auto turned = path.control->obstacle(way)) return turned;
+    if (stays && (multiple > 1 || is_free_beyond(path)))
+      return moves_on(move.kind, beyond->state.load_factor);
   }
   return {};
 }
@@ -128,7 +146,7 @@ std::optional<Point> end_of_steps(PathState& path, const Stride& stride) {
 std::optional<Point> end_of_control(PathState& path, const Stride& stride) {
   if (const auto turned = turning_point(path)) return path.stop_early(turned->stop, turned->text);
   const auto refused = path.unsound;
-  const auto limit = beyond_load(path, stride.move);
+  const auto limit = beyond_control(path, stride.move);
   path.unsound = limit ? std::nullopt : refused;  // what is refused beyond the end is not why
   if (limit) return path.stop_early(limit->stop, limit->text);
   constexpr double hardly_any = 1e-3;

@@ -27,6 +27,19 @@ std::optional<Point> approach(PathState& path, double amount) {
   return {};
 }
 
+/// The end of a path along which nothing limits the load, at the full one.
+std::optional<Point> full_load(PathState& path) {
+  if (path.memory.cracked_to_peak + path.memory.cracked_since_peak > 0)
+    return path.stop_early(Stop::no_further_crack, "no interface can crack any further under this load");
+  if (!path.walker.system().has_contacts())
+    return path.end_with_structure("nothing can crack; the full reference load is applied");
+  return path.end_with_structure(
+      path.walker.here().dissipated > 0
+          ? "no joint begins or ends to slide, opens or closes under this load, however large; it is applied "
+            "in full"
+          : "no joint slides, opens or closes under this load, however large; it is applied in full");
+}
+
 }  // namespace
 
 std::optional<Point> event_step(PathState& path) {
@@ -75,13 +88,7 @@ std::optional<Point> linear_step(PathState& path) {
     if (auto point = land_on_next(path)) return point;
   const double rest = 1 - path.walker.state().load_factor;
   constexpr double round_off = 1e-12;
-  if (rest <= round_off && path.walker.here().dissipated > 0)
-    return path.stop_early(Stop::no_further_crack, "no interface can crack any further under this load");
-  if (rest <= round_off)
-    return path.end_with_structure(
-        path.walker.system().has_contacts()
-            ? "no joint slides, opens or closes under this load, however large; it is applied in full"
-            : "nothing can crack; the full reference load is applied");
+  if (rest <= round_off) return full_load(path);
   const Move move = load_move(path.walker);
   const auto candidate = try_step(path, move, rest / path.walker.leaving().load_factor);
   const std::string why = path.refusal;

@@ -58,6 +58,8 @@ std::optional<Point> land_on_turn(PathState& path, const Stride& stride, bool on
 }
 
 std::optional<Point> land_on_contact_change(PathState& path, double amount, StepKind kind) {
+  const bool may_turn = kind == StepKind::arc_length || path.control->held_in_release();
+  if (!path.walker.leaving().dissipates && !may_turn) return {};
   if (!path.walker.system().has_contacts()) return {};
   const auto change = find_contact_change(path.walker);
   if (!change || change->amount >= amount || change->amount < hardly * amount) return {};

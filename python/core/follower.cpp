@@ -27,10 +27,11 @@ DeckFile read(const GivenDeck& deck) {
   return read_deck(std::move(source), deck.settings);
 }
 
-/// Raises what a signal handler of Python has raised, KeyboardInterrupt for one.
-void heed_signals() {
+/// Raises what a signal handler of Python has raised, KeyboardInterrupt for one; else nothing ends the path.
+bool heeds_signals() {
   const py::gil_scoped_acquire lock;
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+  return false;
 }
 
 std::shared_ptr<Followed> made(const GivenDeck& deck) {
@@ -41,7 +42,7 @@ std::shared_ptr<Followed> made(const GivenDeck& deck) {
 }  // namespace
 
 Follower::Follower(const GivenDeck& deck) : followed_(made(deck)) {
-  run().simulation().stepper().watch_by(heed_signals);
+  run().simulation().stepper().break_off_when(heeds_signals);
 }
 
 std::shared_ptr<AcceptedPoint> Follower::point_here(Point point) const {
@@ -54,10 +55,7 @@ void Follower::begin(const std::optional<RunOptions>& recorded) {
     run().begin(*recorded);
   else
     run().begin();
-  run().interrupt_when([] {
-    heed_signals();
-    return false;
-  });
+  run().interrupt_when(heeds_signals);
   Point start;
   run().simulation().path().judge(start);
   here_ = point_here(std::move(start));

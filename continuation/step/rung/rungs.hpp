@@ -100,9 +100,9 @@ std::optional<Point> snap(PathState& path, const Candidate& beyond, Stride& stri
 /// last traction, so that the tangent there tells which cracks go on and which unload.
 std::optional<Point> land_on_turn(PathState& path, const Stride& stride, bool on_new_cracks);
 
-/// Where a step of this length along which cracks grow, or one of arc length, cut before, fails because a joint begins to
-/// slide or to stick, opens or closes on the way, after which the path may turn: lands a hair beyond the first such change,
-/// so that the tangent there tells which joints go on.
+/// Where a step of this length along which cracks grow, or one of arc length or of a gauge that is prescribed, cut before,
+/// fails because a joint begins to slide or to stick, opens or closes on the way, after which the path may turn: lands a
+/// hair beyond the first such change, so that the tangent there tells which joints go on.
 std::optional<Point> land_on_contact_change(PathState& path, double amount, StepKind kind);
 
 }  // namespace dda
