@@ -133,7 +133,10 @@ bool may_hide_peak(const PathState& path, const Candidate& candidate) {
   const double highest = std::max({sign * load.from, sign * load.to, path.memory.peak_load});
   const double top = std::max(sign * load.from, sign * load.to) + load.kink();
   const bool rises_on = sign * load.to >= highest && sign * load.arriving > 0;  // the peak is still ahead
-  return !rises_on &&
+  // Where contacts change a course that rises to a plateau has a kink as large as one that has turned.
+  const bool has_turned =
+      cracking_spans(path.walker, candidate) || (sign * (load.from - load.to) > 0 && sign * load.leaving > 0);
+  return has_turned && !rises_on &&
          top > std::max(highest * (1 + 0.5 * path.parameters.peak_tolerance), path.smallest_load());
 }
 

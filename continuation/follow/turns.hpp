@@ -25,7 +25,7 @@ std::optional<double> before_turn(const PathState& path, const Candidate& candid
 /// where a peak or a turn may be hidden; nothing elsewhere.
 std::optional<double> before_hidden_turn(const PathState& path, const Candidate& candidate, double amount);
 
-/// Whether the load may have turned above the peak by more than half of its tolerance. So many looks in a row
+/// Whether the load may have turned above the peak by more than half of its tolerance; where no crack grows, whether it has. So many looks in a row
 /// that found no higher load end them: a plateau has corners in every step.
 bool may_hide_peak(const PathState& path, const Candidate& candidate);
 

@@ -80,7 +80,7 @@ std::optional<Reduced> ContactSolver::solve_sum(const ControlSum& sum, const Ste
 
 CrackedEquations::Rule ContactSolver::rule() const {
   auto out = CrackedEquations::Rule::of(stepper_.parameters().newton);
-  out.searches = limits_.searches;
+  out.searches = points_->num_points() <= limits_.searched;
   out.is_over = [&stepper = stepper_] { return stepper.is_broken_off(); };
   return out;
 }

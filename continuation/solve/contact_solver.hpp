@@ -19,7 +19,7 @@ class ContactSolver {
  public:
   struct Limits {
     std::size_t points;    ///< more are not tried: dense equations grow with the third power
-    bool searches = true;  ///< other ways where the straight one leads nowhere
+    std::size_t searched;  ///< among more no other way is sought where the straight one leads nowhere
   };
   ContactSolver(Stepper& stepper, const State& near, const Limits& limits)
       : stepper_(stepper), system_(stepper.system()), limits_(limits) {

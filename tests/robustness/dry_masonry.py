@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Random walls, towers, piers, arches and gates of dry blocks that weight holds and a load brings down, against limit analysis.
 
-    dry_masonry.py PROGRAM --count 40 --seed 1 [--control arc_length] [--folder DIR]
+    dry_masonry.py PROGRAM --count 40 --seed 1 [--control arc_length] [--windows] [--folder DIR]
 
+With `--windows` walls of bricks around an opening, on Gauss points too.
 Nothing is wanted of a gauge: a path ends where the blocks have become a mechanism. No load beyond that of the linear program
 of rigid blocks (`limit_analysis.py`) is in equilibrium; and where in that mechanism nothing slides but what parts as well, no
 mechanism goes on under less, so that it is reached, both to 1e-6. What its own weight brings down stops early. Printed is a line
@@ -40,11 +41,12 @@ class Masonry:
     friction: float
     load: dict
     live: list  # wrenches of the load
+    points: str = "vertices"
 
     @property
     def problem(self):
         dead = [weight(block, (0, -WEIGHT), 1) for block in self.blocks]
-        return self.blocks, set(range(self.feet)), (dead, self.live), self.friction, "vertices"
+        return self.blocks, set(range(self.feet)), (dead, self.live), self.friction, self.points
 
 
 def wall(choose):
@@ -95,6 +97,47 @@ def gate(choose):
     return arch(choose, posts=choose.randint(1, 4))
 
 
+@dataclass
+class Opening:
+    """Of a wall: between these ends of bricks, from this course on up to the one of the lintel, which rests on a brick on
+    either side."""
+
+    first: int
+    last: int
+    low: int
+    lintel: int
+
+    def of_course(self, row):
+        """What is left out of a course of bricks."""
+        if row == self.lintel:
+            return self.first - 1, self.last + 1
+        return (self.first, self.last) if self.low <= row < self.lintel else (0, 0)
+
+
+def running_bond(columns, rows, opening, length, height):
+    """Bricks and the lintel of a wall, course by course."""
+    blocks = []
+    for row in range(rows):
+        shift = 0.5 if row % 2 else 0
+        ends = [0, *(i + shift for i in range(0 if row % 2 else 1, columns)), columns]
+        left, right = opening.of_course(row)
+        parts = [(a, b) for start, end in zip(ends, ends[1:]) for a, b in ((start, min(end, left)), (max(start, right), end)) if b > a]
+        if row == opening.lintel:
+            parts.append((left, right))
+        blocks += [rectangle(a * length, row * height, b * length, (row + 1) * height) for a, b in parts]
+    return blocks
+
+
+def windowed(choose):
+    """A wall in running bond around an opening under a lintel."""
+    length, height = 0.3, 0.1
+    columns, rows = choose.randint(5, 7), choose.randint(5, 9)
+    first, low = choose.randint(1, columns - 3), choose.randint(1, rows - 3)
+    opening = Opening(first, min(columns - 1, first + choose.randint(1, 3)), low, min(rows - 2, low + choose.randint(1, 4)))
+    ground = rectangle(-0.5, -0.3, columns * length + 0.5, 0)
+    return [ground, *running_bond(columns, rows, opening, length, height)], 1
+
+
 def loaded(choose, blocks, feet):
     """The load of the deck, and what it is on each block."""
     angle = math.radians(choose.choice([0, 0, 180, choose.uniform(-60, 60), choose.uniform(120, 240)]))
@@ -110,14 +153,16 @@ def loaded(choose, blocks, feet):
     return {"type": "point_load", "over": [start, end], "force": force}, live
 
 
-def masonry(seed, control="staged"):
+def masonry(seed, control="staged", windows=False):
     """A random structure, and the deck of it."""
     choose = random.Random(seed)
-    blocks, feet = choose.choice([wall, pier, arch, gate])(choose)
+    blocks, feet = windowed(choose) if windows else choose.choice([wall, pier, arch, gate])(choose)
     degrees = choose.choice([15, 25, 30, 35, 40, 50, 60])
     load, live = loaded(choose, blocks, feet)
     joint = {"law": {"type": "friction", "friction_angle": degrees}, "points": "vertices", "treatment": choose.choice(TREATMENTS)}
     elastic = {"type": "linear_elastic", "young_modulus": 10 ** choose.uniform(5, 8)}
+    if windows:
+        joint["points"] = choose.choice(["gauss", "vertices"])
     deck = {"units": {"length": "m", "force": "kN"}, "thickness": 1,
             "scene": {"regions": [region(f"b{i}", "foot" if i < feet else "stone", block) for i, block in enumerate(blocks)],
                       "boundaries": {f"foot{i}": lower_side(blocks[i]) for i in range(feet)}, "subdivision": {"type": "given"}},
@@ -127,7 +172,7 @@ def masonry(seed, control="staged"):
             "stages": [{"name": "weight", "loads": [{"type": "body_force", "force": [0, -WEIGHT], "materials": ["stone"]}]},
                        {"name": "load", "loads": [load]}],
             "path": {"control": control}, "record": {"fields_every": 1}}
-    return Masonry(blocks, feet, math.tan(math.radians(degrees)), load, live), deck
+    return Masonry(blocks, feet, math.tan(math.radians(degrees)), load, live, joint["points"]), deck
 
 
 def lower_side(block):
@@ -151,7 +196,7 @@ def turns_about_hinges(structure, run):
     before, after = (motions(run, step) for step in run.steps[-2:])
     moved = [there - here for here, there in zip(before, after)]
     ways = []
-    for one, other, place, normal in contact_points(structure.blocks, "vertices"):
+    for one, other, place, normal in contact_points(structure.blocks, structure.points):
         way = np.array([1, *place]) @ (moved[other] - moved[one])
         ways.append((way @ normal, abs(way @ [-normal[1], normal[0]])))
     parting, sliding = np.array(ways).T
@@ -182,12 +227,14 @@ def what_is_wrong(structure, run):
 
 
 def main():
-    asked = campaign_parser(__doc__, count=40, seed=1).parse_args()
+    parser = campaign_parser(__doc__, count=40, seed=1)
+    parser.add_argument("--windows", action="store_true", help="walls of bricks around an opening")
+    asked = parser.parse_args()
     os.environ["DDA"] = asked.program
     right = 0
     with tempfile.TemporaryDirectory() as scratch:
         for seed in range(asked.seed, asked.seed + asked.count):
-            structure, deck = masonry(seed, asked.control)
+            structure, deck = masonry(seed, asked.control, asked.windows)
             run = ddapath.run(deck, folder=(asked.folder or Path(scratch)) / str(seed), overwrite=True, check=False)
             wrong = what_is_wrong(structure, run)
             right += not wrong

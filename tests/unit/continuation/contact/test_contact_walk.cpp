@@ -91,6 +91,29 @@ TEST(ContactWalk, MovesToRestWhereItWouldGoRoundInLoops) {
   EXPECT_GT(lost, 0);
 }
 
+/// What somebody does not want to wait for finds nothing, wherever on its way it is told so.
+TEST(ContactWalk, IsGivenUpWhenAsked) {
+  Random random(8);
+  const ContactProblem problem = random_problem(random, 40, 5);
+  const Vector start = Vector::Ones(problem.constant.size());
+  const auto corners = [&](const std::function<bool()>& is_over) {
+    ContactMatrix matrix;
+    const bool found = walk_covered(problem, matrix, {.is_over = is_over}).has_value();
+    return std::pair(found, matrix.num_changes());
+  };
+  const auto [found, all] = corners({});
+  ASSERT_TRUE(found);
+  for (const int patience : {0, 5}) {
+    int asked = 0;
+    const auto [is_found, passed] = corners([&] { return ++asked > patience; });
+    EXPECT_FALSE(is_found);
+    EXPECT_LT(passed, all);
+    ContactMatrix matrix;
+    asked = 0;
+    EXPECT_FALSE(walk_proximally(problem, start, matrix, {.is_over = [&] { return ++asked > patience; }}));
+  }
+}
+
 /// Pressed points that all stand at their limits of friction, and a body that moves off freely at the load factor 1:
 /// the way by which its gap shall open is prescribed, and nothing else moves.
 struct Mechanism {
