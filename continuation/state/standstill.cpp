@@ -34,11 +34,29 @@ bool Standstill::has_moved(const Watch& watch, const Station& now) const {
          std::abs(now.dissipated - watch.from.dissipated) > watch.share * largest_dissipated_;
 }
 
+std::string Standstill::note_round(const Station& now) {
+  constexpr double near = 1e-4;
+  constexpr int most_returns = 5;
+  Round& round = round_;
+  const bool is_comparable = now.movements.size() == round.from.movements.size() && now.leg == round.from.leg;
+  if (!is_comparable || ++round.steps > round.length) {
+    round = {.from = now, .length = is_comparable ? 2 * round.length : 1};
+    return {};
+  }
+  const bool is_back = distance(now.movements, round.from.movements) <= near * largest_movement_ &&
+                       std::abs(now.load_factor - round.from.load_factor) <= near * largest_load_factor_;
+  if (is_back && round.is_away) ++round.returns;
+  round.is_away = !is_back;
+  if (round.returns < most_returns) return {};
+  return fmt::format("the path goes round, and has come back {} times in {} steps to where it stood before",
+                     round.returns, round.steps);
+}
+
 std::string Standstill::add(const Station& now) {
   largest_movement_ = std::max(largest_movement_, largest(now.movements));
   largest_load_factor_ = std::max(largest_load_factor_, std::abs(now.load_factor));
   largest_dissipated_ = std::max(largest_dissipated_, std::abs(now.dissipated));
-  std::string out;
+  std::string out = note_round(now);
   for (Watch& watch : watches_) {
     if (!watch.has_begun || has_moved(watch, now)) {
       watch.has_begun = true;

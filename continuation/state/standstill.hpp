@@ -14,11 +14,14 @@ struct Station {
   double load_factor = 0;
   double dissipated = 0;   ///< [FL]
   bool is_rescue = false;  ///< no control led to it
+  int leg = 0;             ///< of the path's programme
 };
 
 /// Watches a path for standing still: movements, load factor and dissipated energy all stay within a
 /// share of their largest so far, for a number of accepted steps in a row; the more steps, the larger the
-/// share. A structure that has not moved by 1e-13 of its size has not moved, whatever its load factor.
+/// share. A structure that has not moved by 1e-13 of its size has not moved, whatever its load factor. And for going round,
+/// as arc length does between two corners at which it turns: coming back in one leg, time and again, to within 1e-4 of a
+/// place, which is another one after 1, 2, 4, 8 ... steps, so that rounds of any length are seen.
 class Standstill {
  public:
   /// `size` is the structure's [L].
@@ -37,10 +40,19 @@ class Standstill {
     Station from = {};
   };
 
+  struct Round {
+    Station from = {};
+    int steps = 0, length = 1;  ///< since `from`, and after how many another place is taken
+    int returns = 0;
+    bool is_away = false;
+  };
+
   bool has_moved(const Watch& watch, const Station& now) const;
+  std::string note_round(const Station& now);
 
   double smallest_;  ///< movement that counts [L]
   double largest_movement_ = 0, largest_load_factor_ = 0, largest_dissipated_ = 0;
+  Round round_;
   std::array<Watch, 3> watches_{Watch{1e-10, 8, false}, Watch{1e-6, 50, false}, Watch{1e-4, 25, true}};
 };
 

@@ -178,6 +178,7 @@ def of_factor(reason, curve, deck):
         change = abs(curve["load"].iloc[-1] - curve["load"].iloc[-2]) / max(largest, 1e-300)
         if "within 0.1 %" in reason:
             change *= GOAL / 1e-3
+        change = max(change - tolerated_force(curve, deck) / max(largest, 1e-300), 0)
         is_none = largest <= tolerated_force(curve, deck)
         error = abs(float(found[1])) if is_none else max(error, change)
     return error, f"load factor {factor:.9g}, before {before:.9g}"

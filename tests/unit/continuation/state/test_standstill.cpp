@@ -31,6 +31,26 @@ TEST(Standstill, IsSeenWhereTheStateComesBackAndForth) {
   EXPECT_EQ(steps_until_still([](int i) { return station(1, 1 + 1e-12 * (i % 2)); }), 8);
 }
 
+/// A path that swings between 0.5 and 1.5.
+Station swinging(int i, int period, double growth, int leg) {
+  Station out = station(1 + 0.5 * std::cos(2 * M_PI * i / period) + growth * i, 1);
+  out.leg = leg;
+  return out;
+}
+
+TEST(Standstill, RoundsOfAnyLengthAreSeen) {
+  for (const int period : {2, 3, 7, 37}) {
+    const int seen = steps_until_still([&](int i) { return swinging(i, period, 0, 0); });
+    EXPECT_GT(seen, 5 * period) << period;
+    EXPECT_LT(seen, 25 * period) << period;
+  }
+}
+
+TEST(Standstill, RoundsThatGrowAndLegsOfAProgrammeAreProgress) {
+  EXPECT_EQ(steps_until_still([](int i) { return swinging(i, 7, 1e-3, 0); }), -1);
+  EXPECT_EQ(steps_until_still([](int i) { return swinging(i, 7, 0, i / 7); }), -1) << "a cyclic test";
+}
+
 TEST(Standstill, CreepIsSeenLater) {
   const int seen = steps_until_still([](int i) { return station(1 + 1e-9 * i, 1); });
   EXPECT_GT(seen, 8);
