@@ -47,11 +47,14 @@ std::optional<Spans> cracking_spans(const Walker& walker, const Candidate& candi
 }
 
 /// Where none grows and contacts change, the displacement of the load over its rate. Nothing where neither runs on from end
-/// to end.
+/// to end, and under a load that is rounding.
 std::optional<Spans> spans(const PathState& path, const Candidate& candidate) {
   const Walker& walker = path.walker;
   if (const auto cracking = cracking_spans(walker, candidate)) return cracking;
   if (walker.leaving().dissipates || candidate.arriving.dissipates || !walker.system().has_contacts())
+    return {};
+  if (std::max(std::abs(path.load_of(walker.state())), std::abs(path.load_of(candidate.state))) <=
+      path.smallest_load())
     return {};
   const double moved = path.displacement_of(candidate.state) - path.displacement_of(walker.state());
   const Spans out{moved / path.displacement_rate(walker.leaving()),
@@ -99,7 +102,7 @@ std::optional<double> before_peak(const PathState& path, const Candidate& candid
   if (sign * load.leaving <= 0 || sign * load.arriving >= 0) return {};
   const double share = load.meeting(), top = sign * (load.from + share * load.leaving),
                highest = std::max({sign * load.from, sign * load.to, path.memory.peak_load});
-  if (top <= std::max(highest * (1 + path.parameters.peak_tolerance), path.smallest_load())) return {};
+  if (top <= highest * (1 + path.parameters.peak_tolerance)) return {};
   return std::clamp(share, 0.1, 0.9);
 }
 
@@ -136,8 +139,7 @@ bool may_hide_peak(const PathState& path, const Candidate& candidate) {
   // Where contacts change a course that rises to a plateau has a kink as large as one that has turned.
   const bool has_turned =
       cracking_spans(path.walker, candidate) || (sign * (load.from - load.to) > 0 && sign * load.leaving > 0);
-  return has_turned && !rises_on &&
-         top > std::max(highest * (1 + 0.5 * path.parameters.peak_tolerance), path.smallest_load());
+  return has_turned && !rises_on && top > highest * (1 + 0.5 * path.parameters.peak_tolerance);
 }
 
 bool may_hide_turns(const PathState& path, const Candidate& candidate) {

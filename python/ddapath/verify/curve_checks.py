@@ -157,9 +157,12 @@ def largest_travel(curve, deck):
 
 
 def tolerated_force(curve, deck):
-    """What a load may be and count as none: a force that the path's tolerance leaves of the largest reaction [F]."""
+    """What a load may be and count as none: a force that the path's tolerances leave of the largest reaction [F]."""
     path, supports = deck.get("path", {}), deck.get("supports", {})
-    tolerance = max(FORCE, 10 * path.get("newton", {}).get("tolerance", 0))
+    treatments = [interface.get("treatment") for interface in deck.get("interfaces", {}).values()]
+    iterates = any("augmented_lagrangian" in (kind, kind.get("type") if isinstance(kind, dict) else kind) for kind in treatments)
+    gap = path.get("multipliers", {}).get("tolerance", 1e-8) if iterates else 0
+    tolerance = max(FORCE, 10 * (path.get("newton", {}).get("tolerance", 0) + gap))
     reactions = [name for name in curve if name.rpartition(".")[0] in supports]
     return tolerance * np.abs(curve[reactions].to_numpy()).max() if reactions else 0.0
 
