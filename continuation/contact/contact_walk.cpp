@@ -33,12 +33,13 @@ struct Limits {
   std::size_t all, after_turn;
 };
 
-constexpr std::size_t few_corners = 200;
-constexpr std::size_t many_per_point = 20;  // of a walk that ends by itself, and of a search by many of them
+// The last of a walk that ends by itself, and of a search by many walks.
+constexpr std::size_t few = 200, per_point = 2, many_per_point = 20;
 
-Limits limits_of(Patience patience, std::size_t per_point, std::size_t points) {
-  const std::size_t all = per_point * points + few_corners;
-  return {all, patience == Patience::little ? few_corners : all};
+std::size_t many_corners(std::size_t points) { return many_per_point * points + few; }
+Limits limits_of(Patience patience, std::size_t points) {
+  const std::size_t all = per_point * points + few;
+  return {all, patience == Patience::little ? few : all};
 }
 
 /// How a point at a corner is read: as on the piece on which it has come to stand, or on the one it is moved onto.
@@ -60,7 +61,7 @@ class Walk {
     disturb(residual(x_, rule_.share).lpNorm<Eigen::Infinity>());
     read_pieces();
     tau_ = 1;
-    return follow(residual(x_, rule_.share), limits_of(rule_.patience, 2, size()));
+    return follow(residual(x_, rule_.share), limits_of(rule_.patience, size()));
   }
 
   std::optional<Vector> covered() {
@@ -76,7 +77,7 @@ class Walk {
     tau_ = covering(overlap);
     x_ += tau_ * overlap;
     // Ends by itself, but where strong friction wedges bricks many joints are let go and held again on the way.
-    return follow(times(overlap), limits_of(Patience::much, many_per_point, size()));
+    return follow(times(overlap), {many_corners(size()), many_corners(size())});
   }
 
  private:
@@ -365,7 +366,7 @@ std::optional<Vector> walk_proximally(const ContactProblem& problem, Vector star
   double moved = 0, moved_then = 0;
   int patience = 1, stays = 0;
   bool is_trial = false;
-  const std::size_t most = matrix.num_changes() + many_per_point * problem.points.size() + few_corners;
+  const std::size_t most = matrix.num_changes() + many_corners(problem.points.size());
   for (int walks = 0; walks < most_walks && level >= firmest && matrix.num_changes() <= most; ++walks) {
     const double share = std::max(wanted, std::pow(firm, level));
     const auto found =

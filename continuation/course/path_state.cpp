@@ -23,7 +23,8 @@ Functional find_load(const PathParameters& parameters, const GaugeBook& book, co
 }  // namespace
 
 PathState::PathState(Walker& stands, const PathParameters& wanted, const GaugeBook& gauges, Route way)
-    : walker(stands), parameters(wanted), size(walker.system().equilibrium().extent()), standstill(size) {
+    : walker(stands), parameters(wanted), size(walker.system().equilibrium().extent()) {
+  memory.standstill = Standstill(size);
   look_up({gauges, std::move(way)});
   for (const auto& law : walker.system().equilibrium().interfaces().laws)
     releases_at_once = releases_at_once || law->releases_at_once();

@@ -5,7 +5,6 @@
 
 #include "continuation/course/path_parameters.hpp"
 #include "continuation/course/point.hpp"
-#include "continuation/state/standstill.hpp"
 #include "continuation/walk/walker.hpp"
 
 namespace dda {
@@ -83,8 +82,7 @@ struct PathState {
   bool releases_at_once = false;       ///< some law does
   std::optional<RunningCracks> cracks;
   std::optional<LaterStages> later_stages;
-  double size = 0;  ///< of the structure [L]
-  Standstill standstill;
+  double size = 0;      ///< of the structure [L]
   std::string refusal;  ///< why the last try has not been taken
   /// What the last candidate of this step was refused for, beside equilibrium.
   std::optional<Stopped> unsound;

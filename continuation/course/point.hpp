@@ -8,6 +8,7 @@
 
 #include "continuation/control/step_kind.hpp"
 #include "continuation/control/stop.hpp"
+#include "continuation/state/standstill.hpp"
 #include "continuation/state/system.hpp"
 
 namespace dda {
@@ -115,6 +116,7 @@ struct PathMemory {
       std::numeric_limits<double>::infinity();  ///< of the point before; infinite where a leg begins
   double way_from = 0;                          ///< displacement of the load where the leg has begun
   double farthest_way = 0;                      ///< and the largest way from there
+  Standstill standstill;                        ///< of the leg, whose loads are the same
   /// The point before the present one, for `Predictor::secant`; none after a jump and where a leg begins.
   std::optional<State> before = {};
   double dissipated_before = 0;  ///< there [FL]
@@ -163,6 +165,7 @@ struct PathMemory {
     visit("plateau_way", self.plateau_way);
     visit("plateau_load", self.plateau_load);
     visit("dissipated_before", self.dissipated_before);
+    Standstill::visit(self.standstill, visit);
   }
 };
 

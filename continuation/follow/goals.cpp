@@ -115,7 +115,7 @@ void begin_stage(PathState& path, std::string reason) {
   const Aims aims = path.later_stages->hold(end);
   count_leg(path);
   path.memory.begin_stage();
-  path.standstill = Standstill(path.size);
+  path.memory.standstill = Standstill(path.size);
   path.control.reset();
   path.look_up(aims);
   set_out(path);
@@ -246,7 +246,7 @@ std::vector<double> movements(const PathState& path) {
 void look_for_standstill(PathState& path, const Point& point) {
   const Candidate& here = path.walker.here();
   const bool is_rescue = point.kind == StepKind::sequentially_linear;
-  const std::string since = path.standstill.add(
+  const std::string since = path.memory.standstill.add(
       {movements(path), here.state.load_factor, here.dissipated, is_rescue, path.memory.leg});
   if (path.ending.kind != Ending::Kind::running || since.empty()) return;
   const auto points = active_points(path.walker.system(), here.state);

@@ -52,6 +52,11 @@ std::string Standstill::note_round(const Station& now) {
                      round.returns, round.steps);
 }
 
+void Standstill::forget() {
+  round_ = {};
+  for (Watch& watch : watches_) watch.has_begun = false;
+}
+
 std::string Standstill::add(const Station& now) {
   largest_movement_ = std::max(largest_movement_, largest(now.movements));
   largest_load_factor_ = std::max(largest_load_factor_, std::abs(now.load_factor));
@@ -67,6 +72,7 @@ std::string Standstill::add(const Station& now) {
                         watch.count, watch.of_rescues ? "rescues" : "steps", watch.share);
     }
   }
+  if (!out.empty()) forget();
   return out;
 }
 

@@ -15,6 +15,15 @@ struct Station {
   double dissipated = 0;   ///< [FL]
   bool is_rescue = false;  ///< no control led to it
   int leg = 0;             ///< of the path's programme
+
+  template <class Self, class Visit>
+  static void visit(Self& self, Visit& visit, const std::string& name) {
+    visit((name + ".movements").c_str(), self.movements);
+    visit((name + ".load_factor").c_str(), self.load_factor);
+    visit((name + ".dissipated").c_str(), self.dissipated);
+    visit((name + ".is_rescue").c_str(), self.is_rescue);
+    visit((name + ".leg").c_str(), self.leg);
+  }
 };
 
 /// Watches a path for standing still: movements, load factor and dissipated energy all stay within a
@@ -25,10 +34,31 @@ struct Station {
 class Standstill {
  public:
   /// `size` is the structure's [L].
-  explicit Standstill(double size) : smallest_(1e-13 * size) {}
+  explicit Standstill(double size = 0) : smallest_(1e-13 * size) {}
 
-  /// Takes in the next accepted equilibrium; how long the path has stood still, "" while it moves.
+  /// Takes in the next accepted equilibrium; how long the path has stood still, "" while it moves. Once told, that is
+  /// forgotten: the path may be resumed in another way.
   std::string add(const Station& now);
+
+  template <class Self, class Visit>
+  static void visit(Self& self, Visit& visit) {
+    visit("standstill.smallest", self.smallest_);
+    visit("standstill.largest_movement", self.largest_movement_);
+    visit("standstill.largest_load_factor", self.largest_load_factor_);
+    visit("standstill.largest_dissipated", self.largest_dissipated_);
+    for (std::size_t i = 0; i < self.watches_.size(); ++i) {
+      auto& watch = self.watches_[i];
+      const std::string name = "standstill.watch" + std::to_string(i);
+      visit((name + ".count").c_str(), watch.count);
+      visit((name + ".has_begun").c_str(), watch.has_begun);
+      Station::visit(watch.from, visit, name);
+    }
+    visit("standstill.round.steps", self.round_.steps);
+    visit("standstill.round.length", self.round_.length);
+    visit("standstill.round.returns", self.round_.returns);
+    visit("standstill.round.is_away", self.round_.is_away);
+    Station::visit(self.round_.from, visit, "standstill.round");
+  }
 
  private:
   struct Watch {
@@ -49,6 +79,7 @@ class Standstill {
 
   bool has_moved(const Watch& watch, const Station& now) const;
   std::string note_round(const Station& now);
+  void forget();
 
   double smallest_;  ///< movement that counts [L]
   double largest_movement_ = 0, largest_load_factor_ = 0, largest_dissipated_ = 0;

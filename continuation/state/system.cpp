@@ -364,6 +364,14 @@ bool System::is_broken(std::size_t p) const {
   return point.law->is_broken(history_[p], point.stiffness);
 }
 
+bool System::is_damaged() const {
+  for (std::size_t p = 0; p < history_.size(); ++p) {
+    const InterfacePoint& point = equilibrium_.point(p);
+    if (!point.is_separate() && point.law->damage(history_[p], point.stiffness) > 0) return true;
+  }
+  return false;
+}
+
 std::vector<History> System::next_history(const State& at) const {
   const std::vector<Vec2> q = openings(at.d, at.load_factor);
   std::vector<History> out = history_;

@@ -199,6 +199,8 @@ class System {
   bool is_broken(std::size_t p) const;
   /// Whether next to nothing is left of it.
   bool is_spent(std::size_t p) const;
+  /// Whether any joint that was one has lost some of its strength.
+  bool is_damaged() const;
 
   /// A number that tells apart which points load, are closed or ruptured at these openings.
   std::size_t active_set(const LawValues& laws) const;

@@ -29,7 +29,7 @@ std::optional<Point> approach(PathState& path, double amount) {
 
 /// The end of a path along which nothing limits the load, at the full one.
 std::optional<Point> full_load(PathState& path) {
-  if (path.memory.cracked_to_peak + path.memory.cracked_since_peak > 0)
+  if (path.walker.system().is_damaged())
     return path.stop_early(Stop::no_further_crack, "no interface can crack any further under this load");
   if (!path.walker.system().has_contacts())
     return path.end_with_structure("nothing can crack; the full reference load is applied");

@@ -33,20 +33,15 @@ std::optional<Point> first_slip(PathState& path, double change) {
   return point;
 }
 
-/// Whether all that has happened is that joints slide in proportion to the load, from the first of it: no load is another
-/// one than its parts.
-bool slides_in_proportion(const PathState& path) {
-  return !path.memory.has_slid && path.memory.cracked_to_peak + path.memory.cracked_since_peak == 0;
-}
-
-/// No contact changes any more: up to the full reference load, unless something has happened on the path. What slides goes on:
+/// No contact changes any more: up to the full reference load, unless something has happened on the path; that joints slide in
+/// proportion to the load from the first of it is nothing, since no load is another one than its parts. What slides goes on:
 /// as a mechanism where it takes next to none of what the load has grown by with the displacement so far.
 std::optional<Point> linear_for_good(PathState& path) {
   const bool has_begun = path.walker.state().load_factor != 0;
   if (path.memory.has_slid && hardly_resists(path))
     return path.end_with_structure(fmt::format("joints slide on under this load, at a load factor of {:.9g}",
                                                path.walker.state().load_factor));
-  if (path.memory.has_slid || (has_begun && path.walker.here().dissipated > 0 && !slides_in_proportion(path)))
+  if (path.memory.has_slid || (has_begun && path.walker.system().is_damaged()))
     return path.end_with_structure(
         fmt::format("no joint begins to crack, slide, open or close any more beyond a load factor of {:g}",
                     path.walker.state().load_factor));

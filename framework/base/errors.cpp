@@ -1,6 +1,7 @@
 #include "framework/base/errors.hpp"
 
 #include <algorithm>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -54,6 +55,10 @@ void Findings::throw_if_any() const {
   if (list_.empty()) return;
   auto sorted = list_;
   std::stable_sort(sorted.begin(), sorted.end(), stands_before);
+  std::set<std::tuple<std::string, std::string>> seen;
+  std::erase_if(sorted, [&](const Finding& finding) {
+    return !seen.emplace(to_string(finding.where), finding.what).second;
+  });
   throw InputError(std::move(sorted));
 }
 

@@ -40,7 +40,8 @@ class Findings {
   void add(const InputError& error);
   bool empty() const { return list_.empty(); }
   std::size_t size() const { return list_.size(); }
-  /// Throws InputError with everything collected, in order of position; does nothing when empty.
+  /// Throws InputError with everything collected, in order of position, each once: what an alias repeats is one mistake.
+  /// Does nothing when empty.
   void throw_if_any() const;
 
  private:

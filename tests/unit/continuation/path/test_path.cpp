@@ -117,7 +117,12 @@ TEST(Path, CanBeInterrupted) {
 std::vector<double> numbers_of(const Bar& bar, const PathMemory& memory) {
   std::vector<double> out{bar.walker().state().load_factor, bar.walker().here().dissipated,
                           static_cast<double>(bar.walker().effort().rejected)};
-  const auto note = [&](const char*, const auto& value) { out.push_back(static_cast<double>(value)); };
+  const auto note = [&](const char*, const auto& value) {
+    if constexpr (std::is_arithmetic_v<std::decay_t<decltype(value)>>)
+      out.push_back(static_cast<double>(value));
+    else
+      out.insert(out.end(), value.begin(), value.end());
+  };
   PathMemory::visit(memory, note);
   return out;
 }

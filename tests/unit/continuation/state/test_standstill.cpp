@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "continuation/state/standstill.hpp"
+#include "framework/files/run/record.hpp"
 
 namespace dda {
 namespace {
@@ -49,6 +50,20 @@ TEST(Standstill, RoundsOfAnyLengthAreSeen) {
 TEST(Standstill, RoundsThatGrowAndLegsOfAProgrammeAreProgress) {
   EXPECT_EQ(steps_until_still([](int i) { return swinging(i, 7, 1e-3, 0); }), -1);
   EXPECT_EQ(steps_until_still([](int i) { return swinging(i, 7, 0, i / 7); }), -1) << "a cyclic test";
+}
+
+/// A run that is killed and resumed ends where it would have.
+TEST(Standstill, IsStoredWithThePath) {
+  Standstill whole(100), resumed(100);
+  std::string told;
+  int steps = 0;
+  for (; told.empty(); ++steps) told = whole.add(swinging(steps, 7, 0, 0));
+  for (int i = 0; i < steps; ++i) {
+    EXPECT_EQ(resumed.add(swinging(i, 7, 0, 0)), i + 1 < steps ? "" : told);
+    RestartData data;
+    put(data, "path", resumed);
+    resumed = take<Standstill>(data, "path");
+  }
 }
 
 TEST(Standstill, CreepIsSeenLater) {

@@ -21,6 +21,15 @@ TEST(Errors, FindingsAreThrownTogetherInOrderOfPosition) {
             "b.yaml:9:2: first\nb.yaml:9:7: second\nb.yaml:10:1: third");
 }
 
+TEST(Errors, WhatAnAliasRepeatsIsToldOnce) {
+  Findings findings;
+  for (int i = 0; i < 3; ++i) {
+    findings.add({"b.yaml", 9, 2}, "unknown key");
+    findings.add({"b.yaml", 9, 2}, "no angle");
+  }
+  EXPECT_EQ(messages([&] { findings.throw_if_any(); }), "b.yaml:9:2: unknown key\nb.yaml:9:2: no angle");
+}
+
 TEST(Errors, TextStaysReadableForAnyNumberOfFindings) {
   Findings findings;
   for (int i = 0; i < 1000; ++i) findings.add({"a.yaml", i, 1}, std::string(5000, 'x'));
