@@ -199,7 +199,8 @@ double way_of_leg(const PathState& path, const State& state) {
 }
 
 double standing_load(const PathState& path, double load) {
-  constexpr double same = 1e-6, of_none = 0.1;  // the path's tolerance without the margin of what counts as no load
+  constexpr double same = 1e-6,
+                   of_none = 0.1;  // the path's tolerance without the margin of what counts as no load
   return std::max(same * std::abs(load), of_none * path.smallest_load());
 }
 
