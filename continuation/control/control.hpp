@@ -44,7 +44,7 @@ class Control {
   virtual bool sizes_steps() const { return true; }
   /// Why this control cannot follow the path of this structure; "" when it can.
   virtual std::string refusal(const Equilibrium&) const { return {}; }
-  /// Whether sequentially linear steps may carry on where this control fails.
+  /// Whether a jump may carry on where this control fails.
   virtual bool may_be_rescued() const { return false; }
   /// The one number a control remembers from its first step; a restart brings it back.
   virtual double memory() const { return 0; }

@@ -8,19 +8,9 @@ namespace {
 
 /// In the order of the enumerators.
 const std::array<std::string, 13>& names() {
-  static const std::array<std::string, 13> names{"load",
-                                                 "displacement",
-                                                 "opening",
-                                                 "dissipation",
-                                                 "arc_length",
-                                                 "event",
-                                                 "initiation",
-                                                 "corner",
-                                                 "unloading",
-                                                 "release",
-                                                 "load_increments",
-                                                 "growth",
-                                                 "sequentially_linear"};
+  static const std::array<std::string, 13> names{
+      "load",   "displacement", "opening", "dissipation",     "arc_length", "event", "initiation",
+      "corner", "unloading",    "release", "load_increments", "growth",     "jump"};
   return names;
 }
 

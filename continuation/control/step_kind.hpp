@@ -7,19 +7,19 @@ namespace dda {
 
 /// What a step of the path has been taken by, the column `control` of curve.csv.
 enum class StepKind {
-  load,                 ///< the load factor prescribed
-  displacement,         ///< a displacement
-  opening,              ///< a relative displacement
-  dissipation,          ///< the energy that is dissipated
-  arc_length,           ///< LOCA's arc length
-  event,                ///< to the next initiation, or the next change of a contact
-  initiation,           ///< to the next crack that starts while others grow
-  corner,               ///< to where a growing crack passes a corner of its law
-  unloading,            ///< off the damage surfaces
-  release,              ///< strength that is lost at once
-  load_increments,      ///< an increment of the load
-  growth,               ///< a crack through blocks aims or grows
-  sequentially_linear,  ///< a rescue by secant stiffnesses
+  load,             ///< the load factor prescribed
+  displacement,     ///< a displacement
+  opening,          ///< a relative displacement
+  dissipation,      ///< the energy that is dissipated
+  arc_length,       ///< LOCA's arc length
+  event,            ///< to the next initiation, or the next change of a contact
+  initiation,       ///< to the next crack that starts while others grow
+  corner,           ///< to where a growing crack passes a corner of its law
+  unloading,        ///< off the damage surfaces
+  release,          ///< strength that is lost at once
+  load_increments,  ///< an increment of the load
+  growth,           ///< a crack through blocks aims or grows
+  jump,             ///< a rescue: to what a test finds that prescribes the displacement of the load
 };
 
 /// Its name in files and messages.

@@ -245,7 +245,7 @@ std::vector<double> movements(const PathState& path) {
 
 void look_for_standstill(PathState& path, const Point& point) {
   const Candidate& here = path.walker.here();
-  const bool is_rescue = point.kind == StepKind::sequentially_linear;
+  const bool is_rescue = point.kind == StepKind::jump;
   const std::string since = path.memory.standstill.add(
       {movements(path), here.state.load_factor, here.dissipated, is_rescue, path.memory.leg});
   if (path.ending.kind != Ending::Kind::running || since.empty()) return;

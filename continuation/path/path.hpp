@@ -15,7 +15,7 @@ namespace dda {
 /// tangent predicted the last one; a step across the limit point is shortened until the peak is bracketed;
 /// steps land on wanted gauge values; a converged step that no continuous path explains (its energies do not
 /// balance), or that retraces the unloading branch, is rejected; where Newton fails at the smallest step,
-/// sequentially linear steps carry on; points whose law loses its strength at once are released event by
+/// a jump at the displacement of the load carries on (detour/staggered.hpp); points whose law loses its strength at once are released event by
 /// event (detour/release.hpp). The path may have several legs: loading, unloading to a gauge value, loading
 /// again, or going on with other loads while those so far are held. The walker must stand at the start of the first
 /// stage.

@@ -69,7 +69,7 @@ std::optional<Point> next_step(PathState& path) {
       path.releases_at_once && !path.walker.leaving().dissipates && std::isfinite(next_event(path.walker));
   if (!move.to_event && !between_releases) return cracking_step(path, move);
   if (!path.walker.leaving().dissipates) return event_step(path);
-  auto point = sequential_step(path, StepKind::event, std::numeric_limits<double>::min());
+  auto point = sequential_step(path);
   if (point || path.ending.kind != Ending::Kind::running) return point;
   if (!std::isfinite(next_event(path.walker)))
     return path.stop_early(Stop::no_further_crack, "no interface limits the load any more");

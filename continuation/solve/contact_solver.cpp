@@ -16,6 +16,14 @@ constexpr double loosened = 0.9;
 /// of a tiny load: the load factor would be told from the rounding of q. A softer one leaves less of that.
 constexpr double softened = 0.1;
 
+/// The secant of a damaged point, or the intact stiffness where next to none is left: blocks that are held by nothing in
+/// the base would fly off in its solutions, and openings be told from their rounding.
+Mat2 held_at_least(const Mat2& secant, const Mat2& intact) {
+  constexpr double loose = 1e-3;
+  const bool holds = (secant.diagonal().array() > loose * intact.diagonal().array()).all();
+  return holds ? secant : intact;
+}
+
 }  // namespace
 
 void ContactSolver::prepare(const State& guess) {
@@ -28,7 +36,8 @@ void ContactSolver::prepare(const State& guess) {
     const History& h = system_.history()[p];
     Mat2 tangent = point.intact_stiffness().asDiagonal();
     if (is_cracked && point.law->contact(h, point.stiffness) && !point.is_separate())
-      tangent = point.law->respond_frozen(laws->opening[p], h, point.stiffness).tangent;
+      tangent =
+          held_at_least(point.law->respond_frozen(laws->opening[p], h, point.stiffness).tangent, tangent);
     if (point.is_separate() && point.multiplier == Multiplier::unknown) tangent *= loosened;
     if (point.is_separate() && point.multiplier == Multiplier::iterated) tangent(1, 1) *= softened;
     base.emplace_back(0.5 * (tangent + tangent.transpose()));

@@ -19,7 +19,7 @@ std::optional<State> HeldEquilibrium::solve(const State& at) {
                      now == 0 && value_ == 0 ? 1 : std::max(std::abs(now), std::abs(value_)));
   const StepGoal goal{at, *control_, value_ - now, at};
   auto found = taken(whole_step(stepper_, {at, *control_, goal.step, on_gauge(goal)}, Method::line_search));
-  if (found || !system.joins_by_contact()) return found;
+  if (found || !system.has_contacts()) return found;
   system.set_multipliers(at.multipliers);
   return taken(contact_step(stepper_, goal, Thoroughness::full));
 }

@@ -8,7 +8,7 @@
 namespace dda {
 
 /// Equilibrium with one linear gauge prescribed and the load factor free, by Newton's method with a line
-/// search; where bodies only touch and that runs in circles, contact and friction solved exactly.
+/// search; where joints are in contact and that runs in circles, contact and friction solved exactly.
 class HeldEquilibrium {
  public:
   HeldEquilibrium(Stepper& stepper, const Functional& held, double value);

@@ -202,8 +202,7 @@ std::optional<Point> controlled_step(PathState& path, const Move& move) {
   if (shortest > smallest_share * first) return end_of_steps(path, stride);
   if (has_no_arc(path, move)) return controlled_step(path, displacement_move(path));
   if (path.control->may_be_rescued())
-    if (auto point = sequential_step(path, StepKind::sequentially_linear, path.memory.last_quantum))
-      return point;
+    if (auto point = jump_step(path)) return point;
   return end_of_control(path, stride);
 }
 

@@ -56,17 +56,13 @@ std::optional<Point> event_step(PathState& path) {
   if (!candidate) {
     const std::string why = path.refusal;
     if (path.control->may_be_rescued() && path.walker.leaving().dissipates)
-      if (auto point = sequential_step(path, StepKind::sequentially_linear, path.memory.last_quantum))
-        return point;
+      if (auto point = jump_step(path)) return point;
     const bool slides_on_the_way = can_slide(path) && std::isfinite(next_contact_change(path.walker));
     if (slides_on_the_way) return sliding_step(path);
     if (auto point = approach(path, amount)) return point;
     if (can_slide(path)) return sliding_step(path);
-    if (path.control->may_be_rescued()) {
-      if (auto point = sequential_step(path, StepKind::sequentially_linear, path.memory.last_quantum))
-        return point;
-      if (auto point = driven_step(path)) return point;
-    }
+    if (path.control->may_be_rescued())
+      if (auto point = jump_step(path)) return point;
     return end_without_equilibrium(path, Stop::next_initiation, "the next initiation was not found: " + why);
   }
   if (is_coarse(path, *candidate)) {

@@ -1,38 +1,37 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
 #include "continuation/detour/release.hpp"
-#include "continuation/detour/rescue.hpp"
+#include "continuation/detour/sequentially_linear.hpp"
+#include "continuation/detour/staggered.hpp"
 #include "continuation/follow/mechanism.hpp"
 #include "continuation/follow/trial.hpp"
 #include "continuation/step/rung/rungs.hpp"
 #include "continuation/step/steps.hpp"
 
 namespace dda {
-std::optional<Point> sequential_step(PathState& path, StepKind kind, double quantum) {
-  const auto found = sequentially_linear(path.walker.system(), path.walker.state(), quantum);
+
+std::optional<Point> sequential_step(PathState& path) {
+  constexpr double any = std::numeric_limits<double>::min();
+  const auto found = sequentially_linear(path.walker.system(), path.walker.state(), any);
   if (!found || is_mechanism(path, found->state)) return {};
-  const double dissipated = path.walker.here().dissipated;
-  auto point = jump_to(path, path.walker.settled(*found), kind);
-  if (point && kind != StepKind::event) {
-    ++path.walker.effort().rescues;
-    path.report("rescued", fmt::format("sequentially linear steps dissipated {:.3e}",
-                                       path.walker.here().dissipated - dissipated));
-  }
-  return point;
+  return jump_to(path, path.walker.settled(*found), StepKind::event);
 }
 
-std::optional<Point> driven_step(PathState& path) {
+std::optional<Point> jump_step(PathState& path) {
   constexpr double largest = 0.02, smallest = 1e-4;  // of the displacement so far
   if (path.memory.largest_displacement == 0) return {};
   const State& start = path.walker.state();
   const double here = path.displacement_of(start);
   for (double share = largest; share > smallest; share *= cut) {
     const double value = here + std::copysign(share * path.memory.largest_displacement, here);
-    const auto found = release_at_gauge(path.walker.stepper(), start, {path.displacement, value});
+    const WantedGauge wanted{path.displacement, value};
+    const auto found = path.releases_at_once ? release_at_gauge(path.walker.stepper(), start, wanted)
+                                             : staggered_at_gauge(path.walker.stepper(), start, wanted);
     if (!found || is_mechanism(path, found->state)) continue;
-    auto point = jump_to(path, path.walker.settled(*found), StepKind::displacement);
+    auto point = jump_to(path, path.walker.settled(*found), StepKind::jump);
     if (!point) continue;
     ++path.walker.effort().rescues;
     path.report("rescued",

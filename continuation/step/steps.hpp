@@ -65,14 +65,13 @@ std::optional<Point> aim_step(PathState& path, int crack, const PlaceBefore& bef
 /// The load raised by the largest of halved increments that still finds an equilibrium.
 std::optional<Point> increment_step(PathState& path);
 
-/// Sequentially linear steps until at least `quantum` has been dissipated; the log calls them a rescue unless
-/// it is one to an event.
-std::optional<Point> sequential_step(PathState& path, StepKind kind, double quantum);
+/// Event control's step: sequentially linear ones until something has been dissipated.
+std::optional<Point> sequential_step(PathState& path);
 
-/// The largest of some steps of the displacement on which the load works that ends in an equilibrium, what is
-/// beyond its strength there released at once: a path through contacts that change is not found by its
-/// tangent.
-std::optional<Point> driven_step(PathState& path);
+/// A rescue, where no continuous path leads on or none is found: the largest of some steps of the displacement on which
+/// the load works that ends in an equilibrium, what is beyond its strength there released at once, or its damage grown
+/// (staggered.hpp).
+std::optional<Point> jump_step(PathState& path);
 
 /// The end where nothing is found any more: rupture if hardly any load is left.
 std::optional<Point> end_without_equilibrium(PathState& path, Stop stop, const std::string& why);

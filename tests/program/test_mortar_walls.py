@@ -4,6 +4,7 @@ bodies, and the path goes on through every change of contact on its way.
     test_mortar_walls.py        with PYTHONPATH=python, and DDA naming the program
 """
 
+import math
 import random
 import tempfile
 import unittest
@@ -13,6 +14,7 @@ import ddapath
 
 LENGTH, HEIGHT, BEAM, THICKNESS = 900, 960, 120, 110
 REACHED = HEIGHT + BEAM / 2  # of the push [mm]
+FRICTION = 0.75  # tan φ of the brittle mortar
 
 
 def wall(pressure, law="exponential_softening", points="vertices", young_modulus=8000):
@@ -56,6 +58,34 @@ def random_wall(seed, controls=("staged", "staged", "staged", "displacement", "a
     deck["scene"]["subdivision"].update(length=draw([225, 300, 450]), height=draw([120, 160, 240]))
     deck["path"]["control"] = draw(list(controls))
     return deck
+
+
+def running_bond(pressure, strength, energy, columns=4, courses=7, length=250, height=65):
+    """Bricks with joints that crack, between two beams, pressed and pushed: peaks far above what friction bears in the end."""
+    rectangle = lambda left, low, right, high: [[left, low], [right, low], [right, high], [left, high]]
+    width, top = columns * length, courses * height
+    regions = [{"material": "beam", "vertices": rectangle(0, -80, width, 0)}, {"material": "beam", "vertices": rectangle(0, top, width, top + 80)}]
+    for course in range(courses):
+        shift = length / 2 * (course % 2)
+        cuts = sorted({0, width, *(shift + length * i for i in range(columns) if shift + length * i > 0)})
+        regions += [{"material": "brick", "vertices": rectangle(left, course * height, right, (course + 1) * height)}
+                    for left, right in zip(cuts, cuts[1:])]
+    law = {"type": "linear_softening", "tensile_strength": strength, "cohesion": .3, "friction_angle": math.degrees(math.atan(FRICTION)),
+           "fracture_energy": energy, "shear_fracture_energy": .05}
+    push = [[0, top], [0, top + 80]]
+    return {
+        "units": {"length": "mm", "force": "N"}, "thickness": 100,
+        "scene": {"regions": regions, "subdivision": {"type": "given"},
+                  "boundaries": {"foot": [[0, -80], [width, -80]], "head": [[0, top + 80], [width, top + 80]]}},
+        "materials": {"beam": {"type": "linear_elastic", "young_modulus": 30000, "poisson_ratio": .2},
+                      "brick": {"type": "linear_elastic", "young_modulus": 15000, "poisson_ratio": .15}},
+        "interfaces": {"joint": {"between": ["brick", "brick"], "law": law}, "bed": {"between": ["brick", "beam"], "law": law}},
+        "supports": {"foot": {"boundary": "foot", "fix": "xy"}},
+        "stages": [{"name": "pressed", "loads": [{"type": "edge_traction", "boundary": "head", "traction": [0, -pressure]}]},
+                   {"name": "pushed", "loads": [{"type": "point_load", "over": push, "force": [1000, 0]}]}],
+        "gauges": {"drift": {"type": "displacement", "over": push, "direction": [1, 0]}},
+        "path": {"stop": {"load_below": 0, "gauges": {"drift": 2}}},
+    }
 
 
 def gate(width=400, height=1200, span=1000, pressure=0.35, weight=2.2e-5):
@@ -111,6 +141,15 @@ class MortarWalls(unittest.TestCase):
             rocks = pressure * LENGTH * THICKNESS * LENGTH / 2 / REACHED
             self.assertLess(curve["load"].iloc[-1], -(1 - 1e-6) * rocks)
         self.followed(pressure=0.6, points="gauss")
+
+    def test_brittle_mortar_snaps_through(self):
+        """Where no rates keep the equilibrium the path jumps, with the displacement of the load held; every wall slides in the end."""
+        for pressure, strength, energy in ((.3, .2, .01), (.4, .1, .005), (.4, .1, .1), (.4, .2, .02), (.4, .4, .005), (.6, .4, .005)):
+            with self.subTest(pressure=pressure, strength=strength, energy=energy):
+                deck = running_bond(pressure, strength, energy)
+                curve = self.followed(deck)
+                self.assertIn("jump", set(curve["control"]))
+                self.assertAlmostEqual(curve["load"].iloc[-1] / (1e5 * pressure * FRICTION), 1, delta=1e-5)
 
     def test_a_gate_sways_on_its_dry_feet(self):
         """A point of the mortar begins to crack while the feet already turn under a load that stands."""

@@ -100,7 +100,7 @@ ContactProblem::Point CrackedEquations::point_of(std::size_t i) const {
                             .traction = now.traction - now.tangent * q,
                             .tangent = now.tangent};
   const bool is_damaged = out.contact && !point.is_separate();
-  if (is_damaged &&
+  if (is_damaged && !system_.frozen() &&
       point.law->equivalent_opening(q, h, point.stiffness) > point.law->kappa(h, point.stiffness))
     out.contact.reset();
   return out;

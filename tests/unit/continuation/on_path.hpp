@@ -65,6 +65,7 @@ class OnPath {
   const Walker& walker() const { return walker_; }
   System& system() { return system_; }
   const Stepper& stepper() const { return stepper_; }
+  Stepper& stepper() { return stepper_; }
   /// What the path knows where the walker stands, on another route.
   PathState state(Route route = {}) {
     PathState out(walker_, parameters_, book_, std::move(route));

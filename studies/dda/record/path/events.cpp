@@ -39,7 +39,7 @@ struct Cubic {
 /// What no continuous path led to.
 bool is_jump(const Point& point) {
   return point.jump_energy != 0 || point.kind == StepKind::release ||
-         point.kind == StepKind::load_increments || point.kind == StepKind::sequentially_linear;
+         point.kind == StepKind::load_increments || point.kind == StepKind::jump;
 }
 
 /// Marks what lies at the last row, and is an event only if the path goes on from it.

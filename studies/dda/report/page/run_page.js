@@ -47,7 +47,7 @@ class RunPage {
     if (s.blocks !== undefined) card("blocks", String(s.blocks), s.unknowns ? `${s.unknowns} unknowns` : null);
     if (s.crackable_points !== undefined)
       card("points that may crack", String(s.crackable_points), `of ${s.interface_points}`);
-    if (s.rescues) card("rescues", String(s.rescues), "sequentially linear");
+    if (s.rescues) card("rescues", String(s.rescues), "jumps at a held displacement");
     if (s.timings)
       card(
           "wall time", formatSeconds(s.timings.total),

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <map>
 
-#include "continuation/detour/rescue.hpp"
+#include "continuation/detour/sequentially_linear.hpp"
 #include "support/law_case.hpp"
 #include "unit/continuation/on_path.hpp"
 
@@ -152,7 +152,7 @@ TEST(Path, LeavesNoTraceOfAStepThatIsBrokenOff) {
 }
 
 /// From the first crack of the bar and of the square: the result is an equilibrium on the damage surface.
-TEST(Rescue, EndsInAnEquilibriumThatHasDissipatedTheQuantum) {
+TEST(SequentiallyLinear, EndsInAnEquilibriumThatHasDissipatedTheQuantum) {
   Bar bar(1000, "stop: {steps: 2}");
   for ([[maybe_unused]] const Point& point : bar.path()) {
   }
@@ -213,7 +213,7 @@ TEST(Predictor, EachLeadsToTheSamePointsInItsOwnNumberOfIterations) {
 }
 
 /// Points that have slid and stick again bear more than their stiffness times q.
-TEST(Rescue, KeepsWhatHasSlid) {
+TEST(SequentiallyLinear, KeepsWhatHasSlid) {
   OnPath beam(rough_beam, "stop: {load_below: 0.2}");
   for ([[maybe_unused]] const Point& point : beam.path()) {
   }
@@ -274,7 +274,7 @@ TEST(Path, DoesNotLandWhereItIs) {
   EXPECT_GT(landings, 0);
 }
 
-TEST(Rescue, EndsOnTheSurfaceWhereBlocksHangLoosely) {
+TEST(SequentiallyLinear, EndsOnTheSurfaceWhereBlocksHangLoosely) {
   OnPath beam(brittle_beam, "stop: {load_below: 0.2}");
   for ([[maybe_unused]] const Point& point : beam.path()) {
   }
@@ -318,7 +318,7 @@ gauges: {tip: {type: displacement, at: [200, 50], direction: [0, -1]}}
 }
 
 /// The secant walk uses the joints' own high stiffness; what it finds must hold with their multipliers.
-TEST(Rescue, ClosesTheGapsOfIteratedMultipliers) {
+TEST(SequentiallyLinear, ClosesTheGapsOfIteratedMultipliers) {
   OnPath beam(cantilever("    treatment: augmented_lagrangian\n    points: midpoint"),
               "stop: {load_below: 0.5}");
   for ([[maybe_unused]] const Point& point : beam.path()) {

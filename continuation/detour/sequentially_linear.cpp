@@ -1,4 +1,4 @@
-#include "continuation/detour/rescue.hpp"
+#include "continuation/detour/sequentially_linear.hpp"
 
 #include <algorithm>
 #include <cmath>
