@@ -10,10 +10,11 @@ namespace dda {
 ///
 ///     K_sec(κ) d = f,  g(d) = ḡ,  with contact and friction solved exactly;      κ ← max(κ, equivalent opening);      and again
 ///
-/// until no opening asks for more damage. This staggered iteration (alternate minimisation) lowers the energy in each half
-/// and lets damage only grow, so that it ends; it converges linearly, and near its end Newton's method with all that cracks
-/// takes over. Nothing when there is no such equilibrium. History and multipliers of the system stay as they are; what was
-/// spent on the way is none of an equilibrium path, and booked as a jump.
+/// until no opening asks for more damage. Without friction each half of this staggered iteration (alternate minimisation)
+/// lowers the energy, and damage only grows, so that it ends; it converges linearly, and near its end Newton's method with all
+/// that cracks takes over. Where it is slow damage is grown ahead of what is asked for, by at most 8 % of κ. Nothing when no such
+/// equilibrium was found. History and multipliers of the system stay as they are; what was spent on the way is none of an
+/// equilibrium path, and booked as a jump.
 std::optional<Settled> staggered_at_gauge(Stepper& stepper, const State& start, const WantedGauge& wanted);
 
 }  // namespace dda

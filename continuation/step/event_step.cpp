@@ -55,13 +55,15 @@ std::optional<Point> event_step(PathState& path) {
   const auto candidate = try_step(path, move, amount);
   if (!candidate) {
     const std::string why = path.refusal;
-    if (path.control->may_be_rescued() && path.walker.leaving().dissipates)
+    const bool may_jump = path.control->may_be_rescued(),
+               jumps_first = may_jump && path.walker.leaving().dissipates;
+    if (jumps_first)
       if (auto point = jump_step(path)) return point;
     const bool slides_on_the_way = can_slide(path) && std::isfinite(next_contact_change(path.walker));
     if (slides_on_the_way) return sliding_step(path);
     if (auto point = approach(path, amount)) return point;
     if (can_slide(path)) return sliding_step(path);
-    if (path.control->may_be_rescued())
+    if (may_jump && !jumps_first)
       if (auto point = jump_step(path)) return point;
     return end_without_equilibrium(path, Stop::next_initiation, "the next initiation was not found: " + why);
   }

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "continuation/detour/release.hpp"
-#include "continuation/detour/sequentially_linear.hpp"
 #include "continuation/follow/judge.hpp"
 #include "continuation/follow/landings.hpp"
 #include "continuation/follow/mechanism.hpp"

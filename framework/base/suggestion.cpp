@@ -47,15 +47,20 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-std::string suggest(const std::string& name, const std::vector<std::string>& names) {
-  if (names.empty()) return "; there are none to choose from";
+std::string did_you_mean(const std::string& name, const std::vector<std::string>& names) {
+  if (names.empty()) return {};
   for (const std::string& known : names)
     if (known != name && is_same_word(known, name)) return "; did you mean '" + known + "'?";
   const auto nearer = [&](const std::string& x, const std::string& y) {
     return edit_distance(name, x) < edit_distance(name, y);
   };
   const std::string& best = *std::min_element(names.begin(), names.end(), nearer);
-  if (is_near(name, best)) return "; did you mean '" + best + "'?";
+  return is_near(name, best) ? "; did you mean '" + best + "'?" : "";
+}
+
+std::string suggest(const std::string& name, const std::vector<std::string>& names) {
+  if (names.empty()) return "; there are none to choose from";
+  if (std::string near = did_you_mean(name, names); !near.empty()) return near;
   return (names.size() == 1 ? "; known is " : "; known are ") + enumerate(names);
 }
 

@@ -153,9 +153,11 @@ std::string find_in_manual(const SchemaBase& deck, const std::string& word, cons
   for (const auto& [path, parameter] : keys)
     if (has(path) || has(parameter.text))
       out += "  " + path + ": " + facts(parameter, units) + "\n      " + parameter.text + "\n";
-  if (wanted.empty() || out.empty())
-    throw InputError(
-        Position{}, "no key of decks has '" + word + "' in its name or text" + suggest(word, names_of(keys)));
+  if (wanted.empty() || out.empty()) {
+    const std::string near = did_you_mean(word, names_of(keys));
+    throw InputError(Position{}, "no key of decks has '" + word + "' in its name or text" +
+                                     (near.empty() ? "; `dda explain` lists all" : near));
+  }
   return out;
 }
 

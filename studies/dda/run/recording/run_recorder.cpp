@@ -189,8 +189,7 @@ void RunRecorder::record(const Point& point) {
   log_step(point, now);
   look_for_crawling();
   trace_.push_back(trace_point(simulation_.walker(), measures_));
-  if (!is_due(point)) return;
-  store_here();
+  if (is_due(point)) store_here();
   if (timings_.total() - restart_written_ >= bearable_loss) write_restart_file();
 }
 

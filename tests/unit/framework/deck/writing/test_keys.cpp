@@ -10,6 +10,7 @@ namespace {
 using example::deck_schema;
 using testing::Contains;
 using testing::ElementsAre;
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
@@ -49,6 +50,7 @@ TEST(Keys, OfUnknownWordsAreSuggested) {
   EXPECT_THAT(refusal("densty"),
               HasSubstr("no key of decks has 'densty' in its name or text; did you mean 'density'?"));
   EXPECT_THAT(refusal(""), HasSubstr("no key of decks has ''"));
+  EXPECT_THAT(refusal("quaternion"), EndsWith("in its name or text; `dda explain` lists all"));
 }
 
 TEST(Settings, BeginWithKeys) {
