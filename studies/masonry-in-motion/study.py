@@ -21,7 +21,8 @@ import walls  # noqa: E402
 from ddapath import study  # noqa: E402
 
 CASES = (arches.friction_of_semicircular, arches.friction_of_flat, arches.friction_of_buttresses, arches.spread_at_collapse,
-         walls.starts_to_rock, walls.starts_to_slide, walls.slides_under_a_record, walls.slides_in_harmonic_motion)
+         walls.starts_to_rock, walls.starts_to_slide, walls.slides_under_a_record, walls.slides_stiffly_under_a_record,
+         walls.slides_elastically_under_a_record, walls.slides_in_harmonic_motion)
 
 
 def table_of(rows):

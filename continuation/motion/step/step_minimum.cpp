@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "continuation/motion/step/friction_bounds.hpp"
+
 namespace dda {
 namespace {
 
@@ -36,23 +38,27 @@ MotionStep StepMinimum::solve(const StepStart& from, const Inertia& inertia) {
   potential_.begin(start);
   potential_.set_sliders({});
   MotionStep out{.poses = start, .forces = {}, .contacts = {}, .failure = {}};
-  bool is_met = false;
-  double left = 0;
-  for (int pass = 0;; ++pass) {
+  FrictionBounds bounds;
+  for (int pass = 0; out.converged(); ++pass) {
     std::vector<Slider> sliders = sliders_at(out.poses, from.sliders, pass == 0);
-    const bool is_settled =
-        pass > 0 && left <= tolerances_.loose && change_of_bounds(sliders) <= tolerances_.friction_change;
-    if (is_settled && is_met && sliders.empty()) break;
-    const bool is_last = is_settled || pass + 1 == tolerances_.most_passes;
-    is_met = is_last || sliders.empty();
+    const bool is_free = sliders.empty();  // of friction: there is nothing to settle
+    if (pass > 0 && is_free && potential_.sliders().empty()) break;
+    const double change = pass > 0 ? bounds.change(sliders) : 1;
+    const bool is_settled = change <= tolerances_.friction_change;
+    if (pass == tolerances_.most_passes && !is_settled) {
+      out.failure =
+          fmt::format("friction has not settled: normal forces change by {:.1e} of their sum", change);
+      break;
+    }
+    if (!is_settled) bounds.relax(sliders);
     potential_.set_sliders(std::move(sliders));
     rounding_ = potential_.rounding(out.poses, inertia.per_square_time);
     if (pass == 0) out.poses = predicted(start, inertia);
-    const Minimised found = minimise(out.poses, inertia, is_met);
-    left = found.left;
+    const Minimised found =
+        minimise(out.poses, inertia, is_settled || is_free ? tolerances_.tolerance : tolerances_.loose);
     out.iterations += found.iterations;
     out.failure = found.failure;
-    if (!out.converged() || is_last) break;
+    if (is_settled) break;
   }
   if (out.converged()) tell(start, out);
   return out;
@@ -112,18 +118,6 @@ double StepMinimum::objective(const Poses& z, const Inertia& inertia) const {
   return sum;
 }
 
-/// The sum of the changes of bounds since the pass before, over that of the bounds; 0 without friction.
-double StepMinimum::change_of_bounds(const std::vector<Slider>& sliders) const {
-  SliderMemory before;
-  double change = 0, all = 0;
-  for (const Slider& slider : potential_.sliders()) before.set(slider.meeting.key, {0, slider.bound});
-  for (const Slider& slider : sliders) {
-    all += slider.bound;
-    change += std::abs(slider.bound - before.of(slider.meeting.key).force);
-  }
-  return all > 0 ? change / all : 0;
-}
-
 Vector StepMinimum::gradient(const Poses& z, const Inertia& inertia) const {
   Vector out = potential_.gradient(z);
   for (std::size_t b = 0; b < z.size(); ++b) {
@@ -168,19 +162,18 @@ Poses StepMinimum::direction(const Poses& z, const Inertia& inertia, const Vecto
   return {};
 }
 
-/// Newton's method: one iteration, or as many as it takes.
-StepMinimum::Minimised StepMinimum::minimise(Poses& z, const Inertia& inertia, bool to_the_end) {
+/// Newton's method, until so much of the forces is left.
+StepMinimum::Minimised StepMinimum::minimise(Poses& z, const Inertia& inertia, double tolerance) {
   Minimised out;
   Vector g = gradient(z, inertia);
   for (;; ++out.iterations) {
     const Unbalanced most = unbalanced(scene_, g, rounding_);
-    out.left = scale_ > 0 ? most.force / scale_ : most.force;
+    const double left = scale_ > 0 ? most.force / scale_ : most.force;
     const bool is_driven = !ways_of_held(z, inertia).empty();
-    if (out.left <= tolerances_.tolerance && !is_driven) return out;
-    if (!to_the_end && out.iterations > 0 && !is_driven) return out;
-    if (out.iterations == tolerances_.most_iterations || !std::isfinite(out.left)) {
+    if (left <= tolerance && !is_driven) return out;
+    if (out.iterations == tolerances_.most_iterations || !std::isfinite(left)) {
       out.failure = fmt::format("no minimum in {} iterations: {:.1e} of the forces is left at body {}",
-                                out.iterations, out.left, most.body);
+                                out.iterations, left, most.body);
       return out;
     }
     const Poses dz = direction(z, inertia, g);

@@ -11,9 +11,10 @@ namespace dda {
 ///
 ///     ½ c |y − ŷ|²_M + Π(y)
 ///
-/// by Newton's method with an exact line search on what is free for cores to move. Until the normal forces by which friction
-/// is bounded have settled, every iteration, a pass, takes those where it begins; in the last pass they stay, and the
-/// minimum is found. Source of the principle: Li et al. (2020), Lan et al. (2022).
+/// by Newton's method with an exact line search on what is free for cores to move, in passes. A pass takes the normal forces by
+/// which friction is bounded from where it begins, and ends near its minimum: places on the way there tell nothing of forces
+/// between stiff bodies. Where they have settled, the last pass finds the minimum; where they do not, there is no step.
+/// Source of the principle: Li et al. (2020), Lan et al. (2022).
 class StepMinimum final : public StepSolver {
  public:
   StepMinimum(const MovingScene& scene, Potential& potential, const MotionTolerances& tolerances)
@@ -25,10 +26,9 @@ class StepMinimum final : public StepSolver {
  private:
   struct Minimised {
     int iterations = 0;
-    double left = 0;  ///< of the forces
     std::string failure = {};
   };
-  Minimised minimise(Poses& z, const Inertia& inertia, bool to_the_end);
+  Minimised minimise(Poses& z, const Inertia& inertia, double tolerance);
   Eigen::VectorXd gradient(const Poses& z, const Inertia& inertia) const;
   /// Slope along a direction where it begins, and the share of it that is free.
   struct Descent {
@@ -41,7 +41,6 @@ class StepMinimum final : public StepSolver {
   };
   Found line_search(const Poses& z, const Poses& dz, const Inertia& inertia, const Descent& descent) const;
   std::vector<Slider> sliders_at(const Poses& z, const SliderMemory& memory, bool uses_memory) const;
-  double change_of_bounds(const std::vector<Slider>& sliders) const;
   void tell(const Poses& start, MotionStep& out) const;
 
   Poses predicted(const Poses& start, const Inertia& inertia);

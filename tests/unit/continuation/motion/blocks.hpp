@@ -23,6 +23,18 @@ class Steady final : public TimeFunction {
   double speed_;
 };
 
+/// A displacement that begins at rest with an acceleration, and swings.
+class Swing final : public TimeFunction {
+ public:
+  Swing(double acceleration, double frequency) : acceleration_(acceleration), omega_(2 * M_PI * frequency) {}
+  double at(double time) const override {
+    return acceleration_ * (1 - std::cos(omega_ * time)) / (omega_ * omega_);
+  }
+
+ private:
+  double acceleration_, omega_;
+};
+
 inline MovingBody body(const Polygon& outline, bool is_held = false) {
   const Moments of = moments(outline);
   MovingBody out;

@@ -233,6 +233,32 @@ TEST(Motion, IsDraggedByAGroundThatSetsOutAtOnce) {
   EXPECT_EQ(motion.rejected(), 0);
 }
 
+/// Courses of five, four and three bricks, of stone a thousand times as stiff, on a ground that swings with 0.6 g and
+/// bears 0.3 g by friction: no brick has a reason to slip on another, which bears 0.7 of its force.
+TEST(Motion, StiffBricksSlideOnTheGroundAsOneBody) {
+  constexpr double stiffer = 1000, breadth = 0.5, rise = 0.25;
+  std::vector<MovingBody> bodies{body(box(-2, -0.5, 4, 0), true)};
+  for (int course = 0; course < 3; ++course)
+    for (int brick = 0; brick < 5 - course; ++brick) {
+      const double left = (brick + course / 2.0) * breadth, low = course * rise;
+      bodies.push_back(body(box(left, low, left + breadth, low + rise)));
+    }
+  for (MovingBody& of : bodies) {
+    of.block.stiffness *= stiffer;
+    of.modulus *= stiffer;
+  }
+  MovingScene of = scene(0.7, std::move(bodies), {0, -gravity});
+  of.meeting.friction = [](std::size_t first, std::size_t second) {
+    return first == 0 || second == 0 ? 0.3 : 0.7;
+  };
+  of.drives.push_back({{0}, {1, 0}, std::make_shared<Swing>(0.6 * gravity, 1.5)});
+  Motion motion(of, {}, undeformed(of), at_rest(of), {.time = 2, .stops_at_rest = false});
+  run(motion);
+  const auto way = [&](std::size_t b) { return motion.poses()[b][0] - of.bodies[b].centroid.x(); };
+  EXPECT_GT(std::abs(way(1) - way(0)), 0.03);
+  for (std::size_t b = 2; b < of.num_bodies(); ++b) EXPECT_NEAR(way(b), way(1), 1e-4) << b;
+}
+
 TEST(Motion, GoesOnWhereItStoodWithTheSameBits) {
   const MovingScene of =
       scene(0.5, {body(box(-5, -1, 9, 0), true), body(box(0, 0.1, 1, 1.1)), body(box(0.2, 1.2, 1.2, 2.2))},

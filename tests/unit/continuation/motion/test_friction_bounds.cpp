@@ -1,0 +1,62 @@
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "continuation/motion/step/friction_bounds.hpp"
+
+namespace dda {
+namespace {
+
+/// Two contacts whose bounds follow from each other's: μ N = c + A b.
+struct Jammed {
+  Vec2 c;
+  Mat2 a;
+
+  std::vector<Slider> sliders(const Vec2& b) const {
+    const Vec2 now = c + a * b;
+    std::vector<Slider> out(2);
+    for (std::uint32_t i = 0; i < 2; ++i) {
+      out[i].meeting.key = {i + 1, 0, 0, 0, false};
+      out[i].bound = now[i];
+    }
+    return out;
+  }
+  Vec2 solution() const { return (Mat2::Identity() - a).inverse() * c; }
+};
+
+Vec2 settled(const Jammed& jammed, int passes) {
+  FrictionBounds bounds;
+  Vec2 b = jammed.c;
+  for (int i = 0; i < passes; ++i) {
+    std::vector<Slider> sliders = jammed.sliders(b);
+    bounds.relax(sliders);
+    b = {sliders[0].bound, sliders[1].bound};
+  }
+  return b;
+}
+
+TEST(FrictionBounds, SettleWherePlainPassesGoToAndFroForEver) {
+  const Jammed jammed{{30, 20}, (Mat2() << -0.9, -0.5, -0.3, -1.1).finished()};
+  const Vec2 exact = jammed.solution(), found = settled(jammed, 20);
+  EXPECT_NEAR(found[0], exact[0], 1e-3 * exact.norm());
+  EXPECT_NEAR(found[1], exact[1], 1e-3 * exact.norm());
+}
+
+TEST(FrictionBounds, AreTakenAsTheyAreWhereNothingIsJammed) {
+  const Jammed jammed{{30, 20}, Mat2::Zero()};
+  EXPECT_EQ(settled(jammed, 1), jammed.c);
+  EXPECT_EQ(settled(jammed, 5), jammed.c);
+}
+
+TEST(FrictionBounds, TellHowFarTheForcesAreFromThem) {
+  const Jammed jammed{{30, 20}, Mat2::Zero()};
+  FrictionBounds bounds;
+  std::vector<Slider> sliders = jammed.sliders(Vec2::Zero());
+  EXPECT_EQ(bounds.change(sliders), 1);
+  bounds.relax(sliders);
+  sliders[1].bound = 25;
+  EXPECT_DOUBLE_EQ(bounds.change(sliders), 5.0 / 55);
+}
+
+}  // namespace
+}  // namespace dda
