@@ -91,13 +91,13 @@ def check(deck, settings=None, *, plugins=()):
     return said
 
 
-def report(folder, page=None):
+def report(folder, page=None, cases=False):
     """Writes the report of a run or a sweep, one page of HTML that needs nothing else, and gives its path.
 
-    folder: or a Run. page: where it goes, by default report.html in the folder.
+    folder: or a Run. page: where it goes, by default report.html in the folder. cases: those of a sweep's cases, too.
     """
     path = Path(getattr(folder, "folder", folder))
-    code, said = called("report", str(path), *([] if page is None else ["--out", str(page)]))
+    code, said = called("report", str(path), *([] if page is None else ["--out", str(page)]), *(["--cases"] if cases else []))
     if code != 0:
         raise failure(code, said, None)
     return path / "report.html" if page is None else Path(page)

@@ -41,6 +41,14 @@ EOF
   same bars.yaml runs/bars/sweep.yaml
   grep -qF '"status": "goal_reached"' runs/bars/sweep.json || complain "no status in sweep.json"
   exists runs/bars/curves.svg
+  expect 0 "a report of the sweep" "$program" report runs/bars
+  said "4 of its cases have no report"
+  expect 0 "its cases' reports" "$program" report runs/bars --cases
+  said "cases/004/report.html"
+  exists runs/bars/cases/001/report.html
+  grep -qF './cases/001/report.html' runs/bars/report.html || complain "a row does not lead to its report"
+  expect 2 "cases of a run" "$program" report runs/bars/cases/001 --cases
+  said "has no cases"
   "$program" run "$bar" --folder alone --quiet --set interfaces.crack.law.tensile_strength=3 \
     --set path.stop.load_below=0.5 >/dev/null
   same alone/curve.csv runs/bars/cases/002/curve.csv

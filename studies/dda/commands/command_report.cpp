@@ -28,20 +28,43 @@ std::string run_below(const fs::path& folder) {
                                       : fmt::format("did you mean '{}'?", below)));
 }
 
+void write(const fs::path& page, const report::Json& data) {
+  const std::string text = report::page_of(data);
+  write_whole(page, text, Flush::to_system);
+  fmt::print("{} ({:.1f} MB)\n", page.string(), static_cast<double>(text.size()) / 1e6);
+}
+
+fs::path page_in(const fs::path& run) { return run / "report.html"; }
+
+/// Those of the cases first, so that the sweep's rows lead to them.
+void write_of_sweep(const CommandLine& line, const fs::path& folder, const fs::path& page) {
+  const report::Limits limits;
+  std::size_t left = 0;
+  for (const fs::path& run : report::runs_of_sweep(folder))
+    if (line.with_cases)
+      write(page_in(run), report::data_of_run(run, limits));
+    else if (!fs::exists(page_in(run)))
+      ++left;
+  write(page, report::data_of_sweep(folder, page, limits));
+  if (left > 0)
+    fmt::print("{} of its cases {} no report: rows lead to the folder; --cases writes them\n", left,
+               left == 1 ? "has" : "have");
+}
+
 }  // namespace
 
 int command_report(const CommandLine& line) {
   const fs::path folder = line.runs.front();
   require_run_folder(folder);
-  const fs::path page = line.page.empty() ? folder / "report.html" : line.page;
+  const fs::path page = line.page.empty() ? page_in(folder) : line.page;
   const bool is_sweep = report::is_sweep(folder);
   if (!is_sweep && !report::is_run(folder)) refuse(folder);
-  const report::Limits limits;
-  const report::Json data =
-      is_sweep ? report::data_of_sweep(folder, page, limits) : report::data_of_run(folder, limits);
-  const std::string text = report::page_of(data);
-  write_whole(page, text, Flush::to_system);
-  fmt::print("{} ({:.1f} MB)\n", page.string(), static_cast<double>(text.size()) / 1e6);
+  if (!is_sweep && line.with_cases)
+    throw InputError(Position{folder.string()}, "is a run, which has no cases: leave --cases out");
+  if (is_sweep)
+    write_of_sweep(line, folder, page);
+  else
+    write(page, report::data_of_run(folder, report::Limits{}));
   return 0;
 }
 

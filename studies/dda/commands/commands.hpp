@@ -37,6 +37,7 @@ struct CommandLine {
   bool dry_run = false;                        ///< sweep
   int only_case = 0;                           ///< sweep; 0: all
   SharedSweep shared;
+  bool with_cases = false;     ///< report: those of a sweep's cases, too
   std::filesystem::path page;  ///< report: report.html in the folder when empty; new: <kind>.yaml
   bool json = false;
   std::vector<std::string> animation;  ///< animate; options as Python takes them

@@ -286,6 +286,8 @@ void Grammar::add_looking() {
       ->type_name("RUN");
   report->add_option("--out", line_.page, "The page; report.html in that folder if not given")
       ->type_name("FILE");
+  report->add_flag("--cases", line_.with_cases,
+                   "Of a sweep: write the reports of its cases, too, to which its rows then lead");
   CLI::App* verify = add("verify",
                          "Check runs independently of what computed them: equilibrium, laws, energies, "
                          "reactions, the reason; 0 all hold, 3 some are refused",

@@ -25,6 +25,8 @@ struct Limits {
 /// Whether a folder looks like what `dda run` (finished or not) or `dda sweep` writes.
 bool is_run(const std::filesystem::path& folder);
 bool is_sweep(const std::filesystem::path& folder);
+/// The run folders of a sweep's cases, as far as they have begun.
+std::vector<std::filesystem::path> runs_of_sweep(const std::filesystem::path& folder);
 
 /// All that the page of a run shows. What is missing or unreadable (a run that was killed, say) is named in
 /// the member `notices` and left out.

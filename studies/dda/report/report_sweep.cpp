@@ -72,6 +72,11 @@ Json case_of(const Json& entry, const fs::path& folder, const fs::path& page, st
   return out;
 }
 
+std::optional<CsvTable> table_of(const fs::path& folder) {
+  if (!fs::exists(folder / "sweep.csv")) return {};
+  return read_csv(folder / "sweep.csv");
+}
+
 /// The cases as sweep.json has them, or, where it is lost, as the table's rows name them.
 Json entries_of(const Json& sweep, const std::optional<CsvTable>& table) {
   if (sweep.is_object() && sweep.contains("cases") && sweep["cases"].is_array()) return sweep["cases"];
@@ -87,6 +92,14 @@ bool is_sweep(const fs::path& folder) {
   return fs::exists(folder / "sweep.json") || fs::exists(folder / "sweep.csv");
 }
 
+std::vector<fs::path> runs_of_sweep(const fs::path& folder) {
+  Json notices = Json::array();
+  std::vector<fs::path> out;
+  for (const Json& entry : entries_of(read_json(folder / "sweep.json", notices), table_of(folder)))
+    if (const fs::path run = folder / entry.value("folder", ""); is_run(run)) out.push_back(run);
+  return out;
+}
+
 Json data_of_sweep(const fs::path& folder, const fs::path& page, const Limits& limits) {
   const fs::path whole = (fs::absolute(folder) / "").lexically_normal();
   Json notices = Json::array();
@@ -96,12 +109,10 @@ Json data_of_sweep(const fs::path& folder, const fs::path& page, const Limits& l
   const std::string title = sweep.is_object() ? sweep.value("title", "") : "";
   data["title"] = title.empty() ? name : title;
   data["deck"] = read_text(folder / "sweep.yaml", limits.text);
-  std::optional<CsvTable> table;
-  if (fs::exists(folder / "sweep.csv")) {
-    table.emplace(read_csv(folder / "sweep.csv"));
+  const std::optional<CsvTable> table = table_of(folder);
+  if (table)
     data["table"] = columns_of(*table, read_json(folder / "sweep.units.json", notices),
                                kept_rows(table->num_rows(), table->num_rows(), {}));
-  }
   const Json entries = entries_of(sweep, table);
   constexpr std::size_t usual_columns = 6;
   const std::size_t most_rows =
