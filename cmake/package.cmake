@@ -25,7 +25,7 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # What dpkg-shlibdeps cannot see: `dda verify` and `dda animate` become Python.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS
   "python3, python3-h5py, python3-matplotlib, python3-numpy, python3-pandas, python3-pil, python3-yaml")
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "ffmpeg, python3-scipy, python3-skimage, python3-svgelements, python3-ezdxf, python3-meshio, g++, cmake, libeigen3-dev, libfmt-dev, nlohmann-json3-dev")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "ffmpeg, python3-scipy, python3-skimage, python3-svgelements, python3-ezdxf, python3-gmsh, python3-meshio, g++, cmake, libeigen3-dev, libfmt-dev, nlohmann-json3-dev")
 set(CPACK_DDA_CHANGELOG "${PROJECT_SOURCE_DIR}/cmake/package/changelog.in")
 set(CPACK_DDA_COPYRIGHT "${PROJECT_SOURCE_DIR}/cmake/package/copyright")
 include(CPack)

@@ -6,6 +6,7 @@
     scene = scenes.scene_of_labels(labels, ["stone"] * 200, width=2000)      # an array of whole numbers, a block for each
     scene = scenes.scene_of_svg("vault.svg", width=4000)
     scene = scenes.scene_of_dxf("section.dxf", scale=0.001)
+    scene = scenes.scene_of_step("section.step")
     ddapath.write_deck(scenes.deck_to_begin_with(scene, {"length": "mm", "force": "N"}), "wall.yaml")
 
     elements = scenes.scene_of_elements("wall.inp", "wall.msh")              # each element a block
@@ -21,7 +22,8 @@ from ..errors import ModuleMissing
 from .faults import SceneError
 from .image import scene_of_image, scene_of_labels
 from .starter import deck_of_elements, deck_to_begin_with
+from .step import scene_of_step
 from .svg import scene_of_svg
 
 __all__ = ["ModuleMissing", "SceneError", "deck_of_elements", "deck_to_begin_with", "scene_of_dxf", "scene_of_elements",
-           "scene_of_image", "scene_of_labels", "scene_of_paths", "scene_of_svg"]
+           "scene_of_image", "scene_of_labels", "scene_of_paths", "scene_of_step", "scene_of_svg"]

@@ -1,4 +1,4 @@
-"""`python -m ddapath scene FILE`: the scene of a picture (.png, .jpg, .tif), a drawing (.svg, .dxf) or a finite-element mesh
+"""`python -m ddapath scene FILE`: the scene of a picture (.png, .jpg, .tif), a drawing (.svg, .dxf, .step) or a finite-element mesh
 (.inp, .med, .vtk, ...), in a deck to begin with.
 
     python -m ddapath scene wall.jpg --width 2000 --material mortar=#d8d0c0 --material stone=#806040 --joint mortar --out wall.yaml
@@ -16,14 +16,14 @@ from pathlib import Path
 
 from .. import deck as decks
 from ..commands import Parser, exit_code, number
-from . import deck_of_elements, deck_to_begin_with, scene_of_dxf, scene_of_elements, scene_of_image, scene_of_svg
+from . import deck_of_elements, deck_to_begin_with, scene_of_dxf, scene_of_elements, scene_of_image, scene_of_step, scene_of_svg
 from .elements import ENDINGS
 from .faults import SceneError
 from .image import Wishes
 from .scaled import Units
 from .starter import FORCES, LENGTHS
 
-PICTURES, DRAWINGS = (".png", ".jpg", ".jpeg", ".tif", ".tiff"), {".svg": scene_of_svg, ".dxf": scene_of_dxf}
+PICTURES, DRAWINGS = (".png", ".jpg", ".jpeg", ".tif", ".tiff"), {".svg": scene_of_svg, ".dxf": scene_of_dxf, ".step": scene_of_step, ".stp": scene_of_step}
 OF_PICTURES = ("material", "threshold", "joint", "split", "smooth", "least_area")
 DIGITS = 10  # of coordinates, of the larger extent
 ALL = 60  # decimals: densities are small numbers in mm and MN

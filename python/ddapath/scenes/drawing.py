@@ -133,10 +133,14 @@ def is_inside(point, corners):
 
 
 def point_inside(corners):
-    """A point in a simple polygon: the middle of the longest stretch of horizontal lines between the levels of its corners."""
+    """A point in a simple polygon: the middle of the longest stretch of horizontal lines between the levels of its corners.
+
+    Levels that only rounding parts have nothing between them.
+    """
     levels = np.unique(corners[:, 1])
+    are_apart = np.diff(levels) > 1e-9 * np.ptp(levels)
     best = (0.0, None)
-    for y in ((levels[1:] + levels[:-1]) / 2).tolist():
+    for y in ((levels[1:] + levels[:-1]) / 2)[are_apart].tolist():
         at = meets_level(corners, y)
         k = 2 * int(np.argmax(at[1::2] - at[::2]))
         best = max(best, (float(at[k + 1] - at[k]), ((at[k] + at[k + 1]) / 2, y)), key=lambda found: found[0])
