@@ -30,9 +30,11 @@ void FrictionBounds::relax(std::vector<Slider>& sliders) {
   is_begun_ = true;
 }
 
-/// ω, between a tenth and a half more than 1.
+/// ω, a tenth at least, and growing by no more than to its double. Where residuals grow along themselves, as of a body that
+/// friction jams, the way leads on to where it sticks.
 double FrictionBounds::factor_of(const Residuals& residuals) const {
-  constexpr double least = 0.1, most = 1.5;
+  constexpr double least = 0.1;
+  const double most = std::max(1.5, 2 * factor_);
   double along = 0, square = 0;
   for (const auto& [key, now] : residuals) {
     const auto before = residuals_.find(key);
@@ -40,7 +42,8 @@ double FrictionBounds::factor_of(const Residuals& residuals) const {
     along += then * (now - then);
     square += (now - then) * (now - then);
   }
-  return square > 0 ? std::clamp(-factor_ * along / square, least, most) : factor_;
+  if (square == 0) return factor_;
+  return along > 0 ? most : std::clamp(-factor_ * along / square, least, most);
 }
 
 }  // namespace dda

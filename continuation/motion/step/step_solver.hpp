@@ -15,7 +15,7 @@ struct MotionTolerances {
       1e-6;              ///< of what is left of the forces on a body, over the forces that act in the scene
   double loose = 0.003;  ///< the same, at which friction takes its bounds from the normal forces
   double friction_change = 0.01;  ///< of normal forces, between passes: all changes over all forces
-  int most_passes = 20;
+  int most_passes = 100;
   int most_iterations = 100;  ///< of Newton's method, in a pass
 };
 

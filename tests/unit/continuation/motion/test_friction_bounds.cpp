@@ -7,13 +7,14 @@
 namespace dda {
 namespace {
 
-/// Two contacts whose bounds follow from each other's: μ N = c + A b.
+/// Two contacts whose bounds follow from each other's until they stick: μ N = min(c + A b, s).
 struct Jammed {
   Vec2 c;
   Mat2 a;
+  double stuck = 1e9;
 
   std::vector<Slider> sliders(const Vec2& b) const {
-    const Vec2 now = c + a * b;
+    const Vec2 now = (c + a * b).cwiseMin(stuck);
     std::vector<Slider> out(2);
     for (std::uint32_t i = 0; i < 2; ++i) {
       out[i].meeting.key = {i + 1, 0, 0, 0, false};
@@ -40,6 +41,13 @@ TEST(FrictionBounds, SettleWherePlainPassesGoToAndFroForEver) {
   const Vec2 exact = jammed.solution(), found = settled(jammed, 20);
   EXPECT_NEAR(found[0], exact[0], 1e-3 * exact.norm());
   EXPECT_NEAR(found[1], exact[1], 1e-3 * exact.norm());
+}
+
+TEST(FrictionBounds, GrowToWhereWhatJamsSticks) {
+  const Jammed jammed{{0.3, 20}, (Mat2() << 1.02, 0, 0, 0.5).finished(), 5e4};
+  const Vec2 found = settled(jammed, 40);
+  EXPECT_NEAR(found[0], 5e4, 50);
+  EXPECT_NEAR(found[1], 40, 0.4);
 }
 
 TEST(FrictionBounds, AreTakenAsTheyAreWhereNothingIsJammed) {
