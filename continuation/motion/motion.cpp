@@ -194,6 +194,9 @@ StoredEnergies Motion::stored(const std::vector<BodyCourse>& at) const {
   return out;
 }
 
+/// Where a body would go that goes on as in the last step. A driven one works on its way as one that flies does.
+Pose Motion::onwards(std::size_t body) const { return now_[body] + m_.dt.now * m_.courses[body].velocity; }
+
 /// Where the energy of a step has gone, and the courses it would lead to.
 void Motion::book(Try& step) const {
   const Poses& reached = step.found.poses;
@@ -203,7 +206,7 @@ void Motion::book(Try& step) const {
   Poses beyond(now_.size());
   for (std::size_t b = 0; b < now_.size(); ++b) {
     const MovingBody& body = scene_.bodies[b];
-    const BodyStep of{m_.courses[b], step.inertia.flight[b], reached[b], m_.dt};
+    const BodyStep of{m_.courses[b], body.is_held ? onwards(b) : step.inertia.flight[b], reached[b], m_.dt};
     const BodyWork work = course_.integrator->work(body.block, of);
     step.courses.push_back(course_.integrator->arrive(of));
     beyond[b] = work.loaded - (reached[b] - now_[b]);

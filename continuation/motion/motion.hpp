@@ -90,6 +90,7 @@ class Motion {
   void set_step();
   double longest() const;
   double travelled(std::size_t body, double turned) const;
+  Pose onwards(std::size_t body) const;
   Try try_step();
   void book(Try& step) const;
   StoredEnergies stored(const std::vector<BodyCourse>& at) const;

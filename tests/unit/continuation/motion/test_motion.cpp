@@ -224,6 +224,20 @@ TEST(Motion, GoesWithAGroundThatIsDriven) {
   EXPECT_LT(unbalanced(motion, density), 1e-6);
 }
 
+TEST(Motion, ABodyThatSticksTakesWhatASwingingGroundGives) {
+  MovingScene of = scene(0.5, {body(box(-5, -1, 9, 0), true), body(box(0, 0, 1, 1))}, {0, -gravity});
+  of.drives.push_back({{0}, {1, 0}, std::make_shared<Swing>(0.2 * gravity, 1)});
+  Motion motion(of, {}, undeformed(of), at_rest(of), {.time = 0.9, .stops_at_rest = false});
+  double most = 0, apart = 0;
+  while (motion.advance()) {
+    most = std::max(most, motion.ledger().kinetic);
+    apart = std::max(apart, std::abs(motion.ledger().external - motion.ledger().kinetic));
+  }
+  EXPECT_GT(most, 100);
+  EXPECT_LT(apart, 3e-4 * most);
+  EXPECT_LT(std::abs(motion.ledger().numerical), 3e-4 * most);
+}
+
 TEST(Motion, IsDraggedByAGroundThatSetsOutAtOnce) {
   MovingScene of = scene(0.5, {body(box(-5, -1, 9, 0), true), body(box(0, 0, 1, 1))}, {0, -gravity});
   of.drives.push_back({{0}, {1, 0}, std::make_shared<Steady>(0.8)});
