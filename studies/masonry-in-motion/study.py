@@ -6,6 +6,7 @@ The decks, their figures, results/limits.csv and the marked regions of README.md
 runs/masonry-in-motion. Exit code 1 where a number is beyond its bound.
 """
 
+import math
 import os
 import shutil
 import sys
@@ -28,8 +29,12 @@ CASES = (arches.friction_of_semicircular, arches.friction_of_flat, arches.fricti
 def table_of(rows):
     lines = ["| case | quantity | limit equilibrium | found | error | bound |", "|---|---|---|---|---|---|"]
     lines += [f"| {row['case']} | {row['quantity']} | {row['expected']:.4g} | {row['found']:.4g} | {row['error']:.1%} | "
-              f"{row['bound']:.0%} |" for row in rows]
+              f"{bound_of(row)} |" for row in rows]
     return "\n".join(lines)
+
+
+def bound_of(row):
+    return f"{row['bound']:.0%}" if math.isfinite(row["bound"]) else "none"
 
 
 def figures(run, output):

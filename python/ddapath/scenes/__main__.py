@@ -23,7 +23,8 @@ from .image import Wishes
 from .scaled import Units
 from .starter import FORCES, LENGTHS
 
-PICTURES, DRAWINGS = (".png", ".jpg", ".jpeg", ".tif", ".tiff"), {".svg": scene_of_svg, ".dxf": scene_of_dxf, ".step": scene_of_step, ".stp": scene_of_step}
+PICTURES = (".png", ".jpg", ".jpeg", ".tif", ".tiff")
+DRAWINGS = {".svg": scene_of_svg, ".dxf": scene_of_dxf, ".step": scene_of_step, ".stp": scene_of_step}
 OF_PICTURES = ("material", "threshold", "joint", "split", "smooth", "least_area")
 DIGITS = 10  # of coordinates, of the larger extent
 ALL = 60  # decimals: densities are small numbers in mm and MN

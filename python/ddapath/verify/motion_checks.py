@@ -22,11 +22,6 @@ def scale_of(curve):
     return max(np.abs(curve[["external_work", *BOOKED]].to_numpy()).max(), 1e-300)
 
 
-def put_in(curve):
-    """The energy that loads and driven bodies have given, what they have taken back not deducted [FL]."""
-    return max(scale_of(curve), np.diff(curve["external_work"], prepend=0.0).clip(min=0).sum())
-
-
 def finite(curve):
     bad = ~np.isfinite(curve.select_dtypes("number").to_numpy())
     return Finding("motion: every number is finite", float(bad.sum()), 0.0, "everywhere")
@@ -58,12 +53,12 @@ def told_half_a_step_early(curve):
 
 def impact_gives_nothing_back(curve, bound):
     """Impact and damping take energy; where they fall by more than half a step of stored energy is, integration has made some,
-    and all such falls together are bounded, over what has been put in."""
+    and all such falls together are bounded."""
     taken, early = curve["impact_and_damping"].to_numpy(), told_half_a_step_early(curve)
     low, high = taken + early.clip(max=0), taken + early.clip(min=0)
     falls = (low[:-1] - high[1:]).clip(min=0)
     at = int(np.argmax(falls)) + 2 if len(falls) else 0
-    return worst_of("motion: impact gives nothing back", [(falls.sum() / put_in(curve), f"mostly step {at}")], bound)
+    return worst_of("motion: impact gives nothing back", [(falls.sum() / scale_of(curve), f"mostly step {at}")], bound)
 
 
 def rest(curve, summary):
