@@ -41,7 +41,7 @@ class Classic final : public Integrator {
     return {now - dt * velocity, now, velocity, Pose::Zero()};
   }
   double per_square_time(const Interval& dt) const override { return 2 / (dt.now * dt.now); }
-  Pose flight(const BodyCourse& at, const Interval& dt) const override {
+  Pose flight(const AffineBlock&, const BodyCourse& at, const Interval& dt) const override {
     return at.now + p_.velocity_kept * dt.now * at.velocity;
   }
   BodyCourse arrive(const BodyStep& step) const override {

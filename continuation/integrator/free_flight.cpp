@@ -5,22 +5,36 @@
 namespace dda {
 namespace {
 
+/// What is left, as a torque, of strain forces whose directions at the start of a step count, where a minimum has those
+/// at its end: with the turn Δ, G = ∂V/∂F and J = ∫ X Xᵀ dm,
+///
+///     (R(Δ) − 1) G · ∂F/∂φ = sin Δ  G : F        about the moment of inertia  F J : F   (of the flat body)
+///
+/// [1/T²]. G : F is what the forces on a body do by pressing or pulling it: bodies that rock under pressure are given energy
+/// by the other direction, Δ² G : F a step, those that swing are robbed of it. It is what SHAKE has: the forces of a
+/// constraint act along its gradient at the start.
+double turned_back(const AffineBlock& block, const Pose& now, double turn) {
+  const Mat2 f = gradient_of(now), forces = gradient_of(strain_forces(block, now));
+  return std::sin(turn) * forces.cwiseProduct(f).sum() / (f * block.inertia).cwiseProduct(f).sum();
+}
+
 /// Flies exactly where nothing acts, for any rotation and any step; parabolas are exact at their nodes, contact and
 /// strain are implicit.
 ///
-///     ĉ = c + dt w,      F̂ = R(φ + Δφ dt/dt₋) (U + ΔU dt/dt₋)      F = R U,  w and Δ from the last step
-///     dt_m = ½ (dt + dt₋), ½ dt at the beginning
+///     ĉ = c + dt w,      F̂ = R(φ + Δφ dt/dt₋ + dt dt_m α) (U + ΔU dt/dt₋)      F = R U,  w and Δ from the last step
+///     dt_m = ½ (dt + dt₋), ½ dt at the beginning;   α of `turned_back`
 class FreeFlight final : public LastStep {
  public:
   explicit FreeFlight(const NoParameters&) {}
   double mean(const Interval& dt) const override { return dt.begins ? dt.now / 2 : (dt.now + dt.before) / 2; }
-  Pose flight(const BodyCourse& at, const Interval& dt) const override {
+  Pose flight(const AffineBlock& block, const BodyCourse& at, const Interval& dt) const override {
     const double share = dt.now / dt.before;
     const Polar then = polar_of(gradient_of(at.before)), here = polar_of(gradient_of(at.now));
-    const double turn = std::remainder(here.angle - then.angle, 2 * M_PI);
+    const double turn = share * std::remainder(here.angle - then.angle, 2 * M_PI);
+    const double back = dt.now * mean(dt) * turned_back(block, at.now, turn);
     return pose_of(
         centre_of(at.now) + share * (centre_of(at.now) - centre_of(at.before)),
-        rotation(here.angle + share * turn) * (here.stretch + share * (here.stretch - then.stretch)));
+        rotation(here.angle + turn + back) * (here.stretch + share * (here.stretch - then.stretch)));
   }
 };
 

@@ -8,7 +8,7 @@ class ImplicitEuler final : public LastStep {
  public:
   explicit ImplicitEuler(const NoParameters&) {}
   double mean(const Interval& dt) const override { return dt.now; }
-  Pose flight(const BodyCourse& at, const Interval& dt) const override {
+  Pose flight(const AffineBlock&, const BodyCourse& at, const Interval& dt) const override {
     return at.now + dt.now / dt.before * (at.now - at.before);
   }
 };

@@ -50,7 +50,7 @@ class Integrator {
   /// c [1/T²].
   virtual double per_square_time(const Interval& dt) const = 0;
   /// ŷ.
-  virtual Pose flight(const BodyCourse& at, const Interval& dt) const = 0;
+  virtual Pose flight(const AffineBlock& block, const BodyCourse& at, const Interval& dt) const = 0;
   /// Whether ẏ is a mean over the last step: kinetic energy is that of its middle then.
   virtual bool has_mean_velocities() const { return false; }
   /// s of the velocity at the end of a step: ẏ₁ = s (y₁ − y₀)/dt − (s − 1) ẏ₀.

@@ -12,7 +12,7 @@ class Settle final : public Integrator {
     return {now, now, Pose::Zero(), Pose::Zero()};
   }
   double per_square_time(const Interval& dt) const override { return 1 / (dt.now * dt.now); }
-  Pose flight(const BodyCourse& at, const Interval&) const override { return at.now; }
+  Pose flight(const AffineBlock&, const BodyCourse& at, const Interval&) const override { return at.now; }
   BodyCourse arrive(const BodyStep& step) const override {
     return {step.start.now, step.reached, Pose::Zero(), Pose::Zero()};
   }

@@ -15,7 +15,7 @@ class Trapezoidal final : public Integrator {
     return {now - dt * velocity, now, velocity, Pose::Zero()};
   }
   double per_square_time(const Interval& dt) const override { return 4 / (dt.now * dt.now); }
-  Pose flight(const BodyCourse& at, const Interval& dt) const override {
+  Pose flight(const AffineBlock&, const BodyCourse& at, const Interval& dt) const override {
     return at.now + dt.now * at.velocity + dt.now * dt.now / 4 * at.acceleration;
   }
   double end_rate() const override { return 2; }

@@ -238,6 +238,22 @@ TEST(Motion, ABodyThatSticksTakesWhatASwingingGroundGives) {
   EXPECT_LT(std::abs(motion.ledger().numerical), 3e-4 * most);
 }
 
+/// About its corner, in a gravity that tilts it over: ω² = 2 m g (way of the centroid along it) / I.
+TEST(Motion, ABodyThatRocksKeepsItsEnergy) {
+  constexpr double breadth = 0.5, height = 1, degrees = 40;
+  for (const double step : {0.01, 0.005}) {
+    const MovingScene of =
+        scene(1.2, {body(box(-5, -1, 9, 0), true), body(box(0, 0, breadth, height))}, inclined(degrees));
+    Motion motion(of, {}, undeformed(of), at_rest(of), {.time = 2, .stops_at_rest = false, .step = step});
+    const auto angle = [&] { return polar_of(gradient_of(motion.poses()[1])).angle; };
+    while (angle() > -0.6 && motion.advance()) {
+    }
+    const MotionLedger& ledger = motion.ledger();
+    EXPECT_LT(std::abs(ledger.numerical), 1e-4 * ledger.kinetic);
+    EXPECT_NEAR(ledger.kinetic / ledger.external, 1, 1e-3);
+  }
+}
+
 TEST(Motion, IsDraggedByAGroundThatSetsOutAtOnce) {
   MovingScene of = scene(0.5, {body(box(-5, -1, 9, 0), true), body(box(0, 0, 1, 1))}, {0, -gravity});
   of.drives.push_back({{0}, {1, 0}, std::make_shared<Steady>(0.8)});
