@@ -116,7 +116,10 @@ struct PathMemory {
       std::numeric_limits<double>::infinity();  ///< of the point before; infinite where a leg begins
   double way_from = 0;                          ///< displacement of the load where the leg has begun
   double farthest_way = 0;                      ///< and the largest way from there
-  Standstill standstill;                        ///< of the leg, whose loads are the same
+  double reloaded_way = 0;                      ///< up to which a path that seemed to unload was loaded again
+  double reloaded_share =
+      0;                  ///< and the share of its peak that it bore there; -1 where no equilibrium was found
+  Standstill standstill;  ///< of the leg, whose loads are the same
   /// The point before the present one, for `Predictor::secant`; none after a jump and where a leg begins.
   std::optional<State> before = {};
   double dissipated_before = 0;  ///< there [FL]
@@ -156,6 +159,8 @@ struct PathMemory {
     visit("load_before", self.load_before);
     visit("way_from", self.way_from);
     visit("farthest_way", self.farthest_way);
+    visit("reloaded_way", self.reloaded_way);
+    visit("reloaded_share", self.reloaded_share);
     visit("mechanism_way", self.mechanism_way);
     visit("mechanism_load", self.mechanism_load);
     visit("mechanism_share", self.mechanism_share);

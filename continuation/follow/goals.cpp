@@ -50,8 +50,11 @@ bool rises(PathState& path) {
          !(path.releases_at_once && is_release_pending(path.walker.system()));
 }
 
-/// Whether the load has fallen to the share of its peak at which a path ends. One that acts the other way by more than that peak
-/// has not.
+/// Whether a reload has been tried since the path went farthest.
+bool is_reloaded(const PathMemory& memory) { return memory.reloaded_way >= memory.farthest_way; }
+
+}  // namespace
+
 bool has_fallen(PathState& path) {
   const double target = path.parameters.stop.load_below * path.memory.peak_load * (1 + same_value),
                load = path.load_of(path.walker.state());
@@ -60,14 +63,7 @@ bool has_fallen(PathState& path) {
          load >= -path.memory.peak_load && !rises(path);
 }
 
-/// Whether the path has gone back since its peak while next to nothing cracked, less than a tenth of what had before, and
-/// would soon bear the peak load again: the structure unloads.
-bool has_turned_round(PathState& path) {
-  constexpr double back = 0.9, little = 0.1, near = 2;
-  const PathMemory& memory = path.memory;
-  return memory.cracked_since_peak <= little * memory.cracked_to_peak &&
-         way_of_leg(path, path.walker.state()) < back * memory.farthest_way && bears_load(path, near);
-}
+namespace {
 
 std::string fallen_load(const PathState& path) {
   return fallen_load(path.parameters.stop.load_below,
@@ -132,7 +128,7 @@ void set_out(PathState& path) {
   }
   path.memory.leg_peak = path.load_of(path.walker.state());
   path.memory.way_from = path.displacement_of(path.walker.state());
-  path.memory.farthest_way = 0;
+  path.memory.farthest_way = path.memory.reloaded_way = 0;
   path.memory.load_before = std::numeric_limits<double>::infinity();
 }
 
@@ -140,6 +136,28 @@ void set_heading(PathState& path) {
   if (!path.leg().unloads) return path.walker.head_for({});
   const Landing& goal = path.leg().until.front();
   path.walker.head_for(Heading{goal.gauge, goal.value < path.memory.travels.at(goal.name).from ? -1.0 : 1.0});
+}
+
+bool has_turned_round(PathState& path) {
+  constexpr double back = 0.9, little = 0.1, near = 2;
+  const PathMemory& memory = path.memory;
+  const bool has_softened =
+      is_reloaded(memory) && memory.reloaded_share >= 0 && memory.reloaded_share < still_borne;
+  return !has_softened && memory.cracked_since_peak <= little * memory.cracked_to_peak &&
+         way_of_leg(path, path.walker.state()) < back * memory.farthest_way && bears_load(path, near);
+}
+
+bool may_reload(const PathState& path) {
+  return path.control->may_be_rescued() && !path.releases_at_once &&
+         !(is_reloaded(path.memory) && path.memory.reloaded_share < still_borne);
+}
+
+std::optional<Point> stop_turned_round(PathState& path) {
+  return path.stop_early(
+      Stop::turned_round,
+      fmt::format(
+          "{}, but hardly anything has cracked since the peak: the path has turned round and unloads; {}",
+          fallen_load(path), what_to_try(path.walker.system().equilibrium())));
 }
 
 void note_travel(PathState& path) {
@@ -167,12 +185,9 @@ namespace {
 
 /// A load that falls although nothing gives way: no rupture has been followed.
 void end_where_turned_round(PathState& path) {
-  if (path.ending.kind != Ending::Kind::running || !has_fallen(path) || !has_turned_round(path)) return;
-  path.stop_early(
-      Stop::turned_round,
-      fmt::format(
-          "{}, but hardly anything has cracked since the peak: the path has turned round and unloads; {}",
-          fallen_load(path), what_to_try(path.walker.system().equilibrium())));
+  if (path.ending.kind == Ending::Kind::running && has_fallen(path) && has_turned_round(path) &&
+      !may_reload(path))
+    stop_turned_round(path);
 }
 
 void end_where_stuck(PathState& path) {

@@ -115,10 +115,11 @@ Objection objection_to(const PathState& path, const Candidate& candidate) {
   return {};
 }
 
-bool creates_energy(const PathState& path, const Candidate& beyond, double bearable) {
+bool creates_energy(const PathState& path, const Candidate& beyond, StepKind kind, double bearable) {
   const Candidate& here = path.walker.here();
   const double spent = beyond.dissipated - here.dissipated, work = beyond.work - here.work;
-  constexpr double of_spent = 0.9, round_off = 1e-8;
+  constexpr double round_off = 1e-8;
+  const double of_spent = kind == StepKind::jump ? 0.25 : 0.9;
   const double created = (beyond.stored - here.stored) + spent - work;
   const double explained = of_spent * spent + round_off * std::abs(beyond.work) + bearable;
   if (created <= explained) return false;

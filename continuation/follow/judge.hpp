@@ -36,8 +36,9 @@ struct Objection {
 /// be shortened: see `jump_of`.
 Objection objection_to(const PathState& path, const Candidate& candidate);
 
-/// Whether less was put in than is stored and spent, by more than the chord of a curved path and what
-/// tolerances leave explain, and more than is bearable [FL].
-bool creates_energy(const PathState& path, const Candidate& beyond, double bearable = 0);
+/// Whether less was put in than is stored and spent, by more than damage that grows ahead of openings, what tolerances
+/// leave, and more than is bearable [FL]: nearly all that an event spends, which grows one κ, a quarter of what a jump does, which
+/// ends where all of them have been asked for, and whose friction is counted along its chord.
+bool creates_energy(const PathState& path, const Candidate& beyond, StepKind kind, double bearable = 0);
 
 }  // namespace dda

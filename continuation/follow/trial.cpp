@@ -172,7 +172,7 @@ std::optional<Point> jump_to(PathState& path, Candidate beyond, StepKind kind, d
     path.report("rejected", fmt::format("{}: relative gap {:.1e}", label, beyond.gap));
     return {};
   }
-  if (creates_energy(path, beyond, bearable)) {
+  if (creates_energy(path, beyond, kind, bearable)) {
     path.refusal = "the jump would create energy";
     path.report("rejected", label + ": " + path.refusal);
     return {};

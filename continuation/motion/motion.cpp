@@ -292,7 +292,8 @@ void Motion::accept(Try step) {
   m_.tears = entry.fracture > 0;
   if (has_parted || !m_.is_released) {
     release();
-    const StoredEnergies left = stored(m_.courses);
+    StoredEnergies left = stored(m_.courses);
+    left.friction = m_.ledger.stored.friction;  // of sliders, which are the next step's to make again
     m_.ledger.numerical -= left.sum() - m_.ledger.stored.sum();
     m_.ledger.stored = left;
   }

@@ -62,6 +62,7 @@ std::optional<Point> next_step(PathState& path) {
   const bool cracked = path.walker.here().dissipated > 0 || path.walker.leaving().dissipates;
   if (path.control->load_increment() > 0) return increment_step(path);
   if (!cracked) return event_step(path);
+  if (auto point = reload_step(path)) return point;
   if (const auto obstacle = path.control->obstacle(path.walker.leaving()))
     return path.stop_early(obstacle->stop, obstacle->text);
   const Move move = cracking_move(path);

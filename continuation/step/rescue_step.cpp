@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "continuation/detour/release.hpp"
 #include "continuation/detour/sequentially_linear.hpp"
 #include "continuation/detour/staggered.hpp"
+#include "continuation/follow/goals.hpp"
 #include "continuation/follow/mechanism.hpp"
 #include "continuation/follow/trial.hpp"
 #include "continuation/step/rung/rungs.hpp"
@@ -39,6 +41,48 @@ std::optional<Point> jump_step(PathState& path) {
     return point;
   }
   return {};
+}
+
+namespace {
+
+/// What a structure that is loaded again beyond its farthest way comes to, if it is found.
+std::optional<Candidate> reloaded(PathState& path) {
+  constexpr double beyond = 0.005;
+  PathMemory& memory = path.memory;
+  const State& start = path.walker.state();
+  const double way = path.displacement_of(start) - memory.way_from,
+               value = memory.way_from + std::copysign((1 + beyond) * memory.farthest_way, way);
+  const auto found = staggered_at_gauge(path.walker.stepper(), start, {path.displacement, value});
+  memory.reloaded_way = memory.farthest_way;
+  memory.reloaded_share = -1;
+  if (!found || is_mechanism(path, found->state)) return {};
+  memory.reloaded_share = std::max(0.0, path.load_of(found->state) / memory.peak_load);
+  return path.walker.settled(*found);
+}
+
+}  // namespace
+
+std::optional<Point> reload_step(PathState& path) {
+  constexpr double whole = 0.99;
+  const PathMemory& memory = path.memory;
+  const bool is_last = has_fallen(path), is_new = memory.reloaded_way < memory.farthest_way;
+  if (!may_reload(path) || !(is_last || is_new) ||
+      path.load_of(path.walker.state()) > still_borne * memory.peak_load || !has_turned_round(path))
+    return {};
+  auto found = reloaded(path);
+  const double share = memory.reloaded_share;
+  if (found && share >= (is_last ? still_borne : whole)) {
+    if (auto point = jump_to(path, *std::move(found), StepKind::jump)) {
+      ++path.walker.effort().rescues;
+      path.report("rescued",
+                  fmt::format("the path unloaded while hardly anything cracked: beyond its farthest "
+                              "displacement {:.3g} of its peak is borne",
+                              share));
+      return point;
+    }
+    path.memory.reloaded_share = -1;
+  }
+  return is_last && has_turned_round(path) ? stop_turned_round(path) : std::nullopt;
 }
 
 std::optional<Point> end_without_equilibrium(PathState& path, Stop stop, const std::string& why) {

@@ -73,6 +73,12 @@ std::optional<Point> sequential_step(PathState& path);
 /// (staggered.hpp).
 std::optional<Point> jump_step(PathState& path);
 
+/// A rescue, where the load has fallen by a quarter and the path seems to have turned round: of the branches that leave an
+/// equilibrium with friction one unloads. A jump to beyond the farthest displacement of the load if its peak is borne again there, or,
+/// where the path would end, what is no rupture. Nothing where less is borne: the structure has softened, and goes back as brittle
+/// ones do. Tried once up to each farthest way, and once more where the path would end.
+std::optional<Point> reload_step(PathState& path);
+
 /// The end where nothing is found any more: rupture if hardly any load is left.
 std::optional<Point> end_without_equilibrium(PathState& path, Stop stop, const std::string& why);
 

@@ -99,6 +99,12 @@ class Wedges(ProgramCase):
             self.assertRegex(run.summary["reason"], "slides?, opens? or closes?")
             self.assertAlmostEqual(run.curve["load_factor"].iloc[-1], 1, delta=1e-9, msg=treatment)
 
+    def test_what_turns_far_is_told(self):
+        for moved, is_told in ((0.1, False), (0.6, True)):
+            run = self.run_(rocking(points="vertices") | {"path": {"stop": {"load_below": 0, "gauges": {"moved": moved}}}})
+            self.assertEqual(run.summary["status"], "goal_reached", run.summary["reason"])
+            self.assertEqual(any("is turned by 0.3 at the end" in note for note in run.summary["notices"]), is_told, run.summary["notices"])
+
     def test_what_rocks_on_gauss_points_says_where_it_turns(self):
         """About points 0.21 or 0.11 of the side inside the corner: 1/√3 or √0.6 of 10 kN, and what helps is accepted."""
         turns = {2: ("closed at the other", "0.21 of its length", "down to 0.58", 10 / math.sqrt(3)),

@@ -41,7 +41,7 @@ TEST_F(OnTheWayDown, WhatBalancesIsTheNextPoint) {
   EXPECT_NEAR(missing_work(path, next), 0, 1e-9);
   EXPECT_EQ(objection_to(path, next).why, "");
   EXPECT_FALSE(is_coarse(path, next));
-  EXPECT_FALSE(creates_energy(path, next));
+  EXPECT_FALSE(creates_energy(path, next, StepKind::jump));
 }
 
 TEST_F(OnTheWayDown, WhatLosesWorkHasJumped) {
@@ -68,7 +68,15 @@ TEST_F(OnTheWayDown, EnergyOutOfNothingIsCreated) {
   PathState path = bar_.state();
   Candidate next = ahead(10);
   next.stored += 20;
-  EXPECT_TRUE(creates_energy(path, next));
+  EXPECT_TRUE(creates_energy(path, next, StepKind::event));
+}
+
+TEST_F(OnTheWayDown, AnEventSpendsAheadAndAJumpDoesNot) {
+  PathState path = bar_.state();
+  Candidate next = ahead(10);
+  next.stored += 5;
+  EXPECT_FALSE(creates_energy(path, next, StepKind::event));
+  EXPECT_TRUE(creates_energy(path, next, StepKind::jump));
 }
 
 TEST_F(OnTheWayDown, TheFirstOfTheValuesPassedIsLandedOn) {
@@ -110,6 +118,15 @@ TEST_F(OnTheWayDown, AFallenLoadIsAGoalUnlessThePathHasTurnedRound) {
   let_go.memory = turned.memory;
   turned.memory.largest_displacement = 2 * bar_.elongation();
   let_go.memory.largest_displacement = bar_.elongation();
+  settle(turned);
+  EXPECT_EQ(turned.ending.kind, Ending::Kind::running) << "it may be loaded again";
+  PathState softened = bar_.state();
+  softened.memory = turned.memory;
+  turned.memory.reloaded_way = softened.memory.reloaded_way = turned.memory.farthest_way;
+  turned.memory.reloaded_share = -1;
+  softened.memory.reloaded_share = 0.5;
+  settle(softened);
+  EXPECT_EQ(softened.ending.kind, Ending::Kind::goal_reached) << "it bears half of its peak";
   settle(turned);
   EXPECT_EQ(turned.ending.kind, Ending::Kind::stopped_early);
   EXPECT_THAT(turned.ending.reason, HasSubstr("turned round"));
