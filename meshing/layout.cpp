@@ -41,6 +41,14 @@ Cells with_deck_lines(Cells cells, const Layout& layout) {
   return cells;
 }
 
+Cell uncut(const Shape& shape, const Layout& layout) {
+  if (!shape.figure.holes.empty())
+    throw InputError(shape.where, name_of(layout, shape) +
+                                      " is to be one block and has a hole inside, which no block has: give a "
+                                      "`subdivision`, or make it of several regions");
+  return {shape.figure.outline, shape.region};
+}
+
 double scene_size(const Layout& layout) {
   Box box;
   for (const Shape& shape : layout.shapes)

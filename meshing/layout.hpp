@@ -55,6 +55,9 @@ struct Cells {
 /// Cells meshed from the layout's gmsh model, with the lines that the deck adds to those of the mesh.
 Cells with_deck_lines(Cells cells, const Layout& layout);
 
+/// A shape as one cell. Throws InputError where it has holes, which no cell has.
+Cell uncut(const Shape& shape, const Layout& layout);
+
 /// Length by which tolerances are measured: the larger extent of all shapes [L].
 double scene_size(const Layout& layout);
 

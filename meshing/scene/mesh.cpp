@@ -83,7 +83,7 @@ Cells with_undivided(const Scene& scene, Layout layout) {
   std::vector<Cell> whole;
   std::erase_if(layout.shapes, [&](const Shape& shape) {
     const bool stays = !layout.model && scene.regions[static_cast<std::size_t>(shape.region)].is_undivided;
-    if (stays) whole.push_back({shape.figure.outline, shape.region});
+    if (stays) whole.push_back(uncut(shape, layout));
     return stays;
   });
   Cells out{{}, layout.lines};

@@ -1,6 +1,7 @@
 #include "meshing/scene/scene.hpp"
 
 #include "meshing/files/gmsh_model.hpp"
+#include "meshing/scene/holes.hpp"
 
 namespace dda {
 namespace {
@@ -29,6 +30,8 @@ void check_keys(const Scene& scene, const Position& where, Findings& findings) {
     findings.add(where, "a scene of polygons has no 'file'; set type to geo or msh");
   if (!polygons && !scene.regions.empty())
     findings.add(where, "'regions' belong to a scene of type polygons");
+  if (!polygons && !scene.holes.empty())
+    findings.add(where, "'holes' belong to a scene of type polygons; draw those of a gmsh file in it");
   if (polygons && scene.regions.empty())
     findings.add(where, "a scene of polygons needs at least one entry of 'regions'");
   if (scene.type != SceneType::geo && !scene.parameters.empty())
@@ -44,6 +47,13 @@ void add_region(const RegionInput& input, Layout& layout) {
   const int number = static_cast<int>(layout.regions.size());
   layout.regions.push_back({name, input.material});
   layout.shapes.push_back({{counter_clockwise({input.vertices}), {}}, number, input.where});
+}
+
+std::vector<Hole> holes_of(const Scene& scene) {
+  std::vector<Hole> out;
+  for (const auto& [name, corners] : scene.holes)
+    out.push_back({name, counter_clockwise({corners}), scene.where});
+  return out;
 }
 
 Layout polygons_of(const Scene& scene) {
@@ -82,6 +92,10 @@ Schema<Scene> scene_schema() {
            {.text = "Polylines on the outline, for loads and supports."})
       .map("slits", &Scene::slits, polyline(),
            {.text = "Polylines across which nothing is joined: notches of no width."})
+      .map("holes", &Scene::holes, list_of(point_kind(), 3),
+           {.text = "Polygons where nothing is, such as a tunnel or a window: taken away from the regions "
+                    "that they lie in or "
+                    "cross. The outline of each is a boundary of its name."})
       .map("points", &Scene::points, point_kind(),
            {.text = "Named places: `at: name` means one wherever the deck points at a place. A gmsh file "
                     "names its own by "
@@ -108,6 +122,8 @@ Layout layout_of(const Scene& scene) {
       findings.add(scene.where, "the file and `scene.points` both name a point '" + name + "'");
   // Outlines of a file are gmsh's own to check; its cells are checked once they are there.
   if (scene.type == SceneType::polygons) check(layout, findings);
+  findings.throw_if_any();
+  cut_holes(holes_of(scene), layout, findings);
   findings.throw_if_any();
   return layout;
 }

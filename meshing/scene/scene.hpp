@@ -33,6 +33,7 @@ struct Scene {
   std::map<std::string, double> parameters;   ///< of geo
   std::vector<RegionInput> regions;           ///< of polygons
   Lines curves, boundaries, slits;            ///< polylines, added to those of a file
+  Lines holes;                                ///< polygons, of a scene of polygons, where nothing is
   std::map<std::string, Vec2> points;
   double meshing_seconds = 600;     ///< that gmsh may take for one answer [s]
   Choice<Subdivision> subdivision;  ///< empty means `given`

@@ -10,7 +10,7 @@ class Given final : public Subdivision {
   Cells divide(const Layout& layout) const override {
     if (layout.model) return with_deck_lines(layout.model->mesh({}), layout);
     std::vector<Cell> cells;
-    for (const Shape& shape : layout.shapes) cells.push_back({shape.figure.outline, shape.region});
+    for (const Shape& shape : layout.shapes) cells.push_back(uncut(shape, layout));
     return {std::move(cells), layout.lines};
   }
 };
