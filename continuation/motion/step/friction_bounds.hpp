@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <map>
 #include <vector>
 
@@ -12,7 +13,12 @@ namespace dda {
 ///
 ///     r = μ N(b) − b,   b ← b + ω r,   ω ← −ω r₋·(r − r₋) / |r − r₋|²
 ///
-/// ω = 1 at first. Where stiff bodies are jammed, N would go from one side of the solution to the other for ever.
+/// ω = 1 at first. Where stiff bodies are jammed, N would go from one side of the solution to the other for ever. Residuals that
+/// turn from pass to pass, as of three bodies that wedge each other, have no such ω: after some passes (Anderson's acceleration)
+///
+///     b ← b + ω r − (ΔB + ω ΔR) γ,   |r − ΔR γ| least
+///
+/// with the changes ΔB and ΔR of the last few passes. A contact that is gone has μ N = 0.
 /// Source of ω: Aitken's process for vectors, as couplings of solvers have it (manual of Kratos, CoSimulation, `aitken`).
 class FrictionBounds {
  public:
@@ -23,13 +29,20 @@ class FrictionBounds {
   void relax(std::vector<Slider>& sliders);
 
  private:
-  using Residuals = std::map<MeetingKey, double>;
-  double factor_of(const Residuals& residuals) const;
+  using Forces = std::map<MeetingKey, double>;
+  struct Pass {
+    Forces bounds, residuals;
+  };
 
-  SliderMemory used_;    ///< b
-  Residuals residuals_;  ///< r of the pass before
-  double factor_ = 1;    ///< ω
-  bool is_begun_ = false;
+  Pass pass_of(const std::vector<Slider>& sliders) const;
+  double factor_of(const Forces& residuals);
+  Forces next_of(const Pass& now) const;
+
+  SliderMemory used_;      ///< b
+  std::deque<Pass> past_;  ///< the last passes, the latest last
+  double factor_ = 1;      ///< ω
+  int passes_ = 0;         ///< so far
+  bool grows_ = false;     ///< the residuals, along themselves
 };
 
 }  // namespace dda

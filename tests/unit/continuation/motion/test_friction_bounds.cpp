@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <vector>
 
 #include "continuation/motion/step/friction_bounds.hpp"
@@ -48,6 +49,35 @@ TEST(FrictionBounds, GrowToWhereWhatJamsSticks) {
   const Vec2 found = settled(jammed, 40);
   EXPECT_NEAR(found[0], 5e4, 50);
   EXPECT_NEAR(found[1], 40, 0.4);
+}
+
+/// Three bodies that wedge each other: μ N = b* + A (b − b*), A a rotation about (1, 1, 1) and 1.3 times as long.
+TEST(FrictionBounds, SettleWhereResidualsTurn) {
+  const Eigen::Vector3d exact(400, 500, 450), axis = Eigen::Vector3d::Ones().normalized();
+  const Eigen::Matrix3d a = 1.3 * Eigen::AngleAxisd(1.9, axis).toRotationMatrix();
+  FrictionBounds bounds;
+  Eigen::Vector3d b(420, 490, 430);
+  for (int pass = 0; pass < 25; ++pass) {
+    std::vector<Slider> sliders(3);
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      sliders[i].meeting.key = {i + 1, 0, 0, 0, false};
+      sliders[i].bound = exact[i] + a.row(i).dot(b - exact);
+    }
+    bounds.relax(sliders);
+    for (std::uint32_t i = 0; i < 3; ++i) b[i] = sliders[i].bound;
+  }
+  EXPECT_LT((b - exact).norm(), 1e-6 * exact.norm());
+}
+
+TEST(FrictionBounds, ForgetWhatIsGone) {
+  const Jammed jammed{{30, 20}, Mat2::Zero()};
+  FrictionBounds bounds;
+  std::vector<Slider> sliders = jammed.sliders(Vec2::Zero());
+  bounds.relax(sliders);
+  sliders.pop_back();
+  EXPECT_DOUBLE_EQ(bounds.change(sliders), 20.0 / 30);
+  bounds.relax(sliders);
+  EXPECT_EQ(bounds.change(sliders), 0);
 }
 
 TEST(FrictionBounds, AreTakenAsTheyAreWhereNothingIsJammed) {
