@@ -7,15 +7,35 @@
 namespace dda {
 namespace {
 
-std::string stray(const PathState& path, const Candidate& candidate, const State& ahead) {
-  constexpr double far = 0.5;  // of all displacement so far, and of what a step may change the load by
-  const double moved = std::abs(path.displacement_of(candidate.state) - path.displacement_of(ahead));
-  const double largest = path.memory.largest_displacement;
-  if (largest > 0 && moved > far * std::max(largest, std::abs(path.displacement_of(candidate.state))))
+constexpr double far = 0.5;
+
+/// By more than half of all displacement so far.
+bool moves_astray(const PathState& path, const State& reached, const State& ahead) {
+  const double moved = std::abs(path.displacement_of(reached) - path.displacement_of(ahead)),
+               largest = path.memory.largest_displacement;
+  return largest > 0 && moved > far * std::max(largest, std::abs(path.displacement_of(reached)));
+}
+
+/// Under no load yet, to one of the other sign: a pile that any push shakes down moves alike in both.
+bool sets_out_astray(const PathState& path, const State& reached, const State& ahead) {
+  const double load = reached.value(path.load);
+  return path.memory.direction == 0 && ahead.value(path.load) * load < 0 &&
+         std::abs(load) > path.smallest_load();
+}
+
+/// By more than half of what a step may change the load by. An arc in the direction of joints that slide may end at any load where
+/// they have come back.
+bool falls_astray(const PathState& path, const State& reached, const State& ahead, StepKind kind) {
+  const double load = path.load_of(reached), fallen = path.load_of(ahead) - load;
+  return (path.walker.leaving().dissipates || kind == StepKind::arc_length) && path.memory.peak_load > 0 &&
+         load > 0 && fallen > far * path.parameters.step.largest * path.memory.peak_load;
+}
+
+std::string stray(const PathState& path, const State& reached, const State& ahead, StepKind kind) {
+  if (moves_astray(path, reached, ahead))
     return "the step strays from its tangent by more than half of all displacement so far";
-  const double load = path.load_of(candidate.state), fallen = path.load_of(ahead) - load;
-  if (path.walker.leaving().dissipates && path.memory.peak_load > 0 && load > 0 &&
-      fallen > far * path.parameters.step.largest * path.memory.peak_load)
+  if (sets_out_astray(path, reached, ahead)) return "the load would set out against its tangent";
+  if (falls_astray(path, reached, ahead, kind))
     return "the step falls off its tangent by more than half of what the load may change in one";
   return {};
 }
@@ -23,7 +43,7 @@ std::string stray(const PathState& path, const Candidate& candidate, const State
 }  // namespace
 
 std::optional<Outcome> refuse_stray(PathState& path, const Candidate& candidate, Stride& stride) {
-  const std::string why = stray(path, candidate, path.walker.ahead(stride.amount));
+  const std::string why = stray(path, candidate.state, path.walker.ahead(stride.amount), stride.move.kind);
   if (why.empty()) return {};
   stride.why = why;
   path.reject(to_string(stride.move.kind), why);
