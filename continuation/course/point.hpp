@@ -117,9 +117,8 @@ struct PathMemory {
   double way_from = 0;                          ///< displacement of the load where the leg has begun
   double farthest_way = 0;                      ///< and the largest way from there
   double reloaded_way = 0;                      ///< up to which a path that seemed to unload was loaded again
-  double reloaded_share =
-      0;                  ///< and the share of its peak that it bore there; -1 where no equilibrium was found
-  Standstill standstill;  ///< of the leg, whose loads are the same
+  double reloaded_share = 0;                    ///< and the share of its peak borne there; -1: no equilibrium
+  Standstill standstill;                        ///< of the leg, whose loads are the same
   /// The point before the present one, for `Predictor::secant`; none after a jump and where a leg begins.
   std::optional<State> before = {};
   double dissipated_before = 0;  ///< there [FL]
