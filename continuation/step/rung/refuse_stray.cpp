@@ -18,17 +18,19 @@ bool moves_astray(const PathState& path, const State& reached, const State& ahea
 
 /// Under no load yet, to one of the other sign: a pile that any push shakes down moves alike in both.
 bool sets_out_astray(const PathState& path, const State& reached, const State& ahead) {
+  constexpr double rounding = 1e-3;  // of the load that counts as none
   const double load = reached.value(path.load);
   return path.memory.direction == 0 && ahead.value(path.load) * load < 0 &&
-         std::abs(load) > path.smallest_load();
+         std::abs(load) > rounding * path.smallest_load();
 }
 
-/// By more than half of what a step may change the load by. An arc in the direction of joints that slide may end at any load where
-/// they have come back.
+/// By more than half of what a step may change the load by, where cracks grow as long as there is a load. An arc in the direction of
+/// joints that slide may end at any load where they have come back.
 bool falls_astray(const PathState& path, const State& reached, const State& ahead, StepKind kind) {
   const double load = path.load_of(reached), fallen = path.load_of(ahead) - load;
-  return (path.walker.leaving().dissipates || kind == StepKind::arc_length) && path.memory.peak_load > 0 &&
-         load > 0 && fallen > far * path.parameters.step.largest * path.memory.peak_load;
+  const bool may_fall = path.walker.leaving().dissipates ? load > 0 : kind == StepKind::arc_length;
+  return may_fall && path.memory.peak_load > 0 &&
+         fallen > far * path.parameters.step.largest * path.memory.peak_load;
 }
 
 std::string stray(const PathState& path, const State& reached, const State& ahead, StepKind kind) {
