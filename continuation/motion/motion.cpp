@@ -114,7 +114,8 @@ double Motion::longest() const {
 Inertia Motion::aim() const {
   Inertia out{now_, {}, course_.integrator->per_square_time(m_.dt)};
   for (std::size_t b = 0; b < now_.size(); ++b)
-    if (!scene_.bodies[b].is_held) out.flight[b] = course_.integrator->flight(scene_.bodies[b].block, m_.courses[b], m_.dt);
+    if (!scene_.bodies[b].is_held)
+      out.flight[b] = course_.integrator->flight(scene_.bodies[b].block, m_.courses[b], m_.dt);
   for (const Drive& drive : scene_.drives)
     for (const std::size_t b : drive.bodies) out.flight[b] = start_[b];
   for (const Drive& drive : scene_.drives)

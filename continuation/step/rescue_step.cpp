@@ -22,65 +22,74 @@ std::optional<Point> sequential_step(PathState& path) {
   return jump_to(path, path.walker.settled(*found), StepKind::event);
 }
 
+namespace {
+
+/// The equilibrium to which the structure goes on by itself with the displacement of its load held; none of a mechanism.
+std::optional<Candidate> held_at(PathState& path, double displacement) {
+  const State& start = path.walker.state();
+  const WantedGauge wanted{path.displacement, displacement};
+  const auto found = path.releases_at_once ? release_at_gauge(path.walker.stepper(), start, wanted)
+                                           : staggered_at_gauge(path.walker.stepper(), start, wanted);
+  if (!found || is_mechanism(path, found->state)) return {};
+  return path.walker.settled(*found);
+}
+
+/// A jump there, if the path may take it.
+std::optional<Point> rescued_at(PathState& path, Candidate found, const std::string& how) {
+  auto point = jump_to(path, std::move(found), StepKind::jump);
+  if (!point) return {};
+  ++path.walker.effort().rescues;
+  path.report("rescued", how);
+  return point;
+}
+
+}  // namespace
+
 std::optional<Point> jump_step(PathState& path) {
   constexpr double largest = 0.02, smallest = 1e-4;  // of the displacement so far
   if (path.memory.largest_displacement == 0) return {};
-  const State& start = path.walker.state();
-  const double here = path.displacement_of(start);
+  const double here = path.displacement_of(path.walker.state());
   for (double share = largest; share > smallest; share *= cut) {
-    const double value = here + std::copysign(share * path.memory.largest_displacement, here);
-    const WantedGauge wanted{path.displacement, value};
-    const auto found = path.releases_at_once ? release_at_gauge(path.walker.stepper(), start, wanted)
-                                             : staggered_at_gauge(path.walker.stepper(), start, wanted);
-    if (!found || is_mechanism(path, found->state)) continue;
-    auto point = jump_to(path, path.walker.settled(*found), StepKind::jump);
-    if (!point) continue;
-    ++path.walker.effort().rescues;
-    path.report("rescued",
-                fmt::format("the displacement of the load was raised by {:.1e} of its largest", share));
-    return point;
+    auto found = held_at(path, here + std::copysign(share * path.memory.largest_displacement, here));
+    if (!found) continue;
+    if (auto point = rescued_at(
+            path, *std::move(found),
+            fmt::format("the displacement of the load was raised by {:.1e} of its largest", share)))
+      return point;
   }
   return {};
 }
 
 namespace {
 
-/// What a structure that is loaded again beyond its farthest way comes to, if it is found.
+/// What a structure that is loaded again beyond its farthest way comes to, if it is found; the path remembers how much it bears.
 std::optional<Candidate> reloaded(PathState& path) {
   constexpr double beyond = 0.005;
   PathMemory& memory = path.memory;
-  const State& start = path.walker.state();
-  const double way = path.displacement_of(start) - memory.way_from,
-               value = memory.way_from + std::copysign((1 + beyond) * memory.farthest_way, way);
-  const auto found = staggered_at_gauge(path.walker.stepper(), start, {path.displacement, value});
+  const double way = path.displacement_of(path.walker.state()) - memory.way_from;
+  auto found = held_at(path, memory.way_from + std::copysign((1 + beyond) * memory.farthest_way, way));
   memory.reloaded_way = memory.farthest_way;
-  memory.reloaded_share = -1;
-  if (!found || is_mechanism(path, found->state)) return {};
-  memory.reloaded_share = std::max(0.0, path.load_of(found->state) / memory.peak_load);
-  return path.walker.settled(*found);
+  memory.reloaded_share = found ? std::max(0.0, path.load_of(found->state) / memory.peak_load) : -1;
+  return found;
 }
 
 }  // namespace
 
 std::optional<Point> reload_step(PathState& path) {
   constexpr double whole = 0.99;
-  const PathMemory& memory = path.memory;
+  PathMemory& memory = path.memory;
   const bool is_last = has_fallen(path), is_new = memory.reloaded_way < memory.farthest_way;
   if (!may_reload(path) || !(is_last || is_new) ||
       path.load_of(path.walker.state()) > still_borne * memory.peak_load || !has_turned_round(path))
     return {};
   auto found = reloaded(path);
-  const double share = memory.reloaded_share;
-  if (found && share >= (is_last ? still_borne : whole)) {
-    if (auto point = jump_to(path, *std::move(found), StepKind::jump)) {
-      ++path.walker.effort().rescues;
-      path.report("rescued",
-                  fmt::format("the path unloaded while hardly anything cracked: beyond its farthest "
-                              "displacement {:.3g} of its peak is borne",
-                              share));
+  if (found && memory.reloaded_share >= (is_last ? still_borne : whole)) {
+    if (auto point = rescued_at(path, *std::move(found),
+                                fmt::format("the path unloaded while hardly anything cracked: beyond its "
+                                            "farthest displacement {:.3g} of its peak is borne",
+                                            memory.reloaded_share)))
       return point;
-    }
-    path.memory.reloaded_share = -1;
+    memory.reloaded_share = -1;
   }
   return is_last && has_turned_round(path) ? stop_turned_round(path) : std::nullopt;
 }

@@ -23,9 +23,8 @@ double shared_area(const Figure& figure, const Hole& hole) {
   return box.touches(bounding_box(hole.outline.vertices)) ? common_area(figure, {hole.outline, {}}) : 0;
 }
 
-/// What is left of a shape, the shape itself where nothing is taken away.
+/// What is left of a shape that shares an area with a hole.
 std::vector<Shape> left_of(const Shape& shape, const Hole& hole) {
-  if (shared_area(shape.figure, hole) <= hardly_any * signed_area(hole.outline)) return {shape};
   std::vector<Shape> out;
   for (Figure& part : cut(shape.figure, {ring_of(hole.outline)})) {
     part.outline = counter_clockwise(part.outline);
@@ -65,13 +64,16 @@ void cut_holes(const std::vector<Hole>& holes, Layout& layout, Findings& finding
   if (!findings.empty()) return;
   for (const Hole& hole : holes) {
     std::vector<Shape> left;
-    double taken = 0;
-    for (const Shape& shape : layout.shapes) {
-      taken += shared_area(shape.figure, hole);
-      std::ranges::move(left_of(shape, hole), std::back_inserter(left));
+    bool lies_in_one = false;
+    for (Shape& shape : layout.shapes) {
+      const bool is_cut = shared_area(shape.figure, hole) > hardly_any * signed_area(hole.outline);
+      lies_in_one = lies_in_one || is_cut;
+      if (is_cut)
+        std::ranges::move(left_of(shape, hole), std::back_inserter(left));
+      else
+        left.push_back(std::move(shape));
     }
-    if (taken <= hardly_any * signed_area(hole.outline))
-      findings.add(hole.where, fmt::format("hole '{}' lies in no region", hole.name));
+    if (!lies_in_one) findings.add(hole.where, fmt::format("hole '{}' lies in no region", hole.name));
     layout.shapes = std::move(left);
     layout.lines.push_back({LineRole::boundary, hole.name, ring_of(hole.outline), hole.where});
   }

@@ -94,8 +94,7 @@ Schema<Scene> scene_schema() {
            {.text = "Polylines across which nothing is joined: notches of no width."})
       .map("holes", &Scene::holes, list_of(point_kind(), 3),
            {.text = "Polygons where nothing is, such as a tunnel or a window: taken away from the regions "
-                    "that they lie in or "
-                    "cross. The outline of each is a boundary of its name."})
+                    "that they lie in or cross. The outline of each is a boundary of its name."})
       .map("points", &Scene::points, point_kind(),
            {.text = "Named places: `at: name` means one wherever the deck points at a place. A gmsh file "
                     "names its own by "

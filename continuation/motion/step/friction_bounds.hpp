@@ -1,7 +1,7 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <deque>
-#include <map>
 #include <vector>
 
 #include "continuation/bodies/sliders.hpp"
@@ -29,14 +29,17 @@ class FrictionBounds {
   void relax(std::vector<Slider>& sliders);
 
  private:
-  using Forces = std::map<MeetingKey, double>;
-  struct Pass {
-    Forces bounds, residuals;
+  struct Bound {
+    MeetingKey key;
+    double used = 0;      ///< b [F]
+    double residual = 0;  ///< r [F]
   };
+  using Pass = std::vector<Bound>;  ///< in the order of its keys
 
   Pass pass_of(const std::vector<Slider>& sliders) const;
-  double factor_of(const Forces& residuals);
-  Forces next_of(const Pass& now) const;
+  static Bound at(const Pass& pass, const MeetingKey& key);
+  double factor_of(const Pass& now);
+  Eigen::VectorXd next_of(const Pass& now) const;
 
   SliderMemory used_;      ///< b
   std::deque<Pass> past_;  ///< the last passes, the latest last

@@ -37,10 +37,8 @@ std::string note_on_large_movements(const Simulation& simulation) {
   const bool turns = worst.turn > worst.strain;
   return fmt::format(
       "block {} at ({:.4g}, {:.4g}) is {} by {:.2g} at the end, which is not small: contacts and arms of "
-      "forces of a "
-      "path are those of the undeformed shape; end it before by `path.stop`, and let `motion` go on, which "
-      "turns "
-      "blocks by any angle",
+      "forces of a path are those of the undeformed shape; end it before by `path.stop`, and let `motion` "
+      "go on, which turns blocks by any angle",
       block, at.x(), at.y(), turns ? "turned" : "strained", worst.most());
 }
 
