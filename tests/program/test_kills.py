@@ -33,6 +33,12 @@ class Kills(ProgramCase):
         self.dda("resume", "killed", "--quiet")
         self.assertEqual(curve.read_bytes(), (self.folder / "whole" / "curve.csv").read_bytes())
 
+    def test_a_run_that_was_killed_before_it_had_begun_is_told_from_one_that_has(self):
+        (self.folder / "begun").mkdir()
+        self.assertRegex(self.dda("resume", "begun", code=2), "there is no run here, or it ended before it had begun; .* --overwrite` starts it")
+        (self.folder / "begun" / "effective_deck.yaml").write_text("", encoding="utf-8")
+        self.assertRegex(self.dda("resume", "begun", code=2), "ended before its first restart file; .* --overwrite` starts it again")
+
 
 if __name__ == "__main__":
     unittest.main()

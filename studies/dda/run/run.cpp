@@ -40,16 +40,16 @@ void copy_run(const fs::path& from, const RunFolder& to) {
   copy_motion(from, to);
 }
 
-/// A run that was killed in its first second has left a deck and no more.
+/// A run that was killed in its first second has left a deck and no more, or not even that.
 void require_restart(const RunFolder& folder) {
   std::error_code error;
-  if (fs::exists(folder.file("restart.h5"), error) || !fs::exists(folder.file("effective_deck.yaml"), error))
-    return;
-  throw InputError(
-      Position{folder.path().string()},
-      fmt::format("the run ended before its first restart file; `dda run DECK --folder {} --overwrite` "
-                  "starts it again",
-                  folder.path().string()));
+  if (fs::exists(folder.file("restart.h5"), error)) return;
+  const bool has_begun = fs::exists(folder.file("effective_deck.yaml"), error);
+  throw InputError(Position{folder.path().string()},
+                   fmt::format("{}; `dda run DECK --folder {} --overwrite` starts it{}",
+                               has_begun ? "the run ended before its first restart file"
+                                         : "there is no run here, or it ended before it had begun",
+                               folder.path().string(), has_begun ? " again" : ""));
 }
 
 /// The conclusions of a run that goes on are not those of the whole.
