@@ -34,9 +34,13 @@ class Kills(ProgramCase):
         self.assertEqual(curve.read_bytes(), (self.folder / "whole" / "curve.csv").read_bytes())
 
     def test_a_run_that_was_killed_before_it_had_begun_is_told_from_one_that_has(self):
-        (self.folder / "begun").mkdir()
-        self.assertRegex(self.dda("resume", "begun", code=2), "there is no run here, or it ended before it had begun; .* --overwrite` starts it")
-        (self.folder / "begun" / "effective_deck.yaml").write_text("", encoding="utf-8")
+        (self.folder / "empty").mkdir()
+        self.assertRegex(self.dda("resume", "empty", code=2), "there is no run here, or it ended before it had begun; .* --overwrite` starts it")
+        deck = running_bond(pressure=.4, strength=.1, energy=.02, columns=2, courses=2)
+        (self.folder / "deck.yaml").write_text(yaml.safe_dump(deck | {"path": {"stop": {"after_steps": 1}}}), encoding="utf-8")
+        self.dda("run", "deck.yaml", "--folder", "begun", "--quiet")
+        for file in ("restart.h5", "summary.json"):
+            (self.folder / "begun" / file).unlink()
         self.assertRegex(self.dda("resume", "begun", code=2), "ended before its first restart file; .* --overwrite` starts it again")
 
 
