@@ -51,6 +51,16 @@ class Installation(unittest.TestCase):
         page = self.dda("report", "runs/notched-beam")
         self.assertEqual(page.returncode, 0, page.stderr)
 
+    def test_modules_of_the_current_folder_are_not_the_program_s(self):
+        run = self.work / "runs" / "two-steps"
+        done = self.dda("run", self.prefix / "share/ddapath/studies/softening-bar/deck.yaml", "--quiet", "--folder", run,
+                        "--set", "path.stop.after_steps=2")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        (self.work / "copy.py").write_text("raise SystemExit('a file of the user has been run')\n", encoding="utf-8")
+        for places in ("", ":", ":/nowhere"):
+            done = called(self.prefix / "bin" / "dda", "verify", run, folder=self.work, environment={"PYTHONPATH": places})
+            self.assertEqual(done.returncode, 0, places + done.stdout + done.stderr)
+
     def test_every_module_is_found(self):
         deck = self.prefix / "share/ddapath/studies/softening-bar/deck.yaml"
         for solver in ("mumps", "amesos2"):

@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <sstream>
+#include <string>
 
 #include "framework/base/errors.hpp"
 #include "framework/base/loaded.hpp"
@@ -41,9 +43,13 @@ fs::path package_folder(const std::string& module) {
   return folder;
 }
 
+/// An empty place among PYTHONPATH's would be the current folder, where a `copy.py` or a `random.so` of the user's may lie.
 void look_there_first(const fs::path& folder) {
+  std::string places = folder.string();
   const char* before = std::getenv("PYTHONPATH");
-  const std::string places = before ? folder.string() + ":" + before : folder.string();
+  std::istringstream rest(before ? before : "");
+  for (std::string place; std::getline(rest, place, ':');)
+    if (!place.empty()) places += ":" + place;
   setenv("PYTHONPATH", places.c_str(), 1);
 }
 
