@@ -45,6 +45,7 @@ void InterfaceBook::add(const std::string& name, const InterfaceParameters& p) {
   if (!p.boundary.empty()) check_plane(p, made);
   if (p.field) add_field(*p.field, made);
   if (p.crack_normal) add_crack_normal(*p.crack_normal, made);
+  if (p.water) add_water(*p.water, made);
   if (p.between.empty())
     by_curve_[name] = made.index;
   else
@@ -152,6 +153,19 @@ void InterfaceBook::add_crack_normal(const Vec2& normal, Interface& interface) {
   if (!std::isfinite(interface.law->initial_kappa(1)))
     findings_.add(interface.where, "`crack_normal` needs a law with a strength");
   interface.crack_normal = normal.normalized();
+}
+
+void InterfaceBook::add_water(const WaterParameters& water, Interface& interface) {
+  if (!interface.law->can_crack() || !interface.law->widening(0, 1))
+    return findings_.add(interface.where,
+                         "`water` needs a law that softens: what it presses on is the crack");
+  interface.water = water;
+  if (water.opening) return;
+  const double end = interface.law->rupture_kappa(1);
+  if (!std::isfinite(end))
+    return findings_.add(interface.where,
+                         "`water` needs its `opening`: the traction of this law never vanishes");
+  interface.water->opening = end;
 }
 
 void InterfaceBook::check_names() {

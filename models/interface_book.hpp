@@ -24,6 +24,7 @@ struct Interface {
   std::optional<RandomField> field = {};
   double energy_exponent = 0;
   std::optional<Vec2> crack_normal = {};  ///< a unit vector
+  std::optional<WaterParameters> water = {};
   Position where;
   int index = -1;
   // What the sides asked for, for one message per interface.
@@ -33,7 +34,7 @@ struct Interface {
   double worst_size = 0;                                         ///< [L]
 
   /// Whether its points have laws of their own.
-  bool is_local() const { return field.has_value() || crack_normal.has_value(); }
+  bool is_local() const { return field || crack_normal || water; }
 };
 
 /// Cracks through the blocks of a region: the interface whose law they have there, and the bonds that its inner sides
@@ -66,6 +67,7 @@ class InterfaceBook {
   void check_plane(const InterfaceParameters& p, const Interface& made);
   void add_field(const FieldParameters& field, Interface& interface);
   void add_crack_normal(const Vec2& normal, Interface& interface);
+  void add_water(const WaterParameters& water, Interface& interface);
   void check_names();
   std::string unknown_material(const std::string& name) const;
   void add_crack(const CrackParameters& p);

@@ -9,6 +9,7 @@
 
 #include "models/body/motion.hpp"
 #include "models/interface/scaled_law.hpp"
+#include "models/interface/water_filled_law.hpp"
 #include "models/interface_book.hpp"
 #include "models/jump_rows.hpp"
 #include "models/kinematics/second_order.hpp"
@@ -77,6 +78,8 @@ class PointMaker {
         std::ranges::stable_partition(out.points, [](const auto& p) { return p.is_active(); });
     out.num_active = static_cast<std::size_t>(middle.begin() - out.points.begin());
     for (Interface& interface : book_.interfaces()) {
+      out.has_fields |= interface.field.has_value();
+      out.has_water |= interface.water.has_value();
       out.names.push_back(interface.name);
       out.laws.push_back(interface.law);
       report(interface, out.notices);
@@ -100,7 +103,16 @@ class PointMaker {
                  opening = std::pow(f, interface.energy_exponent - 1);
     const double share =
         interface.crack_normal ? std::max(least, std::abs(interface.crack_normal->dot(normal))) : 1;
-    return {f, std::make_shared<const ScaledLaw>(interface.law, f * share, opening)};
+    std::shared_ptr<const InterfaceLaw> law = interface.law;
+    if (interface.field || interface.crack_normal)
+      law = std::make_shared<const ScaledLaw>(law, f * share, opening);
+    return {f, with_water(interface, x, std::move(law))};
+  }
+  static std::shared_ptr<const InterfaceLaw> with_water(const Interface& interface, const Vec2& x,
+                                                        std::shared_ptr<const InterfaceLaw> law) {
+    const double pressure = interface.water ? interface.water->pressure(x) : 0;
+    if (pressure <= 0) return law;
+    return std::make_shared<const WaterFilledLaw>(std::move(law), pressure, *interface.water->opening);
   }
 
   BlockFace face(BlockId id) const {
@@ -190,7 +202,6 @@ class PointMaker {
       out.points.push_back(std::move(point));
       if (interface.is_local()) out.laws.push_back(std::move(laws[i].law));
     }
-    out.has_fields = out.has_fields || interface.field.has_value();
   }
 
   void add_rows(InterfacePoint& point, const Treatment& treatment, const SideFaces& faces) const {
@@ -261,7 +272,6 @@ class PointMaker {
       out.points.push_back(std::move(point));
       if (interface.is_local()) out.laws.push_back(std::move(laws[i].law));
     }
-    out.has_fields = out.has_fields || interface.field.has_value();
   }
 
   /// On a cut q = g + P⁻¹ σn, σ that of the block.

@@ -108,6 +108,7 @@ struct InterfaceSet {
   std::size_t num_active = 0;
   std::size_t num_nodes = 0;         ///< of unknown multipliers, one per side
   bool has_fields = false;           ///< some interface varies in space
+  bool has_water = false;            ///< some interface has water in its cracks
   std::vector<std::string> notices;  ///< what was adapted, and what locks, for the log
 
   std::size_t num_crackable() const {

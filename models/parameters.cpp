@@ -12,6 +12,24 @@ void check_interface(const InterfaceParameters& p, const Position& where, Findin
     findings.add(where, "an interface has either `between` or `boundary`");
 }
 
+Schema<WaterParameters> water_schema() {
+  using P = WaterParameters;
+  return Schema<P>("Water that follows into the cracks of an interface and presses their faces apart.")
+      .value("pressure", &P::pressure, formula_kind(dimension::stress),
+             {.text = "Pressure of the water there, a number or an expression of x and y: up to a level H "
+                      "\"rho*g*(H - y)\". Where it is not positive there is no water. It stays as it is "
+                      "whatever the "
+                      "load factor."})
+      .number(
+          "opening", &P::opening,
+          {.dimension = dimension::length,
+           .bounds = above(0),
+           .text =
+               "Opening at which a crack bears the whole pressure; it grows in proportion from nothing where "
+               "the crack begins. Without it that at which its traction has vanished, which laws without an "
+               "end do not have."});
+}
+
 Kind<InterfaceParameters> interface_kind() {
   using P = InterfaceParameters;
   return Schema<P>("How two bodies are joined along a curve, or wherever two materials meet.")
@@ -40,6 +58,7 @@ Kind<InterfaceParameters> interface_kind() {
                        "points for the "
                        "others."})
       .section("field", &P::field, field_schema())
+      .section("water", &P::water, water_schema())
       .point(
           "crack_normal", &P::crack_normal,
           {.dimension = dimension::none,

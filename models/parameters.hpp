@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "framework/deck/formula.hpp"
 #include "framework/deck/schema.hpp"
 #include "models/body/place.hpp"
 #include "models/body/random_field.hpp"
@@ -23,6 +24,12 @@ namespace dda {
 /// two ends; its middle.
 enum class PointRule { gauss, gauss_2, vertices, midpoint };
 
+/// Water that follows into the cracks of an interface.
+struct WaterParameters {
+  Formula pressure;
+  std::optional<double> opening;  ///< at which the pressure is whole; that of rupture when not given [L]
+};
+
 /// An entry of `interfaces`: by material pair when `between` is given, between the structure and its mirror image when
 /// `boundary` is, else by the name of its curve.
 struct InterfaceParameters {
@@ -32,6 +39,7 @@ struct InterfaceParameters {
   TreatmentChoice treatment;
   std::optional<PointRule> points;  ///< by the treatment when not given
   std::optional<FieldParameters> field;
+  std::optional<WaterParameters> water;
   std::optional<Vec2> crack_normal;  ///< of the plane whose projection sides have strength and energy by
   Position where;
 };

@@ -8,11 +8,14 @@
 namespace dda {
 namespace {
 
+/// q as the pieces see it.
+Vec2 seen(const Contact& c, const Vec2& q) { return {q.x() + c.shift, q.y()}; }
+
 double sign_of(ContactPiece piece) { return piece == ContactPiece::backward ? -1 : 1; }
 
 /// Beyond the limit of friction in a direction, where positive [L].
-double excess(const Contact& c, double direction, const Vec2& q) {
-  return direction * (q.y() - c.slip) + c.coefficient * q.x();
+double excess(const Contact& c, double direction, const Vec2& x) {
+  return direction * (x.y() - c.slip) + c.coefficient * x.x();
 }
 
 /// Length to where a value that is negative on its piece has grown to 0; nothing when it does not grow.
@@ -27,7 +30,8 @@ void take_first(std::optional<PieceEnd>& first, std::optional<double> length, Co
 
 }  // namespace
 
-ContactPiece piece_at(const Contact& c, const Vec2& q, bool slides) {
+ContactPiece piece_at(const Contact& c, const Vec2& trial, bool slides) {
+  const Vec2 q = seen(c, trial);
   if (q.x() > 0) return ContactPiece::open;
   if (c.coefficient == 0) return ContactPiece::forward;
   const double direction = q.y() < c.slip ? -1 : 1, over = excess(c, direction, q);
@@ -36,19 +40,22 @@ ContactPiece piece_at(const Contact& c, const Vec2& q, bool slides) {
   return direction < 0 ? ContactPiece::backward : ContactPiece::forward;
 }
 
-Response response_on(const Contact& c, ContactPiece piece, const Vec2& q) {
+Response response_on(const Contact& c, ContactPiece piece, const Vec2& trial) {
+  const Vec2 q = seen(c, trial);
   Response out;
   out.tangent(0, 0) = piece == ContactPiece::open ? c.open : c.closed;
   out.tangent(1, 1) = c.shear;
   if (piece == ContactPiece::stuck) out.tangent(1, 1) += c.friction;
   if (piece == ContactPiece::forward || piece == ContactPiece::backward)
     out.tangent(1, 0) = -sign_of(piece) * c.friction * c.coefficient;
-  out.traction = out.tangent * q;
+  out.traction = out.tangent * q - Vec2(c.pressure, 0);
   if (piece == ContactPiece::stuck) out.traction.y() -= c.friction * c.slip;
   return out;
 }
 
-std::optional<PieceEnd> end_of_piece(const Contact& c, ContactPiece piece, const Vec2& q, const Vec2& along) {
+std::optional<PieceEnd> end_of_piece(const Contact& c, ContactPiece piece, const Vec2& trial,
+                                     const Vec2& along) {
+  const Vec2 q = seen(c, trial);
   std::optional<PieceEnd> first;
   const auto over = [&](double direction) { return excess(c, direction, q); };
   const auto rate = [&](double direction) { return direction * along.y() + c.coefficient * along.x(); };

@@ -207,6 +207,8 @@ class System {
 
   /// Σ W h.dissipated [FL].
   double dissipated(const std::vector<History>& history) const;
+  /// Work that water in the cracks has done up to a history [F·L].
+  double supplied_by_water(const std::vector<History>& history) const;
   /// Energy stored in blocks, joints, supports and, but where bodies only touch, whose equilibrium is without them,
   /// weak springs; without the driven springs' own [FL].
   double stored(const State& state, const LawValues& laws) const;

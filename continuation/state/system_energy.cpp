@@ -14,6 +14,16 @@ double System::dissipated(const std::vector<History>& history) const {
   return sum;
 }
 
+double System::supplied_by_water(const std::vector<History>& history) const {
+  if (!equilibrium_.interfaces().has_water) return 0;
+  double sum = 0;
+  for (std::size_t p = 0; p < history.size(); ++p) {
+    const InterfacePoint& point = equilibrium_.point(p);
+    sum += point.weight * point.law->supplied(history[p]);
+  }
+  return sum;
+}
+
 double System::stored(const State& state, const LawValues& laws) const {
   const double of_joints = parallel_sum(laws.opening.size(), points_at_once, [&](std::size_t p) {
     const InterfacePoint& point = equilibrium_.point(p);

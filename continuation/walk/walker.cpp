@@ -82,9 +82,14 @@ Candidate Walker::evaluate(const Attempt& attempt) {
   fill_energies(out);
   const double dissipated = out.dissipated - here_.dissipated;
   const bool smooth = dissipated > 0 && leaving_.dissipates && out.arriving.dissipates;
-  out.work = here_.work + external_work(system_, {here_.state, out.state, leaving_, out.arriving,
-                                                  smooth ? dissipated : 0.0});
+  out.work = work_up_to(out, {here_.state, out.state, leaving_, out.arriving, smooth ? dissipated : 0.0});
   return out;
+}
+
+/// Of loads and of water in cracks.
+double Walker::work_up_to(const Candidate& candidate, const Stretch& step) const {
+  return here_.work + external_work(system_, step) + system_.supplied_by_water(candidate.history) -
+         system_.supplied_by_water(here_.history);
 }
 
 void Walker::accept(Candidate candidate) {
@@ -131,7 +136,7 @@ Candidate Walker::settled(const Settled& found) {
   fill_energies(next);
   next.residual = system_.excess_residual(next.state);
   if (system_.iterates_multipliers()) next.gap = system_.relative_gap(*system_.laws_at(next.state));
-  next.work = here_.work + external_work(system_, {here_.state, next.state, leaving_, {}});
+  next.work = work_up_to(next, {here_.state, next.state, leaving_, {}});
   return next;
 }
 

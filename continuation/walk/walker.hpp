@@ -147,6 +147,7 @@ class Walker {
   /// Adds what NOX has done since the last time.
   void count_iterations();
   void fill_energies(Candidate& candidate);
+  double work_up_to(const Candidate& candidate, const Stretch& step) const;
   /// The tangent with the flags of the system's history, and the inertia of its stiffness.
   void fill_arriving(Candidate& candidate);
 

@@ -288,6 +288,23 @@ std::optional<Contact> DamageLaw::contact(const History& h, double k) const {
                  .slip = memory_of(h).slip};
 }
 
+/// κ = w + t_eq/k.
+std::optional<Widening> DamageLaw::widening(double kappa, double k) const {
+  const double kappa0 = initial_kappa(k), omega = kappa > kappa0 ? omega_at(kappa, k) : 0;
+  return Widening{.opening = scale_ * omega,
+                  .slope = scale_ / (scale_ + kappa0 * shape_->slope(omega)),
+                  .gain = largest_gain()};
+}
+
+/// κ is at most q_eq/ρ: ∂κ/∂q_n ≤ (1 + 2 M ρ'/ρ)/ρ with M ρ' = η (ρ − 1) where it is open, and β m/ρ where it slides closed.
+double DamageLaw::largest_gain() const {
+  const double sliding = std::max(1.0, n_.shear_weight * m_);
+  if (!has_modes()) return sliding;
+  return n_.shear_fracture_energy > n_.fracture_energy
+             ? std::max(sliding, 1 + 2 * n_.mixed_mode_exponent)
+             : sliding * n_.fracture_energy / n_.shear_fracture_energy;
+}
+
 History DamageLaw::grown(const History& h, double k, double factor) const {
   History out = h;
   Memory next = memory_of(h);

@@ -68,6 +68,7 @@ class DamageLaw final : public InterfaceLaw {
   History grown(const History& h, double k, double factor) const override;
   unsigned piece(const Vec2& q, const History& h, double k) const override;
   std::optional<Contact> contact(const History& h, double k) const override;
+  std::optional<Widening> widening(double kappa, double k) const override;
   std::optional<double> residual_friction() const override {
     return n_.friction > 0 ? std::optional(n_.friction) : std::nullopt;
   }
@@ -94,6 +95,7 @@ class DamageLaw final : public InterfaceLaw {
   bool has_modes() const { return n_.shear_fracture_energy != n_.fracture_energy; }
   double energy_ratio(double mixity) const;        ///< ρ = Gf(M)/Gf
   double energy_ratio_slope(double mixity) const;  ///< dρ/dM
+  double largest_gain() const;                     ///< no less than ∂κ/∂q_n
   double omega_at(double kappa, double k) const {
     return shape_->at_trial_opening(kappa, scale_, initial_kappa(k));
   }

@@ -40,10 +40,17 @@ struct Spending {
   Vec2 gradient = Vec2::Zero();  ///< [F/L²]
 };
 
+/// The opening of a crack by pure opening, and its derivative with respect to κ.
+struct Widening {
+  double opening = 0;  ///< w [L]
+  double slope = 1;    ///< dw/dκ
+  double gain = 1;     ///< no less than ∂κ/∂q_n anywhere
+};
+
 /// A joint whose damage stays: piecewise linear in q.
 ///
-///     closed, q_n ≤ 0:  t_n = closed q_n,   t_s = shear q_s + friction e,   e = clip(q_s − slip, ± m ⟨−q_n⟩)
-///     open,   q_n > 0:  t_n = open q_n,     t_s = shear q_s
+///     closed, x ≤ 0:  t_n = closed x − p,   t_s = shear q_s + friction e,   e = clip(q_s − slip, ± m ⟨−x⟩)
+///     open,   x > 0:  t_n = open x − p,     t_s = shear q_s,                x = q_n + shift
 struct Contact {
   double closed = 0;       ///< [F/L³]
   double open = 0;         ///< [F/L³]
@@ -51,6 +58,8 @@ struct Contact {
   double friction = 0;     ///< of what is [F/L³]
   double coefficient = 0;  ///< m
   double slip = 0;         ///< s [L]
+  double pressure = 0;     ///< p of water in the joint [F/L²]
+  double shift = 0;        ///< what p opens the joint's own spring by, p/k [L]
 };
 
 /// What an interface does with the trial opening q of its two sides, in the local frame (n, s).
@@ -128,6 +137,13 @@ class InterfaceLaw {
   /// The joint with the damage of h, where that makes it piecewise linear; nothing where q decides more, and
   /// of joints that are still intact.
   virtual std::optional<Contact> contact(const History&, double) const { return {}; }
+
+  /// The opening that a damage of κ amounts to; nothing of laws that do not tell.
+  virtual std::optional<Widening> widening(double, double) const { return {}; }
+  /// Energy per area that water in the joint has supplied so far [F/L].
+  virtual double supplied(const History&) const { return 0; }
+  /// Pressure of water in the joint [F/L²].
+  virtual double water_pressure(const History&, double) const { return 0; }
 
   /// tan φ of what nothing but contact is left of; nothing where the law says nothing about it.
   virtual std::optional<double> residual_friction() const { return {}; }

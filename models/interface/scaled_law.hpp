@@ -85,6 +85,11 @@ class ScaledLaw final : public InterfaceLaw {
   }
 
   std::optional<double> residual_friction() const override { return law_->residual_friction(); }
+  std::optional<Widening> widening(double kappa, double k) const override {
+    std::optional<Widening> out = law_->widening(kappa / b_, own(k));
+    if (out) out->opening *= b_;
+    return out;
+  }
 
   bool releases_at_once() const override { return law_->releases_at_once(); }
   History release(const Vec2& q, const History& h, double k, double share) const override {

@@ -11,12 +11,14 @@ class LawContract : public testing::TestWithParam<std::string> {
  protected:
   static constexpr int cases = 12, draws = 150;
 
-  /// Every other law has what may be absent, every third has no friction, and every fifth is scaled.
+  /// Every other law has what may be absent, every third has no friction, every fifth is scaled, and cracks of every fourth
+  /// are filled by water.
   LawCase next_case() {
     ++number_;
     LawCase at = random_law(GetParam(), random_, number_ % 2 == 0);
     if (number_ % 3 == 0) at = without_friction(GetParam(), std::move(at));
     if (number_ % 5 == 0) at = scaled(std::move(at), 0.5 + 0.1 * (number_ % 10), 1.7);
+    if (number_ % 4 == 0) at = filled(std::move(at), 0.5);
     return at;
   }
   /// A place anywhere from intact to beyond rupture.

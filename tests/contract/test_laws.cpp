@@ -53,7 +53,7 @@ TEST_P(LawContract, FrozenTangentIsDifferenceOfFrozenTraction) {
 /// Sequentially linear steps rely on it.
 TEST_P(LawContract, FrozenTractionOfSofteningWithoutFrictionIsASecant) {
   at_random_states([&](const LawCase& at, const Vec2& q, const History& h) {
-    if (at.is_frictional() || at.law->releases_at_once()) return;
+    if (at.is_frictional() || at.law->releases_at_once() || at.is_filled) return;
     const Response frozen = at.law->respond_frozen(q, h, at.k);
     EXPECT_LT((frozen.tangent * q - frozen.traction).norm(), 1e-12 * at.stiff() * q.norm());
   });
@@ -242,15 +242,16 @@ TEST_P(LawContract, IntactPointsWithinTheBoundNeedNotBeAsked) {
 
 /// What is not declared is lost in a restart, and what is declared twice has no place of its own.
 TEST_P(LawContract, KeepsWhatItDeclaresAndNothingElse) {
-  std::set<std::string> names;
-  std::size_t size = 0;
-  for (const Remembered& one : next_case().law->memory()) {
-    EXPECT_TRUE(names.insert(one.name).second) << one.name;
-    size += static_cast<std::size_t>(one.size);
-  }
-  ASSERT_LE(size, LawMemory::capacity);
-  std::vector<bool> kept(size, false);
-  at_accepted_states([&](const LawCase&, const Vec2&, const History&, const History& after) {
+  std::vector<bool> kept;
+  at_accepted_states([&](const LawCase& at, const Vec2&, const History&, const History& after) {
+    std::set<std::string> names;
+    std::size_t size = 0;
+    for (const Remembered& one : at.law->memory()) {
+      EXPECT_TRUE(names.insert(one.name).second) << one.name;
+      size += static_cast<std::size_t>(one.size);
+    }
+    ASSERT_LE(size, LawMemory::capacity);
+    if (size > kept.size()) kept.resize(size, false);
     const auto& numbers = after.memory.numbers();
     EXPECT_TRUE(std::all_of(numbers.begin() + static_cast<std::ptrdiff_t>(size), numbers.end(),
                             [](double number) { return number == 0; }));
@@ -262,7 +263,7 @@ TEST_P(LawContract, KeepsWhatItDeclaresAndNothingElse) {
 TEST_P(LawContract, SofteningIsAsSteepAsTheLawSays) {
   for (int c = 0; c < cases; ++c) {
     const LawCase at = next_case();
-    if (!at.law->can_crack() || at.law->steepest_slope() == 0) continue;
+    if (!at.law->can_crack() || at.law->steepest_slope() == 0 || at.is_filled) continue;
     double steepest = 0;
     for (const Vec2& mode : {Vec2(1, 0), Vec2(0, 1 / at.law->shear_weight())}) {
       const double strength = at.traction(at.first * mode, {}).dot(mode) / at.first;
@@ -284,7 +285,7 @@ TEST_P(LawContract, RuptureReleasesTheTraction) {
   for (int c = 0; c < cases; ++c) {
     const LawCase at = next_case();
     const double end = at.law->rupture_kappa(at.k);
-    if (!std::isfinite(end)) continue;
+    if (!std::isfinite(end) || at.is_filled) continue;
     EXPECT_LT(at.first, end);
     const History h = at.law->accept({end, 0}, {}, at.k);
     EXPECT_TRUE(at.law->is_broken(h, at.k));

@@ -8,6 +8,7 @@
 #include "framework/deck/document/node.hpp"
 #include "models/interface/law.hpp"
 #include "models/interface/scaled_law.hpp"
+#include "models/interface/water_filled_law.hpp"
 #include "support/sample.hpp"
 
 namespace dda {
@@ -32,8 +33,9 @@ struct LawCase {
   std::unique_ptr<InterfaceLaw> law;
   Node parameters;
   double k = 0;
-  double first = 1;  ///< κ at initiation, 1 when there is none [L]
-  double last = 5;   ///< κ at rupture, five times the first when there is none [L]
+  double first = 1;        ///< κ at initiation, 1 when there is none [L]
+  double last = 5;         ///< κ at rupture, five times the first when there is none [L]
+  bool is_filled = false;  ///< by water, as far as it is cracked
 
   /// The stiffest that the law can answer [F/L³].
   double stiff() const { return k * std::max(1.0, std::pow(law->shear_weight(), 2)); }
@@ -44,7 +46,8 @@ struct LawCase {
   /// Whether the traction while damage grows derives from a potential: no friction, no mode of its own
   /// energy.
   bool has_potential() const {
-    return !is_frictional() && !parameters.find("shear_fracture_energy") && !law->releases_at_once();
+    return !is_frictional() && !parameters.find("shear_fracture_energy") && !law->releases_at_once() &&
+           !is_filled;
   }
 
   std::string text() const { return to_yaml(parameters); }
@@ -120,6 +123,17 @@ inline LawCase scaled(LawCase at, double traction, double opening) {
   at.k *= traction / opening;
   at.first *= opening;
   at.last *= opening;
+  return at;
+}
+
+/// The same law with water in its crack, as much as the stiffness of the point can bear; as it is where it tells no opening.
+inline LawCase filled(LawCase at, double share) {
+  const auto wide = at.law->widening(0, at.k);
+  if (!wide) return at;
+  const double opening = 0.7 * at.last, weight = at.law->shear_weight();
+  const double spare = at.k * std::min(1.0, weight * weight) - at.law->steepest_slope();
+  at.law = std::make_unique<WaterFilledLaw>(std::move(at.law), share * spare * opening / wide->gain, opening);
+  at.is_filled = true;
   return at;
 }
 

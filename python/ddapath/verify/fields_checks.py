@@ -109,7 +109,7 @@ def envelope(steps):
         return not_made("law envelope", unknown)
 
     def value(step, interface, chosen):
-        t = step.traction[chosen]
+        t = step.borne[chosen]
         excess, limit = interface.law.excess(t, step.law_state(chosen, interface))
         floor = 0.01 * np.abs(t).max(initial=0.0)
         return over(np.maximum(excess - step.noise[chosen], 0), limit + floor)
@@ -122,9 +122,9 @@ def normal_law(steps):
         return not_made("contact and normal law", unknown)
 
     def value(step, interface, chosen):
-        t, q = step.traction[chosen, 0], step.trial[chosen, 0]
+        t, q = step.borne[chosen, 0], step.seen[chosen, 0]
         error = interface.law.normal_error(t, q, step.law_state(chosen, interface)) - step.noise[chosen]
-        scale = np.abs(t) + 0.01 * np.abs(step.traction[chosen]).max(initial=0.0)
+        scale = np.abs(t) + 0.01 * np.abs(step.borne[chosen]).max(initial=0.0)
         return over(np.maximum(error, 0), scale)
     return worst_of("contact and normal law", per_interface(steps, value), LAW)
 
@@ -209,7 +209,8 @@ def stored_energy(step):
     for number, interface in enumerate(model.interfaces):
         chosen = step.points_of(number)
         if chosen.any():
-            joints[chosen] = interface.law.stored(step.traction[chosen], step.trial[chosen], step.law_state(chosen, interface))
+            joints[chosen] = interface.law.stored(step.borne[chosen], step.seen[chosen], step.law_state(chosen, interface))
+    joints += step.water * (0.5 * step.water - step.borne[:, 0]) / points.trial[:, 0]  # the joint's spring holds the traction
     taken = 0.5 * (step.mean**2 / points.trial).sum(axis=1)
     taken += 0.5 * ((1 + points.perturbation[:, None]) * points.trial * step.multiplier**2).sum(axis=1)
     return total + (points.weight * (joints - taken)).sum()

@@ -87,11 +87,13 @@ class Step:
         points = self.model.points
         self.traction = np.zeros_like(self.trial)
         self.damage, self.factor = np.zeros(len(self.trial)), np.ones(len(self.trial))
+        self.water = np.zeros(len(self.trial))
         if points.active.any():
             self.traction[points.active] = self._stored("traction_n", "traction_s")
             self.damage[points.active] = self._stored("damage")[:, 0]
-            if any("strength_factor" in table for table in (self.fields.points, self.fields.cracks)):
-                self.factor[points.active] = self._stored("strength_factor")[:, 0]
+            for name, values in (("strength_factor", self.factor), ("water_pressure", self.water)):
+                if any(name in table for table in (self.fields.points, self.fields.cracks)):
+                    values[points.active] = self._stored(name)[:, 0]
         for number, interface in enumerate(self.model.interfaces):
             chosen = self.points_of(number) & ~points.active
             if interface.treatment == "lagrange":
@@ -122,6 +124,16 @@ class Step:
         """Mask of the points of an interface, by its place in `model.interfaces`."""
         last = len(self.model.interfaces) - 1
         return self.model.points.interface == (-1 if number == last else number)
+
+    @property
+    def borne(self):
+        """Traction of the solid: water in a crack presses its faces apart [F/L²]."""
+        return self.traction + self.water[:, None] * [1, 0]
+
+    @property
+    def seen(self):
+        """Trial opening of which `borne` is the traction [L]."""
+        return self.trial + self.water[:, None] / self.model.points.trial * [1, 0]
 
     def law_state(self, chosen, interface):
         return laws.State(self.model.points.trial[chosen, 0], self.damage[chosen], self.factor[chosen],

@@ -1,5 +1,7 @@
 #include "studies/dda/case/deck.hpp"
 
+#include <fmt/format.h>
+
 #include "framework/deck/messages.hpp"
 #include "framework/messages/provenance.hpp"
 #include "framework/plugin/plugin.hpp"
@@ -116,6 +118,21 @@ void check_course(const Deck& deck, const Position& where, Findings& findings) {
     findings.add(where, "`record`" + without + "; only `folder` may stay");
 }
 
+void check_water(const Deck& deck, Findings& findings) {
+  if (!deck.motion) return;
+  for (const auto& [name, interface] : deck.interfaces)
+    if (interface.water)
+      findings.add(interface.where,
+                   fmt::format("interface '{}': `water` presses on cracks along a path; what it does "
+                               "between bodies that move is not known to `motion`",
+                               name));
+}
+
+void check_deck(const Deck& deck, const Position& where, Findings& findings) {
+  check_course(deck, where, findings);
+  check_water(deck, findings);
+}
+
 /// Of a deck, or of one as a file has it.
 template <class D>
 void add_deck(Schema<D>& schema) {
@@ -133,7 +150,7 @@ void add_deck(Schema<D>& schema) {
       .value("sweep", &Deck::sweep, anything_kind(),
              {.text =
                   "Makes the deck many runs: keys with the values they take. `dda explain sweep` shows how."})
-      .check(check_course);
+      .check(check_deck);
 }
 
 template <class D>

@@ -319,9 +319,12 @@ void Fields::add_points(const Interface& all, const Points& points, const Stored
   // The mean of both faces, so that a crack is drawn between them.
   StoredField moved{"displacement", units_.length, points.place_of_ends, 2, {}, "x y z"};
   StoredField strength{"strength_factor", "", points.place, 1, {}, ""};
+  StoredField water{"water_pressure", stress, points.place, 1, {}, ""};
   for (std::size_t p = points.begin; p < points.end; ++p) {
     for (const Vec2& x : segment(p)) append(displacement_between(p, x, at.state.d), moved.values);
-    strength.values.push_back(equilibrium_.point(p).strength_factor);
+    const InterfacePoint& point = equilibrium_.point(p);
+    strength.values.push_back(point.strength_factor);
+    water.values.push_back(point.law->water_pressure(at.history[p], point.stiffness));
   }
   out.fields.push_back(std::move(moved));
   out.fields.push_back({"opening", units_.length, points.place, 2, flat(of(all.opening)), "n s"});
@@ -329,6 +332,7 @@ void Fields::add_points(const Interface& all, const Points& points, const Stored
   out.fields.push_back({"traction", stress, points.place, 2, flat(of(all.traction)), "n s"});
   out.fields.push_back({"damage", "", points.place, 1, {damage.begin(), damage.end()}, ""});
   if (equilibrium_.interfaces().has_fields) out.fields.push_back(std::move(strength));
+  if (equilibrium_.interfaces().has_water) out.fields.push_back(std::move(water));
 }
 
 CutBlocks Fields::cut_blocks() const {
