@@ -4,21 +4,24 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace dda {
 namespace {
 
 constexpr double inf = std::numeric_limits<double>::infinity();
 
-/// What an impulse of 1 along a direction does to a body.
+/// What an impulse of 1 along a direction does to what is held together with a body.
 struct ImpactSide {
-  std::size_t body;
-  Vec2 push;      ///< of the centroid [1/M]
+  std::size_t body, group;
+  Vec2 push;      ///< of the group's centroid [1/M]
   double spin;    ///< [1/(M L)]
   Vec2 along;     ///< ± the direction
-  double moment;  ///< of that about the centroid [L]
+  double lever;   ///< of that about the body's centroid [L]
+  double moment;  ///< and about the group's [L]
 
-  double speed(const RigidMotion& of) const { return along.dot(of.velocity) + moment * of.spin; }
+  double speed_of_group(const RigidMotion& of) const { return along.dot(of.velocity) + moment * of.spin; }
+  double speed_of_body(const RigidMotion& of) const { return along.dot(of.velocity) + lever * of.spin; }
 };
 
 /// Both bodies of a contact along its normal or its tangent.
@@ -32,12 +35,13 @@ struct ImpactDirection {
     return out;
   }
   double speed(const std::vector<RigidMotion>& of) const {
-    return sides[0].speed(of[sides[0].body]) + sides[1].speed(of[sides[1].body]);
+    return sides[0].speed_of_group(of[sides[0].group]) + sides[1].speed_of_group(of[sides[1].group]);
   }
   /// How fast the sides part, as rigid bodies: what a block's strain does besides is no approach.
   double speed(const Poses& at, const Poses& velocity) const {
     double out = 0;
-    for (const ImpactSide& side : sides) out += side.speed(rigid_part(at[side.body], velocity[side.body]));
+    for (const ImpactSide& side : sides)
+      out += side.speed_of_body(rigid_part(at[side.body], velocity[side.body]));
     return out;
   }
   /// To another impulse; by how much the speed changes.
@@ -45,8 +49,8 @@ struct ImpactDirection {
     const double step = next - impulse;
     impulse = next;
     for (const ImpactSide& side : sides) {
-      of[side.body].velocity += step * side.push;
-      of[side.body].spin += step * side.spin;
+      of[side.group].velocity += step * side.push;
+      of[side.group].spin += step * side.spin;
     }
     return std::abs(step) * compliance();
   }
@@ -74,28 +78,29 @@ struct ImpactContact {
   }
 };
 
-ImpactSide side_of(const MovingScene& scene, std::size_t body, const Vec2& arm, const Vec2& along) {
-  ImpactSide out{body, Vec2::Zero(), 0, along, cross(arm, along)};
-  if (scene.bodies[body].is_held) return out;
-  const AffineBlock& block = scene.bodies[body].block;
-  out.push = along / block.mass;
-  out.spin = out.moment / block.inertia.trace();
+ImpactSide side_of(const Impact& impact, std::size_t body, const Vec2& arm, const Vec2& along) {
+  const std::size_t group = impact.groups.of_body[body];
+  const RigidGroups::Group& of = impact.groups.groups[group];
+  const Vec2 from_group = centre_of(impact.at[body]) + arm - of.centroid;
+  ImpactSide out{body, group, Vec2::Zero(), 0, along, cross(arm, along), cross(from_group, along)};
+  if (of.is_held) return out;
+  out.push = along / of.mass;
+  out.spin = out.moment / of.inertia;
   return out;
 }
 
-ImpactDirection direction_of(const MovingScene& scene, const Meeting& meeting, const Poses& at,
-                             const Vec2& along) {
+ImpactDirection direction_of(const Impact& impact, const Meeting& meeting, const Vec2& along) {
   const std::size_t i = meeting.key.body, j = meeting.key.other;
-  return {{side_of(scene, i, gradient_of(at[i]) * meeting.at, along),
-           side_of(scene, j, gradient_of(at[j]) * meeting.foot, -along)}};
+  return {{side_of(impact, i, gradient_of(impact.at[i]) * meeting.at, along),
+           side_of(impact, j, gradient_of(impact.at[j]) * meeting.foot, -along)}};
 }
 
 ImpactContact contact_of(const MovingScene& scene, const Impact& impact, const Meeting& meeting) {
   constexpr double hardly = 1e-3;
   const std::size_t i = meeting.key.body, j = meeting.key.other;
   ImpactContact out;
-  out.normal = direction_of(scene, meeting, impact.at, meeting.normal);
-  out.tangent = direction_of(scene, meeting, impact.at, tangent_of(meeting));
+  out.normal = direction_of(impact, meeting, meeting.normal);
+  out.tangent = direction_of(impact, meeting, tangent_of(meeting));
   out.friction = scene.meeting.friction ? scene.meeting.friction(i, j) : 0;
   out.given = impact.span * response_of(scene.meeting, meeting).force;
   out.sliding = out.tangent.speed(impact.at, impact.velocity);
@@ -103,14 +108,48 @@ ImpactContact contact_of(const MovingScene& scene, const Impact& impact, const M
                now = out.normal.speed(impact.at, impact.velocity);
   const double share = scene.meeting.restitution ? scene.meeting.restitution(i, j) : 0;
   const bool begins = approach > impact.slow;
-  out.approach = begins ? approach : impact.contacts.of(meeting.key).approach;
+  const double under_way = impact.contacts.of(meeting.key).approach;
+  out.approach = std::max(begins ? approach : 0.0, under_way);
   out.most = out.approach > 0 ? share * out.approach - now : inf;
-  out.least = begins ? out.most : std::min({0.0, -now, out.most});
+  const bool gives = begins || (impact.is_owed && under_way > 0);
+  out.least = gives ? out.most : std::min({0.0, -now, out.most});
   out.slow = hardly * out.approach;
   return out;
 }
 
+/// The first of a set that is merged in place.
+std::size_t first_of(std::vector<std::size_t>& parent, std::size_t i) {
+  while (parent[i] != i) i = parent[i] = parent[parent[i]];
+  return i;
+}
+
 }  // namespace
+
+RigidGroups::RigidGroups(const MovingScene& scene, const std::vector<MeetingSearch::Pair>& held_together,
+                         const Poses& at)
+    : of_body(scene.num_bodies()) {
+  std::vector<std::size_t> parent(scene.num_bodies());
+  std::iota(parent.begin(), parent.end(), std::size_t{0});
+  for (const auto& [a, b] : held_together) {
+    const std::size_t i = first_of(parent, a), j = first_of(parent, b);
+    parent[std::max(i, j)] = std::min(i, j);
+  }
+  for (std::size_t b = 0; b < parent.size(); ++b) {
+    const std::size_t first = first_of(parent, b);
+    of_body[b] = first == b ? groups.size() : of_body[first];
+    if (first == b) groups.emplace_back();
+    Group& group = groups[of_body[b]];
+    group.mass += scene.bodies[b].block.mass;
+    group.centroid += scene.bodies[b].block.mass * centre_of(at[b]);
+    group.is_held = group.is_held || scene.bodies[b].is_held;
+  }
+  for (Group& group : groups) group.centroid /= group.mass;
+  for (std::size_t b = 0; b < parent.size(); ++b) {
+    const AffineBlock& block = scene.bodies[b].block;
+    Group& group = groups[of_body[b]];
+    group.inertia += block.inertia.trace() + block.mass * (centre_of(at[b]) - group.centroid).squaredNorm();
+  }
+}
 
 Rebound rebound(const MovingScene& scene, const Impact& impact) {
   constexpr int sweeps = 200;
@@ -123,11 +162,17 @@ Rebound rebound(const MovingScene& scene, const Impact& impact) {
     fastest = std::max(fastest, contacts.back().approach);
   }
   if (fastest <= 0) return out;
-  out.given.resize(scene.num_bodies());
+  std::vector<RigidMotion> given(impact.groups.groups.size());
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     double change = 0;
-    for (ImpactContact& contact : contacts) change = std::max(change, contact.relax(out.given));
+    for (ImpactContact& contact : contacts) change = std::max(change, contact.relax(given));
     if (change <= hardly * fastest) break;
+  }
+  for (std::size_t b = 0; b < scene.num_bodies(); ++b) {
+    const std::size_t group = impact.groups.of_body[b];
+    const Vec2 arm = centre_of(impact.at[b]) - impact.groups.groups[group].centroid;
+    out.given.push_back(
+        {given[group].velocity + given[group].spin * Vec2(-arm.y(), arm.x()), given[group].spin});
   }
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const double now = contacts[c].normal.speed(impact.at, impact.velocity);

@@ -8,6 +8,21 @@
 
 namespace dda {
 
+/// Bodies that joints hold together, as one rigid body: what an impact does to one of them it does to all.
+struct RigidGroups {
+  struct Group {
+    double mass = 0, inertia = 0;  ///< [M], about the centroid [M L²]
+    Vec2 centroid = Vec2::Zero();
+    bool is_held = false;  ///< one of them is
+  };
+  std::vector<Group> groups;
+  std::vector<std::size_t> of_body;  ///< its group
+
+  /// As bodies stand at some poses; every body a group of its own but for those of `held_together`.
+  RigidGroups(const MovingScene& scene, const std::vector<MeetingSearch::Pair>& held_together,
+              const Poses& at);
+};
+
 /// Bodies that have met in a step.
 struct Impact {
   const std::vector<Meeting>& meetings;  ///< at its end
@@ -17,6 +32,8 @@ struct Impact {
   const Poses& velocity;                 ///< ẏ that the step has left
   double slow = 0;                       ///< approaches up to this are none [L/T]
   double span = 0;                       ///< over which the forces at its end have acted [T]
+  const RigidGroups& groups;             ///< at its end
+  bool is_owed = false;                  ///< impacts under way have given back less than they shall
 };
 
 /// What an impact does to bodies beside the forces of their contacts.
@@ -27,9 +44,10 @@ struct Rebound {
 };
 
 /// Impulses along the normals after which bodies part with e times the speed at which they have met, none being pushed into
-/// another: projected Gauss-Seidel on rigid motions.
+/// another: projected Gauss-Seidel on rigid motions of what joints hold together.
 ///
-/// The step at whose end a contact has been approached gives what is missing of that speed, λ ≥ 0, with friction |λ_t| ≤ μ λ.
+/// The step at whose end a contact has been approached gives what is missing of that speed, λ ≥ 0, with friction |λ_t| ≤ μ λ; so
+/// do those after it, of an impact that takes several, as long as the energy that it has taken has not sufficed.
 /// What springs have stored by then would have bodies part faster: as long as they bear on each other that is taken away,
 /// at most what the force of the contact has given in the step, −λ ≤ N dt.
 Rebound rebound(const MovingScene& scene, const Impact& impact);

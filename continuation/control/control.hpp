@@ -90,6 +90,8 @@ std::optional<ContactChange> find_contact_change(const Walker& walker);
 /// The opening of its point prescribed, in the direction in which it goes there: it goes on whichever way the path leads
 /// after the change, and the control's quantity may not.
 Move contact_move(const Walker& walker, const ContactChange& change);
+/// The opening of a point prescribed along a part of its rate.
+Move opening_move(const Walker& walker, std::size_t point, const Vec2& part);
 /// Where the first of the loading points passes the next corner of its softening curve.
 double next_corner(const Walker& walker);
 

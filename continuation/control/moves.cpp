@@ -105,13 +105,15 @@ double next_contact_change(const Walker& walker) {
 }
 
 Move contact_move(const Walker& walker, const ContactChange& change) {
-  const Vec2& rate = walker.leaving().opening[change.point];
+  return opening_move(walker, change.point, walker.leaving().opening[change.point]);
+}
+
+Move opening_move(const Walker& walker, std::size_t point, const Vec2& part) {
   const System& system = walker.system();
-  const Vec2 along = rate.normalized();
   return {.kind = StepKind::corner,
-          .equation =
-              make_gauge_equation(system.equilibrium().opening_gauge(system.loading(), change.point, along)),
-          .rate = rate.norm()};
+          .equation = make_gauge_equation(
+              system.equilibrium().opening_gauge(system.loading(), point, part.normalized())),
+          .rate = part.norm()};
 }
 
 }  // namespace dda

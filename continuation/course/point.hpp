@@ -100,12 +100,14 @@ struct PathMemory {
   int idle_looks = 0;                     ///< looks for a hidden peak, one after another, that found none
   int idle_turn_looks = 0;                ///< and for hidden turns of gauges
   bool has_slid = false;                  ///< a contact has changed since the start
-  double cracked_to_peak = 0;             ///< energy of growing cracks until the load was highest [FL]
-  double cracked_since_peak = 0;          ///< and since then
-  bool is_mechanism = false;              ///< the load has stayed while the structure moved
-  double mechanism_way = 0;    ///< displacement of the load when it began or last brought a goal nearer
-  double mechanism_load = 0;   ///< and the load
-  double mechanism_share = 0;  ///< and how near the goal was
+  bool moves_beside_load =
+      false;                   ///< the last step has moved joints while the load and its displacement stayed
+  double cracked_to_peak = 0;  ///< energy of growing cracks until the load was highest [FL]
+  double cracked_since_peak = 0;  ///< and since then
+  bool is_mechanism = false;      ///< the load has stayed while the structure moved
+  double mechanism_way = 0;       ///< displacement of the load when it began or last brought a goal nearer
+  double mechanism_load = 0;      ///< and the load
+  double mechanism_share = 0;     ///< and how near the goal was
   double standing_way = 0;  ///< displacement of the load since when it has hardly changed; 0 where it is none
   double standing_load = 0;    ///< and the load then
   double standing_energy = 0;  ///< stored and dissipated then [FL]
@@ -151,6 +153,7 @@ struct PathMemory {
     visit("idle_looks", self.idle_looks);
     visit("idle_turn_looks", self.idle_turn_looks);
     visit("has_slid", self.has_slid);
+    visit("moves_beside_load", self.moves_beside_load);
     visit("cracked_to_peak", self.cracked_to_peak);
     visit("cracked_since_peak", self.cracked_since_peak);
     visit("is_mechanism", self.is_mechanism);

@@ -106,6 +106,8 @@ Objection objection_to(const PathState& path, const Candidate& candidate) {
     return {std::move(why), Stop::energies};
   if (!only_touches(path, candidate))  // there it may only be long
     if (std::string why = jump_of(path, candidate); !why.empty()) return {std::move(why)};
+  if (std::string why = too_far_beside_load(path, candidate); !why.empty())
+    return {.why = std::move(why), .is_beside_load = true};
   const Candidate& here = path.walker.here();
   const double dissipated = candidate.dissipated - here.dissipated;
   const double before = std::abs(path.load_of(path.walker.state())),

@@ -31,6 +31,7 @@ std::string jump_of(const PathState& path, const Candidate& candidate);
 struct Objection {
   std::string why;                   ///< "" when it is
   std::optional<Stop> unsound = {};  ///< why it is no result at all, where it is none
+  bool is_beside_load = false;       ///< joints move far while the load and its displacement stay
 };
 /// Steps that only open, close and slide joints have none for what they leave unaccounted for, as long as they may
 /// be shortened: see `jump_of`.

@@ -166,10 +166,11 @@ bool closes_within(const PathState& path, double amount) {
   for (const Vec2& rate : rates) fastest = std::max(fastest, rate.norm());
   for (std::size_t p = 0; p < opening.size(); ++p) {
     const InterfacePoint& point = system.equilibrium().point(p);
-    const double gap = opening[p].x(), closing = -rates[p].x();
-    if (gap > 0 && closing > noticeable * fastest && gap < amount * closing &&
-        point.law->contact(system.history()[p], point.stiffness))
-      return true;
+    const double closing = -rates[p].x();
+    if (closing <= noticeable * fastest) continue;
+    const auto contact = point.law->contact(system.history()[p], point.stiffness);
+    const double gap = contact ? opening[p].x() + contact->shift : 0;
+    if (gap > 0 && gap < amount * closing) return true;
   }
   return false;
 }
@@ -204,6 +205,37 @@ double standing_load(const PathState& path, double load) {
   return std::max(same * std::abs(load), of_none * path.smallest_load());
 }
 
+double way_beside_load(const PathState& path, const State& from, const State& to) {
+  constexpr double far = 100, gap = 1e-6;  // the latter of the structure's size
+  constexpr double same = 1e-4;            // what residual stiffness makes of a long way
+  const System& system = path.walker.system();
+  const double load = path.load_of(to), standing = std::max(same * std::abs(load), standing_load(path, load));
+  if (!system.has_contacts() || std::abs(load - path.load_of(from)) > standing) return 0;
+  const std::vector<Vec2> before = system.laws(from).opening, after = system.laws(to).opening;
+  double moved = 0;
+  for (std::size_t p = 0; p < after.size(); ++p)
+    if ((after[p] - before[p]).norm() > moved &&
+        system.equilibrium().point(p).law->contact(system.history()[p],
+                                                   system.equilibrium().point(p).stiffness))
+      moved = (after[p] - before[p]).norm();
+  const double along = std::abs(path.displacement_of(to) - path.displacement_of(from));
+  return moved > std::max(far * along, gap * path.size) ? moved : 0;
+}
+
+std::string too_far_beside_load(const PathState& path, const Candidate& candidate) {
+  constexpr double far = 10, gap = 1e-5;  // the latter of the structure's size
+  const State& here = path.walker.state();
+  const double moved = way_beside_load(path, here, candidate.state);
+  if (moved == 0) return {};
+  double so_far = gap * path.size;
+  for (const Vec2& opening : path.walker.system().laws(here).opening)
+    so_far = std::max(so_far, far * opening.norm());
+  if (moved <= so_far) return {};
+  return fmt::format(
+      "joints slide or part by {:.2g} while neither the load nor the displacement on which it works moves",
+      moved);
+}
+
 double load_rate(const PathState& path) {
   const Tangent& leaving = path.walker.leaving();
   const double moved = path.displacement_rate(leaving), rate = leaving.rate(path.load);
@@ -226,6 +258,14 @@ bool hardly_resists(const PathState& path) {
          std::abs(load_rate(path)) * so_far <= hardly * moved * std::abs(path.load_of(path.walker.state()));
 }
 
+bool hardly_resists_at_once(const PathState& path) {
+  constexpr double hardly = 1e-3;
+  const double moved = std::abs(path.displacement_rate(path.walker.leaving()));
+  return path.walker.state().load_factor == 0 && moved > 0 &&
+         std::abs(load_rate(path)) * way_of_mechanism(path) <=
+             hardly * moved * path.as_load(path.memory.largest_force);
+}
+
 bool bears_load(PathState& path, double within) {
   const Tangent anew = reloading(path.walker);
   if (anew.d.empty()) return false;
@@ -241,7 +281,10 @@ Move displacement_move(const PathState& path) {
 
 bool is_free_beyond(const PathState& path) {
   constexpr double far = 100, large = 0.01;  // the latter of the structure's size
-  const double rate = std::abs(path.displacement_rate(path.walker.leaving())), way = way_of_mechanism(path);
+  double rate = std::abs(path.displacement_rate(path.walker.leaving())), fastest = 0;
+  const double way = way_of_mechanism(path);
+  for (const Vec2& opening : path.walker.leaving().opening) fastest = std::max(fastest, opening.norm());
+  if (rate < fastest / far) rate = fastest;
   if (rate == 0) return false;
   const double gone = path.memory.mechanism_way > 0 ? way / path.memory.mechanism_way : 0,
                share = way / path.size;
@@ -251,7 +294,9 @@ bool is_free_beyond(const PathState& path) {
 
 void note_mechanism(PathState& path, Point& point, const Departure& before) {
   const double load = path.load_of(path.walker.state());
-  const bool is_free = stays(path, load, before.state), is_drift = drifts(path, load);
+  path.memory.moves_beside_load = way_beside_load(path, before.state, path.walker.state()) > 0;
+  const bool is_free = stays(path, load, before.state) || path.memory.moves_beside_load,
+             is_drift = drifts(path, load);
   if (!is_free && !is_drift) return;
   const ContactMotion moving = contact_motion(path.walker, before.state);
   const double factor = std::abs(load) > path.smallest_load() ? path.walker.state().load_factor : 0;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "continuation/course/path_state.hpp"
 
 namespace dda {
@@ -37,9 +39,19 @@ bool moves_freely(const PathState& path);
 /// joints wedge, what residual stiffness is left of those that slide takes so much.
 bool hardly_resists(const PathState& path);
 
+/// Whether what slides where a stage begins takes next to none of its load, however small.
+bool hardly_resists_at_once(const PathState& path);
+
 /// Whether what has cracked would bear its peak load again, nothing cracking or sliding on, by at most so many times its
 /// largest displacement so far: no rupture, whatever load is left. Weight on a crack that friction holds does.
 bool bears_load(PathState& path, double within = 10);
+
+/// How far joints in contact move from one state to another where the load and the displacement on which it works stay [L]; 0 where
+/// these move on as well: what slides under other loads, as a weight on a slope that is lifted, moves beside the load.
+double way_beside_load(const PathState& path, const State& from, const State& to);
+
+/// Why a step that moves joints far beside the load is too long; "" when it is not.
+std::string too_far_beside_load(const PathState& path, const Candidate& candidate);
 
 /// Prescribes the displacement on which the load works, which goes on where the load does not.
 Move displacement_move(const PathState& path);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "continuation/bodies/restitution.hpp"
 #include "continuation/control/stop.hpp"
 #include "continuation/integrator/integrator.hpp"
 #include "continuation/motion/ledger.hpp"
@@ -36,6 +37,8 @@ struct MotionMemory {
   Interval dt;
   MotionLedger ledger;
   double time = 0, most_kinetic = 0;
+  double taken = 0;               ///< by impacts whose bodies still vibrate, and not given back [F L]
+  std::vector<RigidMotion> owed;  ///< what they have not had the energy for, by body; empty when nothing is
   int iterations = 0, rejected = 0, easy = 0, still = 0;
   bool is_released = true;  ///< all that is spent
   bool slid = false, tears = false;
@@ -97,8 +100,9 @@ class Motion {
   bool creates_energy(const MotionLedger& step) const;
   bool crack(const MotionStep& step);
   void bounce(Try& step);
-  void calm(Try& step, const std::vector<Meeting>& meetings, const std::vector<double>& under_way) const;
-  void push(Try& step, const std::vector<RigidMotion>& given) const;
+  void calm(Try& step, const std::vector<std::size_t>& hit, const RigidGroups& groups) const;
+  void push(Try& step, const std::vector<RigidMotion>& given);
+  std::vector<MeetingSearch::Pair> held_together() const;
   void accept(Try step);
   void judge();
   void end_if_due();

@@ -2,12 +2,20 @@
 #include <algorithm>
 #include <cmath>
 
-#include "continuation/bodies/restitution.hpp"
 #include "continuation/motion/motion_try.hpp"
 
 namespace dda {
 
-/// What impacts give back, as far as the step has taken it, and what they take away.
+/// Pairs of bodies that joints still hold together, where impacts give something back.
+std::vector<MeetingSearch::Pair> Motion::held_together() const {
+  std::vector<MeetingSearch::Pair> out;
+  if (!scene_.meeting.restitution) return out;
+  for (const Bond& bond : bonds_)
+    if (bond.holds()) out.emplace_back(bond.first, bond.second);
+  return out;
+}
+
+/// What impacts give back, as far as they have taken it, and what they take away.
 void Motion::bounce(Try& step) {
   if (!course_.integrator->has_inertia() || course_.integrator->open_close()) return;
   constexpr double steps = 3;  // of falling, whose speed is that of contacts which stay
@@ -17,30 +25,39 @@ void Motion::bounce(Try& step) {
     velocity.push_back(step.courses[b].velocity);
   }
   const std::vector<Meeting> meetings = potential_->meetings(step.found.poses);
-  const Rebound back =
-      rebound(scene_, {meetings, m_.sliders, step.found.poses, approach, velocity, steps * pull_ * m_.dt.now,
-                       1 / (m_.dt.now * step.inertia.per_square_time)});
+  const RigidGroups groups(scene_, held_together(), step.found.poses);
+  const Rebound back = rebound(scene_, {.meetings = meetings,
+                                        .contacts = m_.sliders,
+                                        .at = step.found.poses,
+                                        .approach = approach,
+                                        .velocity = velocity,
+                                        .slow = steps * pull_ * m_.dt.now,
+                                        .span = 1 / (m_.dt.now * step.inertia.per_square_time),
+                                        .groups = groups,
+                                        .is_owed = !m_.owed.empty()});
+  std::vector<std::size_t> hit;
   for (std::size_t i = 0; i < meetings.size(); ++i) {
     SliderMemory::Kept kept = step.found.contacts.of(meetings[i].key);
     kept.approach = back.under_way[i];
     step.found.contacts.set(meetings[i].key, kept);
+    if (back.under_way[i] > 0)
+      for (const std::size_t b : bodies_of(meetings[i])) hit.push_back(groups.of_body[b]);
   }
-  if (back.given.empty()) return;
-  calm(step, meetings, back.under_way);
-  push(step, back.given);
+  if (!back.given.empty()) calm(step, hit, groups);
+  const std::vector<RigidMotion> given = back.given.empty() ? std::move(m_.owed) : back.given;
+  m_.owed.clear();
+  if (!given.empty()) push(step, given);
+  m_.taken = hit.empty() && m_.owed.empty() ? 0 : std::max(0.0, m_.taken + step.entry.numerical);
 }
 
 /// Impacts leave no vibration of the bodies that are in them: a strain begins its way back at rest.
-void Motion::calm(Try& step, const std::vector<Meeting>& meetings,
-                  const std::vector<double>& under_way) const {
-  std::vector<bool> is_hit(now_.size(), false);
-  for (std::size_t i = 0; i < meetings.size(); ++i)
-    if (under_way[i] > 0)
-      for (const std::size_t b : bodies_of(meetings[i])) is_hit[b] = !scene_.bodies[b].is_held;
+void Motion::calm(Try& step, const std::vector<std::size_t>& hit, const RigidGroups& groups) const {
+  std::vector<bool> is_hit(groups.groups.size(), false);
+  for (const std::size_t group : hit) is_hit[group] = true;
   MotionLedger& out = step.entry;
   const double before = out.kinetic + out.stored.sum();
   for (std::size_t b = 0; b < now_.size(); ++b) {
-    if (!is_hit[b]) continue;
+    if (!is_hit[groups.of_body[b]] || scene_.bodies[b].is_held) continue;
     const AffineBlock& block = scene_.bodies[b].block;
     out.kinetic -= kinetic_energy(block, step.courses[b].velocity);
     step.courses[b] = course_.integrator->calmed(step.courses[b], m_.dt.now);
@@ -50,8 +67,9 @@ void Motion::calm(Try& step, const std::vector<Meeting>& meetings,
   out.numerical -= out.kinetic + out.stored.sum() - before;
 }
 
-/// Motions more of all bodies, as far as the energy allows that the step has taken.
-void Motion::push(Try& step, const std::vector<RigidMotion>& given) const {
+/// Motions more of all bodies, as far as the energy allows that the impacts have taken; the rest is owed for as long as they
+/// still take some, bodies vibrating that were pressed together.
+void Motion::push(Try& step, const std::vector<RigidMotion>& given) {
   double linear = 0, square = 0;  // of the kinetic energy in a share of what is given back
   for (std::size_t b = 0; b < now_.size(); ++b) {
     const AffineBlock& block = scene_.bodies[b].block;
@@ -61,10 +79,14 @@ void Motion::push(Try& step, const std::vector<RigidMotion>& given) const {
     linear += change.dot(block.times_mass(step.courses[b].velocity));
     square += kinetic_energy(block, change);
   }
-  const double most = std::max(0.0, step.entry.numerical);
+  const double most = std::max(0.0, m_.taken + step.entry.numerical);
   double share = 1;
   if (linear + square > most)
     share = (std::sqrt(linear * linear + 4 * square * most) - linear) / (2 * square);
+  constexpr double hardly = 1e-6;
+  if (share < 1 && most > hardly * step.entry.kinetic)
+    for (const RigidMotion& motion : given)
+      m_.owed.push_back({(1 - share) * motion.velocity, (1 - share) * motion.spin});
   double kinetic = 0;
   for (std::size_t b = 0; b < now_.size(); ++b) {
     if (scene_.bodies[b].is_held) continue;

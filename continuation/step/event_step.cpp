@@ -32,7 +32,10 @@ std::optional<Point> full_load(PathState& path) {
   if (path.walker.system().is_damaged())
     return path.stop_early(Stop::no_further_crack, "no interface can crack any further under this load");
   if (!path.walker.system().has_contacts())
-    return path.end_with_structure("nothing can crack; the full reference load is applied");
+    return path.end_with_structure(
+        path.walker.system().equilibrium().interfaces().num_crackable() > 0
+            ? "nothing cracks under this load, however large; it is applied in full"
+            : "nothing can crack; the full reference load is applied");
   return path.end_with_structure(
       path.walker.here().dissipated > 0
           ? "no joint begins or ends to slide, opens or closes under this load, however large; it is applied "

@@ -12,12 +12,22 @@
 namespace dda {
 namespace {
 
-/// The control of a structure that slides: the control's own where it prescribes a gauge, else the
-/// displacement on which the load works, which goes on where the load does not.
+/// Prescribes the opening of the joint that moves fastest.
+Move fastest_opening(const PathState& path) {
+  const std::vector<Vec2>& rates = path.walker.leaving().opening;
+  const auto fastest = std::ranges::max_element(rates, {}, [](const Vec2& rate) { return rate.norm(); });
+  Move out = opening_move(path.walker, static_cast<std::size_t>(fastest - rates.begin()), *fastest);
+  out.kind = StepKind::opening;
+  return out;
+}
+
+/// The control of a structure that slides: the control's own where it prescribes a gauge, else the displacement on which the load
+/// works, which goes on where the load does not, and where neither does what a joint opens by.
 Move sliding_move(PathState& path) {
   Move own = path.control->next(path.walker);
   const bool serves = !own.to_event && own.kind != StepKind::dissipation && own.rate != 0;
-  return serves ? own : displacement_move(path);
+  if (serves) return own;
+  return path.memory.moves_beside_load ? fastest_opening(path) : displacement_move(path);
 }
 
 /// Exactly to where the first joint begins to slide, or opens or closes.
@@ -38,6 +48,10 @@ std::optional<Point> first_slip(PathState& path, double change) {
 /// as a mechanism where it takes next to none of what the load has grown by with the displacement so far.
 std::optional<Point> linear_for_good(PathState& path) {
   const bool has_begun = path.walker.state().load_factor != 0;
+  if (path.memory.has_slid && hardly_resists_at_once(path))
+    return path.end_with_structure(
+        fmt::format("the stage '{}' begins where joints slide on under its load, however small",
+                    path.walker.system().loading().name));
   if (path.memory.has_slid && hardly_resists(path))
     return path.end_with_structure(fmt::format("joints slide on under this load, at a load factor of {:.9g}",
                                                path.walker.state().load_factor));
@@ -46,6 +60,23 @@ std::optional<Point> linear_for_good(PathState& path) {
         fmt::format("no joint begins to crack, slide, open or close any more beyond a load factor of {:g}",
                     path.walker.state().load_factor));
   return linear_step(path);
+}
+
+/// How far the first of steps that slide goes, `change` being the distance of the next contact change. What moves on as a
+/// mechanism, as what rocks back under another load than has opened it, takes next to no load: there it is a part of the way to that
+/// change, or a little of the structure's size.
+double first_sliding_amount(const PathState& path, const Move& move, double change) {
+  constexpr double part = 0.25, little = 1e-3, slip = 1e-5;
+  if (move.kind == StepKind::opening && path.memory.moves_beside_load) return slip * path.size / move.rate;
+  const bool is_loaded = path.walker.here().stored > 0;
+  const Tangent& leaving = path.walker.leaving();
+  double amount = is_loaded && std::isfinite(change) ? part * change : 1 / std::abs(leaving.load_factor);
+  if (path.memory.has_slid && is_loaded)
+    amount = part * std::abs(path.walker.state().load_factor / leaving.load_factor);
+  amount = std::max(amount, sliding_amount(path));
+  const double moved = std::abs(path.displacement_rate(leaving));
+  if (moved * amount <= little * path.size) return amount;
+  return std::isfinite(change) ? part * change : little * path.size / moved;
 }
 
 }  // namespace
@@ -66,13 +97,7 @@ std::optional<Point> sliding_step(PathState& path) {
     if (auto point = first_slip(path, change)) return point;
   const Move move = sliding_move(path);
   if (path.memory.step == 0 || path.memory.step_kind != move.kind) {
-    constexpr double part = 0.25;
-    double amount =
-        is_loaded && std::isfinite(change) ? part * change : 1 / std::abs(path.walker.leaving().load_factor);
-    if (path.memory.has_slid && is_loaded)
-      amount = part * std::abs(path.walker.state().load_factor / path.walker.leaving().load_factor);
-    amount = std::max(amount, sliding_amount(path));
-    path.memory.step = amount * unit_of(path, move);
+    path.memory.step = first_sliding_amount(path, move, change) * unit_of(path, move);
     path.memory.step_kind = move.kind;
   }
   const Departure before(path.walker);

@@ -73,4 +73,18 @@ std::optional<Point> land_on_contact_change(PathState& path, double amount, Step
   return point;
 }
 
+std::optional<Point> slide_beside_load(PathState& path) {
+  constexpr double little = 3e-6;  // of the structure's size
+  const auto change = find_contact_change(path.walker);
+  if (!change) return {};
+  const Vec2 rate = path.walker.leaving().opening[change->point];
+  for (const Vec2& part : {Vec2(0, rate.y()), Vec2(rate.x(), 0)}) {
+    if (part.isZero()) continue;
+    const Move move = opening_move(path.walker, change->point, part);
+    if (const auto candidate = try_step(path, move, change->amount + little * path.size / move.rate))
+      return keep(path, *candidate, move.kind);
+  }
+  return {};
+}
+
 }  // namespace dda

@@ -130,6 +130,16 @@ class RateProblem {
     if (!found.d.empty()) let_rest(found);
     return found;
   }
+  /// The direction in which a load sets out: that along which nothing cracks or slides on where the load asks for none of it, as
+  /// where it presses on what has cracked, although going on would be consistent, too; flags as it needs them.
+  Tangent solve_from_rest() {
+    const std::vector<History> flags = system_.history();
+    set(Set(flags_.size(), false));
+    Tangent still = tangent();
+    if (!still.d.empty() && is_settled(still)) return still;
+    system_.set_history(flags);
+    return solve(tangent());
+  }
   /// A direction that goes on beyond a change of contact; flags as it needs them.
   std::optional<Tangent> solve_beyond(const BeyondChange& change) {
     const std::vector<History> flags = system_.history();
@@ -388,8 +398,7 @@ std::optional<Tangent> snapping_tangent(System& system, const State& state, cons
 }
 
 Tangent starting_tangent(System& system, const State& state) {
-  RateProblem problem(system, state, RateProblem::Sense::loads);
-  return problem.solve(problem.tangent());
+  return RateProblem(system, state, RateProblem::Sense::loads).solve_from_rest();
 }
 
 }  // namespace dda

@@ -43,6 +43,20 @@ BLOCKS = {
                "other": {"type": "displacement", "over": [[400, 50], [400, 100]], "direction": [1, 0]}},
 }
 
+# A block that is pushed, and lifted by the load: friction lets it go although the load does no work on the way.
+LIFTED = {
+    "units": {"length": "m", "force": "N"}, "thickness": 1, "plane": "stress",
+    "scene": {"regions": [{"name": "ground", "material": "ground", "undivided": True, "vertices": [[-1, -1], [3, -1], [3, 0], [-1, 0]]},
+                          {"name": "block", "material": "rock", "vertices": [[0, 0], [2, 0], [2, 1], [0, 1]]}],
+              "boundaries": {"floor": [[-1, -1], [3, -1]]}},
+    "materials": {name: {"type": "linear_elastic", "young_modulus": 1e10, "poisson_ratio": 0.2} for name in ("ground", "rock")},
+    "interfaces": {"bed": {"between": ["ground", "rock"], "law": {"type": "friction", "friction_angle": 20}, "points": "vertices"}},
+    "supports": {"floor": {"boundary": "floor", "fix": "xy"}},
+    "stages": [{"name": "weight and push", "loads": [{"type": "body_force", "materials": ["rock"], "force": [5000, -20000]}]},
+               {"name": "lift", "loads": [{"type": "body_force", "materials": ["rock"], "force": [0, 1000]}]}],
+    "gauges": {"u": {"type": "displacement", "at": [0, 1], "direction": [1, 0]}},
+}
+
 
 class Ends(unittest.TestCase):
     def setUp(self):
@@ -62,6 +76,38 @@ class Ends(unittest.TestCase):
         run = self.run_(BEAM, interfaces={"j": {"between": ["c", "c"], "law": "bonded"}}, path={"stop": {"gauges": {"defl": 1}}})
         self.assertEqual(run.summary["status"], "goal_reached")
         self.assertAlmostEqual(run.curve["defl"].iloc[-1], 1, delta=1e-9)
+
+    def test_what_slides_beside_its_load_is_a_mechanism(self):
+        run = self.run_(LIFTED)
+        self.assertRegex(run.summary["reason"], "slides as a mechanism")
+        self.assertAlmostEqual(run.curve.load_factor.iloc[-1] / ((40 - 10 / math.tan(math.radians(20))) / 2), 1, delta=1e-8)
+        self.assertLess(run.curve.u.abs().max(), 1e-3)
+        self.assertEqual([finding.check for finding in verify(run.folder) if not finding.holds], [])
+
+    def test_what_could_crack_but_is_pressed(self):
+        law = {"type": "linear_softening", "tensile_strength": 1e5, "fracture_energy": 20, "cohesion": 1.5e5, "friction_angle": 35}
+        weight = {"type": "body_force", "materials": ["rock"], "force": [0, -20000]}
+        run = self.run_(LIFTED, interfaces={"bed": {"between": ["ground", "rock"], "law": law}}, stages_=[{"name": "weight", "loads": [weight]}])
+        self.assertEqual(run.summary["reason"], "nothing cracks under this load, however large; it is applied in full")
+        self.assertEqual([finding.check for finding in verify(run.folder) if not finding.holds], [])
+
+    def test_a_stage_that_begins_where_joints_slide_on(self):
+        weight = {"type": "body_force", "materials": ["rock"], "force": [0, -20000]}
+        point = {"type": "point_load", "at": [0, 0.5], "force": [-100, 0]}
+        body = {"type": "body_force", "materials": ["rock"], "force": [-1000, 0]}
+        flat = [LIFTED["scene"]["regions"][0], {"name": "block", "material": "rock", "vertices": [[0, 0], [1, 0], [1, 0.5], [0, 0.5]]}]
+        rough = {"bed": {"between": ["ground", "rock"], "law": {"type": "friction", "friction_angle": 45}, "points": "vertices"}}
+        gauge = {"u": {"type": "displacement", "at": [0, 0.5], "direction": [1, 0]}}
+        for push, more, changes, said in (
+                (point, body, {"scene": {"regions": flat}, "interfaces": rough, "gauges": gauge},
+                 "the stage 'more' begins where joints slide on under its load, however small"),
+                (body, body, {}, "slides as a mechanism at a load factor of 0")):
+            stages = [{"name": "weight", "loads": [weight]}, {"name": "push", "loads": [push], "until": {"u": -0.004}},
+                      {"name": "more", "loads": [more]}]
+            with self.subTest(said=said):
+                run = self.run_(LIFTED, stages_=stages, **changes)
+                self.assertIn(said, run.summary["reason"])
+                self.assertEqual([finding.check for finding in verify(run.folder) if not finding.holds], [])
 
     def test_a_load_factor_must_have_been_above_what_it_is_to_fall_to(self):
         run = self.run_(BEAM, path={"stop": {"load_factor_below": 2000}})

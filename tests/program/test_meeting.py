@@ -42,6 +42,28 @@ class Meeting(unittest.TestCase):
         is_in_flight = highest == after.index[-1]
         return ((height + 9.81 / 2 * late**2) / late if is_in_flight else (2 * 9.81 * max(height, 0)) ** 0.5) / (9.81 * hit)
 
+    def heights(self, restitution, step, blocks):
+        """To which a stone of 0.5 m, or of blocks that are joined, comes back that falls by 1 m, as often as it hits the ground in 2 s."""
+        deck = alone(time=2, velocities=[], contact={"friction": 0.5, "restitution": restitution}, step=step)
+        deck["scene"]["regions"][0]["undivided"] = True
+        deck["scene"]["regions"][1]["vertices"] = [[0.25, 1], [0.75, 1], [0.75, 1.5], [0.25, 1.5]]
+        if blocks > 1:
+            deck["scene"]["subdivision"] = {"type": "grid", "size": 0.5 / blocks}
+        deck["gauges"] = {"y": {"type": "displacement", "at": [0.5, 1.25], "inside": [0.501, 1.251], "direction": [0, 1]}}
+        for material in deck["materials"].values():
+            material["young_modulus"] = 1e10
+        y = ddapath.run(deck, folder=self.folder, overwrite=True).motion.curve.y.to_numpy()
+        return [1 + y[i] for i in range(1, len(y) - 1) if y[i] >= y[i - 1] and y[i] > y[i + 1]]
+
+    def test_impacts_of_several_steps_give_as_much_back(self):
+        for step in (0.0025, 0.001):
+            for height in self.heights(1, step, 1):
+                self.assertAlmostEqual(height, 1, delta=0.02)
+
+    def test_what_joints_hold_together_rebounds_as_one_body(self):
+        self.assertAlmostEqual(self.heights(1, 0.01, 2)[0], 1, delta=0.02)
+        self.assertAlmostEqual(self.heights(0.5, 0.01, 2)[0], 0.25, delta=0.01)
+
     def test_restitution_whatever_the_step(self):
         flat, corner = [[0, 0.7], [1, 0.7], [1, 1.7], [0, 1.7]], [[0, 1], [0.5, 0.7], [1, 1], [0.5, 1.5]]
         for modulus, outline, share, step in ((1e9, flat, 0, 0.002), (1e9, flat, 0, 0.0005), (1e7, flat, 0, 0.002),

@@ -105,4 +105,8 @@ std::optional<Point> land_on_turn(PathState& path, const Stride& stride, bool on
 /// hair beyond the first such change, so that the tangent there tells which joints go on.
 std::optional<Point> land_on_contact_change(PathState& path, double amount, StepKind kind);
 
+/// Where a step moves joints far while the load and the displacement on which it works stay: a little beyond the next change
+/// of a joint, by that joint's opening.
+std::optional<Point> slide_beside_load(PathState& path);
+
 }  // namespace dda

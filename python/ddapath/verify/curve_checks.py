@@ -172,9 +172,10 @@ def of_factor(reason, curve, deck):
     found = re.search(f"load factor of {NUMBER}", reason)
     if not found:
         return None
+    largest_of_all = np.abs(curve["load_factor"]).max()
     curve = of_last_stage(curve, deck)
     factor, before = curve["load_factor"].iloc[-1], curve["load_factor"].iloc[-2 if len(curve) > 1 else -1]
-    scale = max(abs(factor), 1e-9 * np.abs(curve["load_factor"]).max(), 1e-300)
+    scale = max(abs(factor), 1e-9 * largest_of_all, 1e-300)
     error = max(abs(factor - float(found[1])) / scale - PRINTED, 0)
     if "mechanism" in reason and len(curve) > 1:
         largest = np.abs(curve["load"]).max()
@@ -200,6 +201,9 @@ def of_full_load(reason, curve, deck):
     """"nothing can crack": true where no law can crack, slide or open, and the load is applied; "no joint slides": where it is."""
     if "it is applied in full" in reason:
         return abs(curve["load_factor"].iloc[-1] - 1), "load factor"
+    if "begins where joints slide on" in reason:
+        slides = any(law_type(entry) not in ("bonded", "elastic") for entry in deck.get("interfaces", {}).values())
+        return (0.0 if slides and len(deck["stages"]) > 1 else float("nan")), "the last row is that of the stage before"
     if "nothing can crack" not in reason:
         return None
     changing = sorted({law_type(entry) for entry in deck.get("interfaces", {}).values()} - {"bonded", "elastic"})

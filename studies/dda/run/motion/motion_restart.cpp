@@ -18,6 +18,7 @@ struct Scalars {
     visit("stored", self.at.stored);
     visit("time", m.time);
     visit("most_kinetic", m.most_kinetic);
+    visit("taken", m.taken);
     visit("step", m.dt.now);
     visit("step_before", m.dt.before);
     visit("begins", m.dt.begins);
@@ -57,6 +58,9 @@ void put_lists(const MotionMemory& m, RestartData& out) {
   for (const BodyCourse& course : m.courses)
     for (const Pose* part : {&course.before, &course.now, &course.velocity, &course.acceleration})
       courses.insert(courses.end(), part->begin(), part->end());
+  for (const RigidMotion& motion : m.owed)
+    for (const double part : {motion.velocity.x(), motion.velocity.y(), motion.spin})
+      out.numbers["owed"].push_back(part);
   out.numbers["fracture_of"] = m.ledger.fracture_of;
   out.integers["bonds"] = {m.bonds.begin(), m.bonds.end()};
   put_all(out, "histories", m.histories);
@@ -89,6 +93,9 @@ void take_lists(const RestartData& data, MotionMemory& m) {
     const std::size_t body = m.courses.size();
     m.courses.push_back({pose(0), pose(1), pose(2), pose(3), body < growths.size() ? growths[body] : 1.0});
   }
+  const std::vector<double> owed = list(data.numbers, "owed");
+  for (std::size_t i = 0; i + 2 < owed.size(); i += 3)
+    m.owed.push_back({{owed[i], owed[i + 1]}, owed[i + 2]});
   m.ledger.fracture_of = list(data.numbers, "fracture_of");
   for (const std::int64_t bond : list(data.integers, "bonds"))
     m.bonds.push_back(static_cast<std::size_t>(bond));
