@@ -9,6 +9,22 @@
 namespace dda {
 namespace {
 
+/// Σ |row_i ḋ_i| + |∂g/∂λ λ̇|: what the rate of a gauge is the sum of, none of it cancelled.
+double moved_parts(const Tangent& along, const Functional& gauge) {
+  double out = std::abs(gauge.per_load_factor * along.load_factor);
+  for (const auto& [block, row] : gauge.rows)
+    for (int i = 0; i < row.size(); ++i)
+      if (row[i] != 0) out += std::abs(along.d.value({.rows = {{block, row[i] * Vec6::Unit(i)}}}, 0));
+  return out;
+}
+
+/// Whether a gauge moves along a direction by no more than rounding leaves of parts that cancel, as the mouth of a joint
+/// that is rigid until it cracks. The sign of that is none.
+bool is_still(const Tangent& along, const Functional& gauge) {
+  constexpr double rounding = 1e-10;
+  return std::abs(along.rate(gauge)) <= rounding * moved_parts(along, gauge);
+}
+
 /// A gauge prescribed step by step in one direction, λ multiplying the reference load.
 class GaugeControl final : public Control {
  public:
@@ -16,12 +32,16 @@ class GaugeControl final : public Control {
       : kind_(kind), name_(std::move(name)), gauge_(std::move(gauge)) {}
 
   Move next(Walker& walker) override {
-    return {.kind = kind_, .equation = make_gauge_equation(gauge_), .rate = walker.leaving().rate(gauge_)};
+    const Tangent& along = walker.leaving();
+    return {.kind = kind_,
+            .equation = make_gauge_equation(gauge_),
+            .rate = is_still(along, gauge_) ? 0 : along.rate(gauge_)};
   }
 
   std::optional<Stopped> obstacle(const Tangent& along) override {
     const double now = along.rate(gauge_);
-    if (now == 0) return Stopped{Stop::gauge_stands, fmt::format("'{}' does not move along the path", name_)};
+    if (is_still(along, gauge_))
+      return Stopped{Stop::gauge_stands, fmt::format("'{}' does not move along the path", name_)};
     if (direction_ == 0) direction_ = now > 0 ? 1.0 : -1.0;
     if (now * direction_ > 0) return {};
     if (kind_ == StepKind::load)
@@ -43,7 +63,7 @@ class GaugeControl final : public Control {
   StepKind kind_;
   std::string name_;
   Functional gauge_;
-  double direction_ = 0;  ///< in which the gauge moves from the start of the stage
+  double direction_ = 0;  ///< in which the gauge moves from where it first moves in the stage; 0 before
 };
 
 Schema<NoParameters> load_schema() {

@@ -82,8 +82,10 @@ double first_sliding_amount(const PathState& path, const Move& move, double chan
 }  // namespace
 
 std::optional<Point> sliding_step(PathState& path) {
-  if (const auto obstacle = path.control->obstacle(path.walker.leaving()))
-    return path.stop_early(obstacle->stop, obstacle->text);
+  const bool is_untouched = path.walker.here().dissipated == 0 && !path.memory.has_slid;
+  const auto obstacle = path.control->obstacle(path.walker.leaving());
+  const bool may_move_yet = is_untouched && obstacle && obstacle->stop == Stop::gauge_stands;
+  if (obstacle && !may_move_yet) return path.stop_early(obstacle->stop, obstacle->text);
   const double change = next_contact_change(path.walker), goal = amount_to_landing(path);
   const bool is_loaded = path.walker.here().stored > 0;
   if (!std::isfinite(change) && is_loaded) {
@@ -93,7 +95,7 @@ std::optional<Point> sliding_step(PathState& path) {
   }
   const bool is_far = std::isfinite(change) &&
                       std::abs(path.walker.leaving().rate(path.load)) * change > path.smallest_load();
-  if (is_far && path.walker.here().dissipated == 0 && !path.memory.has_slid)
+  if (is_far && is_untouched)
     if (auto point = first_slip(path, change)) return point;
   const Move move = sliding_move(path);
   if (path.memory.step == 0 || path.memory.step_kind != move.kind) {

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -72,6 +73,25 @@ TEST(Path, ControlsThatCannotFollowSaySo) {
   }
   EXPECT_EQ(opening.path().ending().kind, Ending::Kind::stopped_early);
   EXPECT_THAT(opening.path().ending().reason, testing::HasSubstr("snaps back"));
+}
+
+/// Of a crack that is rigid until it begins rounding is all there is, whose sign, other at each length, says nothing of the
+/// way on.
+TEST(Path, OpeningOfARigidJointIsFollowed) {
+  for (const int length : {60, 80, 90, 100, 110, 120, 130}) {
+    const auto at = [&](double share, int y) { return fmt::format("[{}, {}]", share * length, y); };
+    std::string deck = bar_deck(length);
+    deck.erase(deck.find("gauges:"));
+    deck += fmt::format(
+        "gauges: {{u: {{type: relative_displacement, from: {0}, from_inside: {1}, to: {0}, to_inside: {2}, "
+        "direction: [1, 0]}}}}\n",
+        at(0.5, 30), at(0.25, 50), at(0.75, 50));
+    OnPath bar(deck, "{control: {type: opening, gauge: u}, stop: {load_below: 0.1}}");
+    while (bar.path().next()) {
+    }
+    EXPECT_EQ(bar.path().ending().kind, Ending::Kind::goal_reached) << length << bar.path().ending().reason;
+    EXPECT_NEAR(bar.value(), 0.9 * 0.2 / 3, 1e-6) << "w of 0.3 MPa";
+  }
 }
 
 /// As if a jump had led here from the peak of a load that acts the other way and is twice as large.
