@@ -128,6 +128,7 @@ StiffnessModes Follower::modes(int count, EigenvalueMass mass) {
   Simulation& simulation = run().simulation();
   if (count < 1 || static_cast<std::size_t>(count) > simulation.equilibrium().num_unknowns())
     throw py::value_error("modes: the count is at least 1 and at most the number of unknowns");
+  if (mass == EigenvalueMass::density) simulation.require_density("modes");
   System& system = simulation.system();
   const Candidate& here = simulation.walker().here();
   const HistoryGuard back(system);

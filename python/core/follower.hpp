@@ -42,7 +42,8 @@ class Follower {
 
   /// K with the damage and the flags of the last point: its symmetric part.
   BlockRows stiffness() const;
-  /// K φ = μ M φ, the lowest `count`: M is identities, or of density 1 or those of the materials.
+  /// K φ = μ M φ, the lowest `count`: M is identities, or of density 1 or those of the materials, each of which then needs
+  /// one.
   StiffnessModes modes(int count, EigenvalueMass mass);
   /// R there, and f = f_dead + λ f_reference.
   std::vector<double> residual() const;

@@ -247,8 +247,8 @@ class Path:
     def modes(self, count=6, mass="unit"):
         """Lowest eigenpairs of the stiffness there, K φ = μ M φ: μ ascending, and the φ as rows, φᵀ M φ = 1.
 
-        mass: `unit`, of density 1; `density`, of the materials; `none`, identities. As `record.eigenvalues` of a deck has
-        them: nothing is left of released points.
+        mass: `unit`, of density 1; `density`, of the materials, each of which then needs one; `none`, identities. As
+        `record.eigenvalues` of a deck has them: nothing is left of released points.
         """
         values, shapes, _ = self._follower.modes(count, mass)
         return values, shapes

@@ -237,6 +237,8 @@ class Matrices(Scratch):
             self.assertLess(abs(stiffness @ shape - value * shape).max(), 1e-6 * abs(stiffness).max())
         with self.assertRaisesRegex(ValueError, "'none', 'unit' or 'density'"):
             path.modes(4, "nothing")
+        with self.assertRaisesRegex(ddapath.InputError, "modes: material 'concrete' needs a `density`"):
+            path.modes(4, "density")
 
 
 class Errors(Scratch):

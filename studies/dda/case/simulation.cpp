@@ -197,7 +197,8 @@ void Simulation::require_eigenvalues() const {
     throw InputError(deck_.where,
                      fmt::format("record.eigenvalues.count: the structure has only {} eigenvalues",
                                  equilibrium_->num_unknowns()));
-  if (count > 0 && deck_.record.eigenvalues.mass == EigenvalueMass::density) require_density();
+  if (count > 0 && deck_.record.eigenvalues.mass == EigenvalueMass::density)
+    require_density("record.eigenvalues.mass");
   if (bytes > memory_limit())
     throw InputError(deck_.where,
                      fmt::format("record.eigenvalues.count: so many modes need {:.3g} GiB of memory; "
@@ -205,13 +206,13 @@ void Simulation::require_eigenvalues() const {
                                  bytes / bytes_per_gib));
 }
 
-void Simulation::require_density() const {
+void Simulation::require_density(const std::string& asker) const {
   const auto& materials = body_->materials;
   const auto without = std::ranges::find_if(materials, [](const auto& m) { return m->density() <= 0; });
   if (without == materials.end()) return;
   const Region& region = body_->assembly.regions[static_cast<std::size_t>(without - materials.begin())];
   throw InputError(deck_.record.eigenvalues.where,
-                   "record.eigenvalues.mass: material '" + region.material + "' needs a `density`");
+                   asker + ": material '" + region.material + "' needs a `density`");
 }
 
 void Simulation::prepare() {

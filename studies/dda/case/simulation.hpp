@@ -58,6 +58,8 @@ class Simulation {
   const Path& path() const { return *path_; }
   System& system() { return *system_; }
   const System& system() const { return *system_; }
+  /// Throws InputError for materials without density, named after what asks for it.
+  void require_density(const std::string& asker) const;
   /// What was adapted to the scene or is worth knowing about it; complete after `prepare`.
   const std::vector<std::string>& notices() const { return notices_; }
   /// What may be behind steps that fail or lead nowhere, joints that lock or are tied more often than blocks can move: the
@@ -83,7 +85,6 @@ class Simulation {
   void require_record() const;
   /// Throws InputError for more eigenvalues than there are, or than fit into memory.
   void require_eigenvalues() const;
-  void require_density() const;
   std::vector<Landing> landings() const;
   std::vector<Leg> legs() const;
   const Functional& gauge(const std::string& name, const Position& where) const;
