@@ -40,10 +40,12 @@ CrackFront::CrackFront(CrackGeometry& geometry, const Body& body, const ModelPar
   constexpr double any = 1;
   for (int region = 0; region < static_cast<int>(body.assembly.regions.size()); ++region)
     if (const ThroughBlocks* through = book.through(region)) {
-      const InterfaceLaw& law = *book.law_of(*through).law;
+      const Interface& interface = book.law_of(*through);
+      const InterfaceLaw& law = *interface.law;
       const double slope = law.steepest_slope(),
                    modulus = body.materials[static_cast<std::size_t>(region)]->modulus();
-      resistance_[region] = {any * law.initial_kappa(any), slope > 0 ? modulus / (2 * slope) : 0};
+      resistance_[region] = {any * law.initial_kappa(any), slope > 0 ? modulus / (2 * slope) : 0,
+                             interface.field};
     }
   for (std::size_t side = 0; side < body.assembly.sides.size(); ++side)
     if (const Interface& here = book.of_side(body.assembly.sides[side]); here.index >= 0)
@@ -98,7 +100,7 @@ CrackStarts::Wish CrackFront::wish_of(std::size_t entry) const {
   for (const auto& [region, resistance] : resistance_) {
     const std::string& name = body_.assembly.regions[static_cast<std::size_t>(region)].name;
     if (std::ranges::find(p.through_blocks, name) == p.through_blocks.end()) continue;
-    out.strength[region] = resistance.strength;
+    out.strength[region] = {resistance.strength, resistance.field ? &*resistance.field : nullptr};
     zone = std::max(zone, resistance.characteristic_length);
   }
   out.apart = p.apart.value_or(std::max(block_sizes * geometry_.block_size(), of_zone * zone));
@@ -324,13 +326,13 @@ bool CrackFront::aim(int crack, const Surroundings& around) {
   const std::vector<Cut> cuts = geometry_.cuts(), ahead = ahead_of(crack);
   if (ahead.empty() || memory.aims >= most_aims || is_met(ahead)) return false;
   const int region = body_.block(ahead.front().block).region;
-  const auto& [strength, characteristic_length] = resistance_.at(region);
+  const Resistance& resistance = resistance_.at(region);
   const CrackTip tip{memory.tip,
                      memory.direction,
                      has_grown(crack),
-                     strength,
+                     resistance.strength,
                      geometry_.block_size(),
-                     characteristic_length,
+                     resistance.characteristic_length,
                      around.stress,
                      [&](const Vec2& way, double length) { return released(crack, way, length, around); }};
   const Vec2 wanted = rule_[memory.entry]->aim(tip);

@@ -24,8 +24,8 @@ namespace dda {
 /// twelve times. A crack that finds no way is stuck, and so is one that turns back towards its beginning.
 ///
 /// Where `begin` is `automatic`, the first crack of an entry stands from the start where tension first reaches the
-/// strength by the elastic solution. Once something has cracked, further ones begin, and one that has not grown yet moves,
-/// where tension is 0.9 of the strength; its own points decide when it grows.
+/// strength there by the elastic solution. Once something has cracked, further ones begin, and one that has not grown yet
+/// moves, where tension is 0.9 of the strength there; its own points decide when it grows.
 ///
 /// A crack ends at the boundary, at an interface where it is told to, and at a region through which no cracks run. Any
 /// other interface it may cross: the segment ahead then lies beyond it and has the law of the region there, and what
@@ -135,8 +135,9 @@ class CrackFront {
   std::vector<Memory> cracks_;
   /// Of the law that cracks have in a region.
   struct Resistance {
-    double strength = 0;               ///< [F/L²]
-    double characteristic_length = 0;  ///< of the cohesive zone [L]
+    double strength = 0;                    ///< ft [F/L²]
+    double characteristic_length = 0;       ///< of the cohesive zone [L]
+    std::optional<RandomField> field = {};  ///< by which ft varies
   };
   std::map<int, Resistance> resistance_;                     ///< by region
   std::map<std::size_t, std::string> ends_;                  ///< interfaces under some `end_at`, by side

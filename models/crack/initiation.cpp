@@ -14,6 +14,8 @@ namespace {
 constexpr double fit_reach = 3;  // of the fit, in block sizes
 constexpr double leaves_at_least = 45 * std::numbers::pi / 180, same_way = 30 * std::numbers::pi / 180;
 
+using Strengths = std::map<int, LocalStrength>;  // by region
+
 /// A side that a crack may begin on.
 struct Edge {
   BlockId block;
@@ -42,7 +44,7 @@ Mat2 tensor(double xx, double yy, double xy) {
   return out;
 }
 
-std::vector<Edge> edges_of(const Body& body, const std::map<int, double>& strength) {
+std::vector<Edge> edges_of(const Body& body, const Strengths& strength) {
   const auto may_crack = [&](BlockId block) { return strength.contains(body.block(block).region); };
   std::vector<Edge> out;
   for (const BoundarySide& side : body.assembly.boundary)
@@ -56,7 +58,7 @@ std::vector<Edge> edges_of(const Body& body, const std::map<int, double>& streng
 }
 
 /// Where the boundary turns away from the body by more than a hole's outline does, such as the tip of a slit.
-std::vector<CrackSite> corners_of(const Body& body, const std::map<int, double>& strength, double tolerance) {
+std::vector<CrackSite> corners_of(const Body& body, const Strengths& strength, double tolerance) {
   constexpr double cosine = 0.866;  // 30°
   std::vector<CrackSite> out;
   for (const BoundarySide& to : body.assembly.boundary) {
@@ -72,7 +74,7 @@ std::vector<CrackSite> corners_of(const Body& body, const std::map<int, double>&
 }
 
 /// Re-entrant corners, and of every edge some places that none of these is close to: what bears there is the corner.
-std::vector<CrackSite> places_on(const Body& body, const std::map<int, double>& strength, double close,
+std::vector<CrackSite> places_on(const Body& body, const Strengths& strength, double close,
                                  double tolerance) {
   std::vector<CrackSite> out = corners_of(body, strength, tolerance);
   const std::vector<CrackSite> corners = out;
@@ -212,8 +214,8 @@ std::vector<CrackStart> CrackStarts::places(const BlockStress& stress, const Wis
   std::vector<CrackStart> out;
   for (const CrackSite& place : places_on(body_, wish.strength, radius, cracks_.tolerance())) {
     if (is_near_a_cut(cracks_, wish, place.x)) continue;
-    const CrackStart start =
-        start_at(place, recovery.at(place), wish.strength.at(body_.block(place.block).region));
+    const LocalStrength& strength = wish.strength.at(body_.block(place.block).region);
+    const CrackStart start = start_at(place, recovery.at(place), strength.at(place.x));
     if (std::isfinite(start.load_factor) && !runs_along_boundary(body_, start, h)) out.push_back(start);
   }
   std::ranges::stable_sort(out, {}, &CrackStart::load_factor);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "models/body/body.hpp"
+#include "models/body/random_field.hpp"
 
 namespace dda {
 
@@ -19,6 +20,14 @@ struct BlockStress {
   std::vector<Vec3> dead, live;
 };
 
+/// What tension has to reach in a region [F/L²]: ft f(x), f of the random field of its law, as at the points of cracks.
+struct LocalStrength {
+  double mean = 0;                     ///< ft
+  const RandomField* field = nullptr;  ///< none: 1 everywhere
+
+  double at(const Vec2& x) const { return field ? mean * field->factor(x) : mean; }
+};
+
 /// Where new cracks begin: on the boundary of some regions and where they meet interfaces, at sides that no crack comes
 /// near; within R = 3 h of a re-entrant corner, as of the tip of a slit, at the corner. Tension at a place is that of a
 /// linear field, fitted to the stresses of the blocks within R that a straight line through the body leads to:
@@ -26,16 +35,16 @@ struct BlockStress {
 ///     Σ |σ_b − (s + G (x_b − x))|² → min        σ(x) = s
 ///
 /// since blocks of constant strain bear at their middle what the edge bears further out. With it the smallest λ ≥ 0 is
-/// found for which the largest principal value of σ(x) is ft, and the crack runs across its axis. Where that would be along
-/// the edge, tension along the edge counts instead.
+/// found for which the largest principal value of σ(x) is the strength ft f(x) there, and the crack runs across its axis. Where
+/// that would be along the edge, tension along the edge counts instead.
 class CrackStarts {
  public:
   CrackStarts(const CrackGeometry& cracks, const Body& body) : cracks_(cracks), body_(body) {}
 
   struct Wish {
-    std::map<int, double> strength;  ///< ft of the regions that may crack [F/L²]
-    double apart = 0;                ///< least distance to any cut [L]
-    std::optional<int> except = {};  ///< a crack whose cuts do not count
+    std::map<int, LocalStrength> strength;  ///< of the regions that may crack
+    double apart = 0;                       ///< least distance to any cut [L]
+    std::optional<int> except = {};         ///< a crack whose cuts do not count
   };
   /// Those with a finite λ, the smallest first; places of the same λ in the order of the assembly.
   std::vector<CrackStart> places(const BlockStress& stress, const Wish& wish) const;

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "models/crack/initiation.hpp"
 #include "support/cut_structure.hpp"
@@ -18,9 +20,12 @@ struct Stressed {
       stress.live.emplace_back(live(x), 0, 0);
     }
   }
-  std::vector<CrackStart> places(double strength, const CrackStarts::Wish& wish = {}) {
+  std::vector<CrackStart> places(const LocalStrength& strength, const CrackStarts::Wish& wish = {}) {
     return CrackStarts(structure.cracks(), structure.body())
         .places(stress, {{{0, strength}}, wish.apart, wish.except});
+  }
+  std::vector<CrackStart> places(double strength, const CrackStarts::Wish& wish = {}) {
+    return places(LocalStrength{strength}, wish);
   }
 
   CutStructure structure;
@@ -57,6 +62,22 @@ TEST(CrackStarts, TakeThePlaceOfTheLargestTensionFirst) {
   EXPECT_NEAR(first.at.x(), 17, h);
   EXPECT_NEAR(first.at.y(), 0, 1e-9);
   EXPECT_NEAR(first.load_factor, 2 / 5.0, 0.01 * 2 / 5);
+}
+
+/// Tension is the same all along the edge: where the field is weakest the least load does.
+TEST(CrackStarts, HaveTheStrengthOfTheFieldAtTheirPlace) {
+  const RandomField field({.coefficient_of_variation = 0.3, .correlation_length = 4, .seed = 3});
+  const auto places = Stressed(none, bent).places({2, &field});
+  double least = std::numeric_limits<double>::infinity();
+  for (const CrackStart& place : places) {
+    if (place.at.y() > 1e-9) continue;
+    const double wanted = 2 * field.factor(place.at) / 5;
+    EXPECT_NEAR(place.load_factor, wanted, 1e-12);
+    least = std::min(least, wanted);
+  }
+  ASSERT_FALSE(places.empty());
+  EXPECT_LE(places.front().load_factor, least) << "the weakest place first";
+  EXPECT_LT(least, 0.9 * 2 / 5);
 }
 
 TEST(CrackStarts, KeepAwayFromOtherCracks) {
