@@ -12,6 +12,7 @@ class PlaceBefore {
   void go_back(PathState& path) const;
   /// Whether the structure was at rest there, with neither loads nor displacements.
   bool is_at_rest() const;
+  const std::vector<History>& history() const { return here_.history; }
 
  private:
   Candidate here_;

@@ -81,6 +81,20 @@ CrackFront::Surroundings around(PathState& path) {
   return {stress_at, [&path, cuts](std::span<const Cut> free) { return released_energy(path, cuts, free); }};
 }
 
+std::set<int> spent_on(const PathState& path, const std::vector<History>& history) {
+  constexpr double round_off = 1e-9;  // of a point that stands at its strength
+  const System& system = path.walker.system();
+  const std::vector<Cut>& cuts = path.cracks->structure.front().geometry().cuts();
+  std::set<int> out;
+  for (std::size_t p = 0; p < history.size(); ++p) {
+    const InterfacePoint& point = system.equilibrium().point(p);
+    if (!point.is_awaited) continue;
+    if (system.kappa(p, history[p]) > (1 + round_off) * point.law->initial_kappa(point.stiffness))
+      out.insert(cuts[*point.cut].crack);
+  }
+  return out;
+}
+
 void follow_cuts(PathState& path, const std::vector<Cut>& before) {
   const RunningCracks& cracks = *path.cracks;
   const Growth growth = path.walker.follow([&] { return cracks.structure.remake(before); });

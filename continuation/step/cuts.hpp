@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <vector>
 
 #include "continuation/course/path_state.hpp"
@@ -17,6 +18,10 @@ std::vector<Vec3> block_stress(PathState& path);
 ///
 ///     ΔΠ = ½ rᵀ K⁻¹ r       R = r then, K without these points and the broken ones; all others held as they are
 CrackFront::Surroundings around(PathState& path);
+
+/// Cracks on whose segment ahead energy has been spent, by the histories of the structure's points: where a crack has
+/// grown by a step that passes strengths, points ahead of others crack, too. Such a segment stays where it is.
+std::set<int> spent_on(const PathState& path, const std::vector<History>& history);
 
 /// The equilibrium with the cuts that there are now at the same displacement of the load, or before it has begun without
 /// any, damage growing as it must.

@@ -176,6 +176,7 @@ std::optional<Point> growth_step(PathState& path, int crack) {
 }
 
 std::optional<Point> aim_step(PathState& path, int crack, const PlaceBefore& before) {
+  if (spent_on(path, before.history()).contains(crack)) return {};
   CrackFront& front = path.cracks->structure.front();
   const PlaceBefore reached(path);
   const std::vector<Cut> cuts = front.geometry().cuts();

@@ -9,7 +9,7 @@ namespace dda {
 std::optional<CrackFront::Asked> crack_to_start(PathState& path) {
   if (!path.cracks || !path.cracks->structure.front().is_automatic() || path.walker.here().dissipated == 0)
     return {};
-  return path.cracks->structure.front().asked(block_stress(path));
+  return path.cracks->structure.front().asked(block_stress(path), spent_on(path, path.walker.here().history));
 }
 
 std::optional<Point> start_step(PathState& path, const CrackFront::Asked& asked) {

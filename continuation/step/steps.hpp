@@ -58,8 +58,9 @@ std::optional<Point> growth_step(PathState& path, int crack);
 
 /// Aims the segment ahead of a crack once more, by the stress where its first point has reached its strength. Where that
 /// makes another one of it the path goes back to the place before, since a segment that is aimed better reaches its
-/// strength earlier. Nothing where it is aimed well or there is no equilibrium with the other one, and the path stays;
-/// nothing, too, where that place is the structure at rest, from which the step is to be taken again.
+/// strength earlier. Nothing where it is aimed well, where energy had been spent on it before or there is no
+/// equilibrium with the other one, and the path stays; nothing, too, where that place is the structure at rest, from which
+/// the step is to be taken again.
 std::optional<Point> aim_step(PathState& path, int crack, const PlaceBefore& before);
 
 /// The load raised by the largest of halved increments that still finds an equilibrium.

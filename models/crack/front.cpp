@@ -127,21 +127,24 @@ bool CrackFront::has_grown(int crack) const {
                              [&](const Cut& cut) { return cut.crack == crack && !cut.is_provisional; });
 }
 
-std::optional<CrackFront::Asked> CrackFront::asked(const std::vector<Vec3>& stress) const {
+std::optional<CrackFront::Asked> CrackFront::asked(const std::vector<Vec3>& stress,
+                                                   const std::set<int>& spent_on) const {
   const BlockStress all{std::vector<Vec3>(stress.size(), Vec3::Zero()), stress};
   for (std::size_t e = 0; e < model_.cracks.size(); ++e)
-    if (auto out = model_.cracks[e].is_automatic() ? asked_of(e, all) : std::nullopt) return out;
+    if (auto out = model_.cracks[e].is_automatic() ? asked_of(e, all, spent_on) : std::nullopt) return out;
   return {};
 }
 
-std::optional<CrackFront::Asked> CrackFront::asked_of(std::size_t entry, const BlockStress& stress) const {
+std::optional<CrackFront::Asked> CrackFront::asked_of(std::size_t entry, const BlockStress& stress,
+                                                      const std::set<int>& spent_on) const {
   constexpr double enough = 0.9, block_sizes = 2;
   std::int64_t count = 0;
   CrackStarts::Wish wish = wish_of(entry);
   for (int crack = 0; crack < static_cast<int>(num_cracks()); ++crack) {
     if (at(crack).entry != entry) continue;
     ++count;
-    if (!has_grown(crack) && !is_met(ahead_of(crack))) wish.except = crack;
+    const bool may_move = !has_grown(crack) && !spent_on.contains(crack) && !is_met(ahead_of(crack));
+    if (may_move) wish.except = crack;
   }
   if (count >= model_.cracks[entry].most.value_or(1) && !wish.except) return {};
   const auto places = CrackStarts(geometry_, body_).places(stress, wish);

@@ -3,6 +3,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -37,7 +38,7 @@ namespace dda {
 ///
 /// and from there on the fracture energies of both laws decide how far each opens. At another crack it ends: the part
 /// of the block up to there is cut off, and moves beside that crack by the jumps of both. A segment on which another
-/// crack ends is aimed no more.
+/// crack ends is aimed no more, nor is one on which energy has been spent, which would be lost with it.
 class CrackFront {
  public:
   /// Throws InputError for cracks that do not begin on the outline of a block.
@@ -64,8 +65,9 @@ class CrackFront {
     CrackStart start;
     std::optional<int> moved;  ///< one that has not grown, and moves there
   };
-  /// By the stresses σ now. Nothing where no entry asks for a crack.
-  std::optional<Asked> asked(const std::vector<Vec3>& stress) const;
+  /// By the stresses σ now. Nothing where no entry asks for a crack. Cracks on whose segment ahead energy has been spent
+  /// do not move.
+  std::optional<Asked> asked(const std::vector<Vec3>& stress, const std::set<int>& spent_on = {}) const;
   /// Cuts its first segment; its number, or nothing where that cannot be cut.
   std::optional<int> start(const Asked& crack);
   /// Aims the segment ahead of a crack; whether it is another one now.
@@ -124,7 +126,8 @@ class CrackFront {
   bool is_met(const std::vector<Cut>& ahead) const;
   CrackStarts::Wish wish_of(std::size_t entry) const;
   bool has_grown(int crack) const;
-  std::optional<Asked> asked_of(std::size_t entry, const BlockStress& stress) const;
+  std::optional<Asked> asked_of(std::size_t entry, const BlockStress& stress,
+                                const std::set<int>& spent_on) const;
   std::vector<Cut> ahead_of(int crack) const;
   void drop_ahead(int crack);
   void replay(const Cut& cut);

@@ -4,6 +4,7 @@
 """
 
 import unittest
+from pathlib import Path
 
 import ddapath
 from ddapath.verify import verify
@@ -87,6 +88,11 @@ class Places(ProgramCase):
                 run = self.run_(plate(loads))
                 self.assertLess(run.summary["peak"]["load"], 1.25 * 1200)
                 self.assertLess(abs(run.crack_path()[:, 1] - 50).max(), 20)
+
+    def test_what_is_spent_ahead_of_a_crack_is_not_lost(self):
+        """A crack grows by steps that pass the strength of what lies ahead of another one, which is not aimed anew later."""
+        run = self.run_(ddapath.read_deck(Path(__file__).resolve().parent / "cracked_panel.yaml"))
+        self.assertEqual(run.status, "goal_reached")
 
     def test_a_crack_ends_at_the_interface_between_two_materials(self):
         """Under `end_at`, the layer between core and cover is not crossed; else a crack from below goes on beyond it."""

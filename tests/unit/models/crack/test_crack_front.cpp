@@ -328,6 +328,8 @@ TEST(CrackFront, BeginsWhereStressAsksForIt) {
   const auto moved = beam.front->asked(bent(assembly, 0.19, 10));
   ASSERT_TRUE(moved);
   EXPECT_EQ(moved->moved, 0);
+  EXPECT_FALSE(beam.front->asked(bent(assembly, 0.19, 10), {0}))
+      << "it stays where energy has been spent on it";
   EXPECT_EQ(beam.front->start(*moved), 0);
   EXPECT_NEAR(beam.front->tip(0).x(), 10, h);
   for (const Cut& cut : beam.cuts()) EXPECT_NEAR(cut.start.x(), 10, 2 * h) << "nothing stays where it was";
