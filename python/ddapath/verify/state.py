@@ -145,16 +145,33 @@ class Step:
         largest = np.abs(self.d[:, :2]).max(axis=1)[self.model.points.blocks].max(axis=1)
         return ROUND_OFF * self.model.points.trial.max(axis=1) * largest
 
+    def rounding_of_springs(self, moved):
+        """What rounding of the displacements may make of every part of a spring [F], of nodes that move so far [L], what turns
+        a block being worked out from displacements as well."""
+        springs = self.model.springs
+        row, d = np.abs(springs["row"]), np.abs(self.d[springs["block"]])
+        size = np.ones(len(self.d))
+        size[:self.model.mesh.num_blocks] = np.sqrt(self.model.mesh.areas)
+        held = (row[:, :2].sum(axis=1) + row[:, 2] / size[springs["block"]]) * moved[springs["block"]] + (row[:, 3:] * d[:, 3:]).sum(axis=1)
+        return ROUND_OFF * springs["stiffness"][springs["spring"]] * held
+
+    @cached_property
+    def moved(self):
+        """How far every node moves [L]."""
+        return np.abs(self.d[:, :2]).max(axis=1, initial=0)
+
     @cached_property
     def spring_noise(self):
-        """The same of every part of a spring [F], what turns a block being worked out from displacements as well."""
-        springs, nodes = self.model.springs, len(self.d)
-        row, d = np.abs(springs["row"]), np.abs(self.d[springs["block"]])
-        size = np.ones(nodes)
-        size[:self.model.mesh.num_blocks] = np.sqrt(self.model.mesh.areas)
-        moved = d[:, :2].max(axis=1, initial=0)
-        held = (row[:, :2].sum(axis=1) + row[:, 2] / size[springs["block"]]) * moved + (row[:, 3:] * d[:, 3:]).sum(axis=1)
-        return ROUND_OFF * springs["stiffness"][springs["spring"]] * held
+        """Of every part of a spring [F], where its force follows from the displacements that are stored."""
+        return self.rounding_of_springs(self.moved)
+
+    @cached_property
+    def told_noise(self):
+        """The same of every spring [F] where the program tells its force without displacements, from solutions that add up to
+        them: each of these moves blocks as far as the structure moves somewhere, also where they cancel each other."""
+        moved, blocks = self.moved.copy(), self.model.mesh.num_blocks
+        moved[:blocks] = moved[:blocks].max()
+        return np.bincount(self.model.springs["spring"], self.rounding_of_springs(moved), len(self.model.springs["stiffness"]))
 
     @cached_property
     def spring_forces(self):
