@@ -1,6 +1,6 @@
 #!/bin/bash
-# Runs `dda run` on every deck below this folder: each must end with 2, say every line of its expected.txt, and
-# leave nothing behind.
+# Runs `dda check` and `dda run` on every deck below this folder: each must end with 2, say every line of its expected.txt,
+# and leave nothing behind.
 #   run_bad_decks.sh PROGRAM FOLDER_OF_DECKS
 set -u
 program=$(realpath "$1")
@@ -19,14 +19,16 @@ for folder in "$decks"/*/; do
   mkdir "$work/$name" && cd "$work/$name" || exit 1
   cp "$folder"/* .
   before=$(ls)
-  "$program" run deck.yaml >out.log 2>&1
-  code=$?
-  said=$(cat out.log)
-  rm out.log
-  [ $code -eq 2 ] || complain "$name" "exit code $code instead of 2; it said: $said"
-  [ "$(ls)" = "$before" ] || complain "$name" "it left something behind: $(ls)"
-  while IFS= read -r line; do
-    [[ "$said" == *"$line"* ]] || complain "$name" "expected '$line' in: $said"
-  done <expected.txt
+  for command in check run; do
+    "$program" $command deck.yaml >out.log 2>&1
+    code=$?
+    said=$(cat out.log)
+    rm out.log
+    [ $code -eq 2 ] || complain "$name" "$command: exit code $code instead of 2; it said: $said"
+    [ "$(ls)" = "$before" ] || complain "$name" "$command left something behind: $(ls)"
+    while IFS= read -r line; do
+      [[ "$said" == *"$line"* ]] || complain "$name" "$command: expected '$line' in: $said"
+    done <expected.txt
+  done
 done
 exit $failed

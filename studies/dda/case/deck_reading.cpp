@@ -6,6 +6,7 @@
 #include "framework/deck/expression/reading_scope.hpp"
 #include "framework/files/whole_file.hpp"
 #include "meshing/files/geo_constants.hpp"
+#include "studies/dda/case/gauge_names.hpp"
 #include "studies/dda/case/lists/parameter_list.hpp"
 #include "studies/dda/case/written_deck.hpp"
 
@@ -99,6 +100,7 @@ DeckFile read_deck(DeckSource source, const std::vector<std::string>& overrides)
                .overrides = std::move(resolved),
                .deck = values_of(tree, lists.keys)};
   Deck& deck = out.deck;
+  check_gauge_names(deck, tree.root());
   deck.listed = std::move(lists.keys);
   if (deck.path.then == AfterPath::motion && !deck.motion) {
     deck.motion = motion_schema().read(Node::map());
