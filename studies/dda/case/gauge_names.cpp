@@ -19,6 +19,16 @@ class GaugeReferences {
     for (const auto& [name, choice] : deck.gauge_names) gauges_.push_back(name);
   }
 
+  void check_own() {
+    if (const Node* gauges = find_value(root_, "gauges"))
+      for (const NodeEntry& gauge : gauges->entries)
+        if (std::ranges::find(names_of_load, gauge.key) != names_of_load.end())
+          findings_.add(gauge.where,
+                        fmt::format("gauge '{0}': `until`, `stop.gauges` and the results mean the {1} by "
+                                    "'{0}'; choose another name",
+                                    gauge.key, gauge.key == "load" ? "load of the path" : "load factor"));
+  }
+
   void check_text(const std::string& path) {
     const Node* text = find_value(root_, path);
     if (text && text->is_scalar() && !text->text.empty()) check(text->text, text->where, gauges_);
@@ -49,6 +59,7 @@ class GaugeReferences {
 void check_gauge_names(const Deck& deck, const Node& root) {
   Findings findings;
   GaugeReferences names(deck, root, findings);
+  if (deck.has_path()) names.check_own();
   names.check_text("path.load_gauge");
   for (const char* map : {"path.stop.gauges", "record.at", "record.reference_peak.at"}) names.check_keys(map);
   for (std::size_t s = 0; s < deck.stages.size(); ++s) names.check_keys(fmt::format("stages.{}.until", s));
