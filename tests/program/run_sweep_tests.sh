@@ -227,6 +227,7 @@ EOF
   expect 2 "a case that is not there" "$program" sweep "it's here/odd.yaml" --folder "other way" --case 5
   said "the sweep has 4 cases"
   expect 2 "no number" "$program" sweep "it's here/odd.yaml" --folder "other way" --case 0
+  said "--case: '0' is not a number above 0"
   expect 0 "seeds" "$program" sweep "$beam" --quiet --folder seeds --set 'sweep.seed=[5]' --set path.stop.after_steps=3
   for folder in "seeds too" "seeds {} {1}"; do
     "$program" sweep "$beam" --dry-run --folder "$folder" --set 'sweep.seed=[5]' --set path.stop.after_steps=3 | tail -n 1 >line.sh

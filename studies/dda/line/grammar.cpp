@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
@@ -39,6 +40,16 @@ void take_one_of(CLI::Option* option, const std::vector<std::string>& names) {
     return fmt::format("'{}' is none of {}{}", given, fmt::join(names, ", "), suggest(given, names));
   };
   option->type_name(fmt::format("{}", fmt::join(names, "|")))->check(CLI::Validator(check, ""));
+}
+
+/// CLI11's own check names the largest number that there is.
+CLI::Validator above_zero() {
+  const auto check = [](const std::string& given) {
+    double value = 0;
+    const bool is_number = CLI::detail::lexical_cast(given, value) && std::isfinite(value);
+    return is_number && value > 0 ? std::string() : fmt::format("'{}' is not a number above 0", given);
+  };
+  return CLI::Validator(check, "POSITIVE");
 }
 
 /// A text as YAML takes it whatever it holds.
@@ -141,7 +152,7 @@ void Grammar::add_permissions(CLI::App* sub) {
   sub->add_option_function<double>(
          "--memory-limit", [](double gib) { set_memory_limit(gib * bytes_per_gib); },
          "Memory that a run may need at the least [GiB]; what the machine has to spare if not given")
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
 }
 
 /// Of the runs of a sweep.
@@ -193,7 +204,7 @@ void Grammar::add_sweep() {
   sweep
       ->add_option("--case", line_.only_case,
                    "Run this case alone, from 1, unless it has a result; many at a time, as in a batch queue")
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   add_shared(sweep);
 }
 
