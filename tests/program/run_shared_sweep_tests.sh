@@ -259,6 +259,17 @@ at_work() {
   said "nowhere.yaml: there is no such file or folder"
 }
 
+# Cases that are run one by one, as in a batch queue, leave no sweep.json.
+one_by_one() {
+  expect 0 "one case of many" "$program" sweep bars.yaml --folder single --quiet --case 2
+  is_absent single/sweep.json
+  expect 0 "how it stands" "$program" sweep --status single
+  said "single: 11 cases: 1 done, 10 waiting"
+  rm -r single/claims
+  expect 0 "how runs without claims stand" "$program" sweep --status single
+  said "single: 1 case: 1 done"
+}
+
 is_left() { "$program" sweep --status "$1" | grep -q 'which is dead'; }
 
 # disk SIZE: a small disk under `disk`; false where that takes rights that are not there.
@@ -366,7 +377,7 @@ killed_by_mpirun() {
 by_parallel() { started_by parallel; }
 by_mpirun() { started_by mpirun; }
 
-for part in ${PARTS:-alone together killed another_machine changed_beside_the_dead lost stopped_and_interrupted terminated failures at_work full_disk \
+for part in ${PARTS:-alone together killed another_machine changed_beside_the_dead lost stopped_and_interrupted terminated failures at_work one_by_one full_disk \
   short_files launchers by_parallel by_mpirun killed_by_mpirun}
 do $part; done
 exit $failed

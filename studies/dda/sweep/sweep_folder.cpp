@@ -112,8 +112,10 @@ std::string name_of(CaseStatus status) {
   return "failed";
 }
 
-fs::path case_folder(const Sweep& sweep, std::size_t index) {
-  const int digits = static_cast<int>(std::to_string(sweep.cases.size()).size());
+fs::path case_folder(const Sweep& sweep, std::size_t index) { return case_folder(sweep.cases.size(), index); }
+
+fs::path case_folder(std::size_t num_cases, std::size_t index) {
+  const int digits = static_cast<int>(std::to_string(num_cases).size());
   return fs::path("cases") / fmt::format("{:0{}}", index + 1, std::max(digits, fewest_digits));
 }
 

@@ -34,6 +34,7 @@ struct CaseState {
 
 /// "cases/007": the folder of case `index` (from 0) within the sweep's; three digits, more for 1000 cases.
 std::filesystem::path case_folder(const Sweep& sweep, std::size_t index);
+std::filesystem::path case_folder(std::size_t num_cases, std::size_t index);
 
 /// What a run folder holds: a result, something to go on with, or nothing.
 CaseState state_of(const std::filesystem::path& run_folder);

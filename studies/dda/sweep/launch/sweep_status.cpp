@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <charconv>
 #include <map>
 
 #include "framework/deck/changes/settings.hpp"
@@ -22,11 +24,38 @@ struct NamedCase {
   std::string folder, settings;
 };
 
+/// The one folder of claims; one that does not exist while a sweep is being arranged, or was run by an earlier version.
+fs::path claims_of(const fs::path& folder) {
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder / "claims", error))
+    if (entry.is_directory()) return entry.path();
+  return folder / "claims" / "none";
+}
+
+/// Of a sweep whose cases are run one by one (`--case`, or lines of `--dry-run`), which has no sweep.json: as many as its folder
+/// of claims says, or those that have a folder. Their settings are not known.
+std::vector<NamedCase> cases_one_by_one(const fs::path& folder) {
+  std::vector<NamedCase> out;
+  const std::string claims = claims_of(folder).filename();
+  std::size_t count = 0;
+  std::from_chars(claims.data(), claims.data() + claims.size(), count);
+  for (std::size_t i = 0; i < count; ++i) out.push_back({case_folder(count, i), ""});
+  if (count > 0) return out;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder / "cases", error))
+    if (entry.is_directory()) out.push_back({fs::path("cases") / entry.path().filename(), ""});
+  std::ranges::sort(out, {}, &NamedCase::folder);
+  return out;
+}
+
 std::vector<NamedCase> cases_in(const fs::path& folder) {
   const fs::path file = folder / "sweep.json";
-  if (!fs::exists(file))
+  if (!fs::exists(file)) {
+    std::vector<NamedCase> out = cases_one_by_one(folder);
+    if (!out.empty()) return out;
     throw InputError(Position{folder.string()},
                      "holds no sweep, it has no sweep.json; `dda sweep FILE` makes one");
+  }
   const Json sweep = Json::parse(read_whole(file), nullptr, false);
   const Json cases = sweep.is_object() ? sweep.value("cases", Json()) : Json();
   if (!cases.is_array())
@@ -41,14 +70,6 @@ std::vector<NamedCase> cases_in(const fs::path& folder) {
     out.push_back(std::move(named));
   }
   return out;
-}
-
-/// The one folder of claims; one that does not exist while a sweep is being arranged, or was run by an earlier version.
-fs::path claims_of(const fs::path& folder) {
-  std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder / "claims", error))
-    if (entry.is_directory()) return entry.path();
-  return folder / "claims" / "none";
 }
 
 std::string kind_of(const CaseState& state) {
@@ -92,7 +113,8 @@ class StatusTable {
     ++lines.count;
     const std::string said = remark(where, state, claim);
     if (!said.empty())
-      lines.text += fmt::format("  {}  {}  {}\n", where.filename().string(), one.settings, said);
+      lines.text += fmt::format("  {}  {}{}{}\n", where.filename().string(), one.settings,
+                                one.settings.empty() ? "" : "  ", said);
   }
 
   static std::string remark(const fs::path& where, const CaseState& state, const Claim* claim) {
