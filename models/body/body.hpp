@@ -3,6 +3,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "meshing/assembly.hpp"
@@ -31,6 +32,7 @@ struct Body {
   std::vector<std::shared_ptr<const Material>> materials;  ///< by region
   const CrackGeometry* cracks = nullptr;                   ///< none where blocks stay whole
   SecondOrderBlocks second_order = {};
+  std::vector<std::string> unused_materials = {};  ///< described, but of no region
 
   std::size_t num_jumps() const { return cracks ? cracks->num_jumps() : 0; }
   std::size_t num_gradients() const { return second_order.blocks.size(); }

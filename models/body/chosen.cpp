@@ -18,15 +18,25 @@ void require(const std::vector<std::string>& wanted, const std::vector<std::stri
       throw InputError(where, "unknown " + kind + " '" + name + "'" + suggest(name, known));
 }
 
+/// Of what there is, a material that no region is of says nothing.
+void refuse_unused(const std::vector<std::string>& wanted, const std::vector<std::string>& unused,
+                   const Position& where) {
+  for (const std::string& name : wanted)
+    if (contains(unused, name))
+      throw InputError(where, "no region is of material '" + name +
+                                  "', which `materials` describes: leave it out, or give it a region");
+}
+
 }  // namespace
 
 void Chosen::require_known(const Body& body, const Position& where) const {
   std::vector<std::string> known_regions, known_materials;
   for (const Region& region : body.assembly.regions) {
     known_regions.push_back(region.name);
-    known_materials.push_back(region.material);
+    if (!contains(known_materials, region.material)) known_materials.push_back(region.material);
   }
   require(regions, known_regions, "region", where);
+  refuse_unused(materials, body.unused_materials, where);
   require(materials, known_materials, "material", where);
 }
 

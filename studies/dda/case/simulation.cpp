@@ -55,6 +55,15 @@ std::vector<std::shared_ptr<const Material>> materials_of(const Assembly& assemb
   return out;
 }
 
+/// Those of the deck that no region is of.
+std::vector<std::string> unused_materials(const Assembly& assembly, const Deck& deck) {
+  std::vector<std::string> out;
+  for (const auto& [name, choice] : deck.material_names)
+    if (std::ranges::find(assembly.regions, name, &Region::material) == assembly.regions.end())
+      out.push_back(name);
+  return out;
+}
+
 /// Throws InputError for a solver that the ranks of this run cannot share.
 void require_shared_solver(const Deck& deck) {
   constexpr std::string_view shared = "cholmod";
@@ -131,9 +140,9 @@ Simulation::Simulation(const Deck& deck, Timings& timings) : deck_(deck), timing
 
 void Simulation::assemble() {
   if (!deck_.cracks.empty()) crack_geometry_ = std::make_unique<CrackGeometry>(*assembly_);
-  body_ = std::make_unique<const Body>(Body{*assembly_, deck_.thickness, materials_of(*assembly_, deck_),
-                                            crack_geometry_.get(),
-                                            second_order_blocks(*assembly_, deck_.kinematics)});
+  body_ = std::make_unique<const Body>(
+      Body{*assembly_, deck_.thickness, materials_of(*assembly_, deck_), crack_geometry_.get(),
+           second_order_blocks(*assembly_, deck_.kinematics), unused_materials(*assembly_, deck_)});
   if (crack_geometry_) {
     front_ = std::make_unique<CrackFront>(*crack_geometry_, *body_, deck_);
     front_->begin();
