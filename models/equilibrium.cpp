@@ -123,13 +123,15 @@ Equilibrium::Equilibrium(const Body& body, const ModelParameters& model, StageHi
   set_ = make_interface_points(body, model, findings);
   num_unknown_multipliers_ = 2 * static_cast<std::size_t>(std::ranges::count(set_.points, Multiplier::unknown,
                                                                              &InterfacePoint::multiplier));
+  const std::size_t num_before = findings.size();
   all_supports_ = make_supports(body, model, findings);
   const LoadProgramme programme = make_loads(body, model, findings);
   driven_ = programme.driven;
   added_ = dda::added_springs(all_supports_, model, findings);
   removed_ = programme.removed(all_supports_);
   check_driven(programme, supports_after(0, removed_.size()), findings);
-  if (!model.stages.empty()) check_supports(body, model, findings);
+  const bool are_whole = findings.size() == num_before;  // of springs that are missing nothing can be said
+  if (!model.stages.empty() && are_whole) check_supports(body, model, findings);
   for (std::size_t i = 0; i < history_.rest.size(); ++i)
     all_supports_[added_[i].spring].rest = history_.rest[i];
   supports_ = supports_after(history_.rest.size(), history_.borne.size());

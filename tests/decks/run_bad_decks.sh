@@ -1,6 +1,6 @@
 #!/bin/bash
-# Runs `dda check` and `dda run` on every deck below this folder: each must end with 2, say every line of its expected.txt,
-# and leave nothing behind.
+# Runs `dda check` and `dda run` on every deck below this folder: each must end with 2, say every line of its expected.txt
+# but those that begin with "! ", and leave nothing behind.
 #   run_bad_decks.sh PROGRAM FOLDER_OF_DECKS
 set -u
 program=$(realpath "$1")
@@ -27,7 +27,11 @@ for folder in "$decks"/*/; do
     [ $code -eq 2 ] || complain "$name" "$command: exit code $code instead of 2; it said: $said"
     [ "$(ls)" = "$before" ] || complain "$name" "$command left something behind: $(ls)"
     while IFS= read -r line; do
-      [[ "$said" == *"$line"* ]] || complain "$name" "$command: expected '$line' in: $said"
+      if [[ "$line" == "! "* ]]; then
+        [[ "$said" != *"${line#! }"* ]] || complain "$name" "$command: '${line#! }' is not true: $said"
+      else
+        [[ "$said" == *"$line"* ]] || complain "$name" "$command: expected '$line' in: $said"
+      fi
     done <expected.txt
   done
 done
