@@ -22,9 +22,10 @@ struct ContactMotion {
   double slip = 0, parting = 0;  ///< largest [L]
 };
 
-/// Whether what moves slides: friction spends what the load does, or, where that does nothing, joints slide as far as
-/// others part; a stair parts at its risers as it slides.
+/// Whether what moves slides: nothing is open, friction spends what the load does, or, where that does nothing, joints slide as
+/// far as others part; a stair parts at its risers as it slides.
 bool slides(const PathState& path, const Departure& before, const ContactMotion& moving) {
+  if (moving.slide > 0 && moving.open == 0) return true;
   const double load = std::abs(path.load_of(path.walker.state()));
   if (load <= path.smallest_load()) return moving.slide > 0 && moving.slip > 0.5 * moving.parting;
   const double along =

@@ -194,6 +194,13 @@ class SlidingBlock(StageCase):
         self.assertAlmostEqual(last.load_factor.max(), 0.5, delta=1e-9)
         self.assert_verified(run)
 
+    def test_it_slides_back_against_what_pushes_it_still(self):
+        """Nothing opens, and friction spends half of what the load does: the held push takes the other half."""
+        run = self.followed(with_stages(BLOCK, stage("press", PRESSURE), stage("push", PUSH, {"push": 0.05}),
+                                        stage("pull", [PUSH[0] | {"force": [-1, 0]}])))
+        self.assertAlmostEqual(run.curve.load.iloc[-1] / SLIDES, 2, delta=1e-9)
+        self.assertRegex(run.summary["reason"], "^slides as a mechanism .*, 0 are open")
+
     def test_motion_goes_on_with_what_is_held(self):
         """Let go as a mechanism, it moves as after dead loads of the same size."""
         sections = {"motion": {"time": 0.01, "held": ["base"], "stop_at_rest": False, "push": 0.2},
