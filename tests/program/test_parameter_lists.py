@@ -212,6 +212,14 @@ class Lists(unittest.TestCase):
             self.assertEqual(done.returncode, code, done.stderr)
         self.assertIn("LOCA/Stepper/Max Steps stands for path.stop.steps, which", done.stderr)
 
+    def test_lists_of_the_command_line_do_not_contradict_each_other(self):
+        file = self.write({"LOCA/Stepper/Max Steps": 12})
+        for setting, code in (("path.loca={Stepper: {Max Steps: 12}}", 3), ("path.loca={Stepper: {Max Steps: 13}}", 2), ("path.stop.steps=13", 3)):
+            done = self.run_deck("run", "--parameters", file, settings=(setting,))
+            self.assertEqual(done.returncode, code, done.stderr)
+            if code == 2:
+                self.assertRegex(done.stderr, re.escape(f"{file}:4:") + r"\d+: LOCA/Stepper/Max Steps stands for path\.stop\.steps, which --set ")
+
     def test_a_resumed_run_takes_a_list_by_set(self):
         self.run_deck("run", "--parameters", self.write({"LOCA/Stepper/Max Steps": 12}))
         resumed = subprocess.run([DDA, "resume", self.folder / "run", "--quiet", "--set", "path.loca={Stepper: {Max Steps: 15}}"],

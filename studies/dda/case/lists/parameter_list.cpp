@@ -283,8 +283,9 @@ class Resolution {
     if (says_the_same(given, value)) return;
     const bool is_given = given && !given->is_null();
     const bool is_set = is_given && is_of_setting(given->where);
-    if (is_set && is_file) return;
-    const bool counts = (is_file || is_of_setting(parameter.value.where)) && !out_.keys.contains(row->key);
+    const bool is_listed = out_.keys.contains(row->key);
+    if (is_set && is_file && !is_listed) return;
+    const bool counts = (is_file || is_of_setting(parameter.value.where)) && !is_listed;
     if (is_given && (!counts || is_set || given->where.file == parameter.value.where.file))
       return findings_.add(parameter.value.where,
                            fmt::format("{} stands for {}, which {} says too", full_name(parameter), row->key,
