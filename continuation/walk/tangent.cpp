@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "continuation/contact/rate_walk.hpp"
 #include "continuation/walk/snap_back.hpp"
@@ -130,13 +129,12 @@ class RateProblem {
     if (!found.d.empty()) let_rest(found);
     return found;
   }
-  /// The direction in which a load sets out: that along which nothing cracks or slides on where the load asks for none of it, as
-  /// where it presses on what has cracked, although going on would be consistent, too; flags as it needs them.
+  /// The direction in which a load sets out: where it asks for none of it nothing cracks or slides on, although that may be
+  /// consistent, too, as where it presses on what has cracked; flags as it needs them.
   Tangent solve_from_rest() {
     const std::vector<History> flags = system_.history();
     set(Set(flags_.size(), false));
-    Tangent still = tangent();
-    if (!still.d.empty() && is_settled(still)) return still;
+    if (Tangent still = tangent(); !still.d.empty() && is_settled(still)) return still;
     system_.set_history(flags);
     return solve(tangent());
   }
@@ -178,8 +176,8 @@ class RateProblem {
   Tangent kept(Tangent arriving) {
     Tangent found = pruned(arriving);
     if (found.d.empty()) return found;
-    const bool keeps = is_settled(found), turns = leads_back(system_, found, heading_);
-    if (keeps && !turns) return found;
+    const bool keeps = is_settled(found);
+    if (keeps && !leads_back(system_, found, heading_)) return found;
     const std::vector<History> flags = system_.history();
     const auto other = walked(arriving);
     if (other && !(keeps && other->leads_back)) return other->tangent;
@@ -231,12 +229,11 @@ class RateProblem {
     return best;
   }
 
-  /// Whether joints slide on only the other way round. Along a mechanism, where the load does far more than on the elastic
-  /// structure, they do so by rounding.
+  /// Whether joints slide on only the other way round; by rounding where the load does far more than on the elastic structure.
   bool snaps_back(Tangent found, const RateRay& ray) const {
     constexpr double far = 10;
-    if (found.dissipates || heading_ || is_settled(found) || std::ranges::count(ray.goes_on, true) == 0)
-      return false;
+    const bool none = std::ranges::count(ray.goes_on, true) == 0;
+    if (found.dissipates || heading_ || none || is_settled(found)) return false;
     if (std::abs(live_power(system_, state_, found).of_forces) > far * elastic_power_) return false;
     reverse(found);
     return is_settled(found);
@@ -256,8 +253,8 @@ class RateProblem {
   /// Cosine between two directions, in the openings of the points flagged.
   double nearness(const Tangent& one, const Tangent& other) const {
     double product = 0, square = 0, square_of_other = 0;
-    for (const Flag& flag : flags_) {
-      const Vec2 &a = one.opening[flag.point], &b = other.opening[flag.point];
+    for (const auto& [p, side] : flags_) {
+      const Vec2 &a = one.opening[p], &b = other.opening[p];
       product += a.dot(b);
       square += a.squaredNorm();
       square_of_other += b.squaredNorm();
@@ -272,8 +269,7 @@ class RateProblem {
     elastic_power_ = std::abs(live_power(system_, state_, elastic).of_forces);
     const auto n = static_cast<Eigen::Index>(flags_.size());
     HingedRates out{Eigen::MatrixXd(n, n), Eigen::VectorXd(n)};
-    for (std::size_t i = 0; i < flags_.size(); ++i)
-      out.per_load[static_cast<Eigen::Index>(i)] = rate(i, elastic);
+    for (Eigen::Index i = 0; i < n; ++i) out.per_load[i] = rate(static_cast<std::size_t>(i), elastic);
     if (!couple_by_columns(out.couplings)) couple_by_solutions(out.couplings);
     return out;
   }
