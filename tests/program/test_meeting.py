@@ -48,7 +48,7 @@ class Meeting(unittest.TestCase):
         deck["scene"]["regions"][0]["undivided"] = True
         deck["scene"]["regions"][1]["vertices"] = [[0.25, 1], [0.75, 1], [0.75, 1.5], [0.25, 1.5]]
         if blocks > 1:
-            deck["scene"]["subdivision"] = {"type": "grid", "size": 0.5 / blocks}
+            deck["scene"]["subdivision"] = {"type": "grid", "columns": blocks, "rows": blocks}
         deck["gauges"] = {"y": {"type": "displacement", "at": [0.5, 1.25], "inside": [0.501, 1.251], "direction": [0, 1]}}
         for material in deck["materials"].values():
             material["young_modulus"] = 1e10
