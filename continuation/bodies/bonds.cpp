@@ -44,9 +44,11 @@ Mat6 stiffness_of(const Bond& bond, const BondState& state, const Mat2& d,
                         state.stress_rows[a].transpose() * less.asDiagonal() * state.stress_rows[b]);
 }
 
-Response frozen_response(const Bond& bond, const Vec2& opening, const Vec2& bounding) {
-  const auto contact = bond.law->contact(bond.history, bond.stiffness);
-  if (!contact) return bond.law->respond_frozen(opening, bond.history, bond.stiffness);
+namespace {
+
+Response frozen_at(const Bond& bond, const History& history, const Vec2& opening, const Vec2& bounding) {
+  const auto contact = bond.law->contact(history, bond.stiffness);
+  if (!contact) return bond.law->respond_frozen(opening, history, bond.stiffness);
   const bool is_closed = opening.x() <= 0;
   const double normal = is_closed ? contact->closed : contact->open,
                bound = contact->coefficient * std::max(0.0, -bounding.x()),
@@ -58,10 +60,15 @@ Response frozen_response(const Bond& bond, const Vec2& opening, const Vec2& boun
   return out;
 }
 
+}  // namespace
+
+Response frozen_response(const Bond& bond, const Vec2& opening, const Vec2& bounding) {
+  return frozen_at(bond, bond.history, opening, bounding);
+}
+
 Mat2 secant_of(const Bond& bond, const Vec2& opening) {
   const History then = bond.law->accept(opening, bond.history, bond.stiffness);
-  const Mat2 out = bond.law->respond_frozen(opening, then, bond.stiffness).tangent;
-  return (out + out.transpose()) / 2;
+  return frozen_at(bond, then, opening, opening).tangent;
 }
 
 double stored_energy(const Bond& bond, const BondState& state) {

@@ -58,7 +58,7 @@ Mat6 stiffness_of(const Bond& bond, const BondState& state, const Mat2& d,
 /// The response at q with all damage as it is, and friction bounded by the closing ⟨−q_n⟩ of another opening: the gradient
 /// of a potential, as no law is whose friction follows its pressure.
 Response frozen_response(const Bond& bond, const Vec2& opening, const Vec2& bounding);
-/// The secant of its law at q, with the damage that q leaves: never negative [F/L³].
+/// The secant of its law at q, with the damage that q leaves, friction not following the pressure: never negative [F/L³].
 Mat2 secant_of(const Bond& bond, const Vec2& opening);
 
 /// What it stores, Π, and what accepting q would spend [F L].

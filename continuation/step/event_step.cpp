@@ -1,4 +1,5 @@
 #include <cmath>
+#include <limits>
 
 #include "continuation/follow/judge.hpp"
 #include "continuation/follow/landings.hpp"
@@ -62,7 +63,9 @@ std::optional<Point> event_step(PathState& path) {
                jumps_first = may_jump && path.walker.leaving().dissipates;
     if (jumps_first)
       if (auto point = jump_step(path)) return point;
-    const bool slides_on_the_way = can_slide(path) && std::isfinite(next_contact_change(path.walker));
+    const double change = path.walker.system().has_contacts() ? next_contact_change(path.walker)
+                                                              : std::numeric_limits<double>::infinity();
+    const bool slides_on_the_way = change < amount || (can_slide(path) && std::isfinite(change));
     if (slides_on_the_way) return sliding_step(path);
     if (auto point = approach(path, amount)) return point;
     if (can_slide(path)) return sliding_step(path);
