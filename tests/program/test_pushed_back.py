@@ -3,6 +3,7 @@
     test_pushed_back.py        with PYTHONPATH=python, and DDA naming the program
 """
 
+import math
 import tempfile
 import unittest
 from pathlib import Path
@@ -71,6 +72,22 @@ class PushedBack(unittest.TestCase):
                 run = self.run_of(rocking(law))
                 self.assertAlmostEqual(run.curve.load_factor.iloc[-1] / 200, 1, delta=1e-6)
                 self.assertLess(run.curve.u.iloc[-1], 0)
+
+    def test_what_has_been_released_and_slid_slides_back(self):
+        """A block of 40 kN under λ times 4 kN: held at μ N it slides back under twice that."""
+        wide = [rocking(RELEASING)["scene"]["regions"][0] | {"vertices": [[-1, -1], [3, -1], [3, 0], [-1, 0]]},
+                {"name": "block", "material": "rock", "vertices": [[0, 0], [2, 0], [2, 1], [0, 1]]}]
+        push = {"type": "body_force", "materials": ["rock"], "force": [2000, 0]}
+        changes = {"scene": {"regions": wide, "boundaries": {"floor": [[-1, -1], [3, -1]]}},
+                   "gauges": {"u": {"type": "displacement", "at": [0, 1], "direction": [1, 0]}},
+                   "stages": [{"name": "weight", "loads": [WEIGHT]}, {"name": "over", "loads": [push], "until": {"u": 0.003}},
+                              {"name": "back", "loads": [push | {"force": [-2000, 0]}]}]}
+        for points in ("vertices", "gauss"):
+            for law in (RELEASING | {"friction_angle": 20}, {"type": "friction", "friction_angle": 20}):
+                with self.subTest(law=law["type"], points=points):
+                    run = self.run_of(rocking(law) | changes, {"interfaces.joint.points": points})
+                    self.assertAlmostEqual(run.curve.load_factor.iloc[-1] / (2 * 10 * math.tan(math.radians(20))), 1, delta=1e-8)
+                    self.assertRegex(run.summary["reason"], "slides as a mechanism")
 
     def test_what_is_pressed_more_while_it_softens_stays(self):
         for law in ("linear_softening", "exponential_softening"):
