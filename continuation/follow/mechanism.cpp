@@ -224,14 +224,10 @@ double way_beside_load(const PathState& path, const State& from, const State& to
 }
 
 std::string too_far_beside_load(const PathState& path, const Candidate& candidate) {
-  constexpr double far = 10, gap = 1e-5;  // the latter of the structure's size
-  const State& here = path.walker.state();
-  const double moved = way_beside_load(path, here, candidate.state);
-  if (moved == 0) return {};
-  double so_far = gap * path.size;
-  for (const Vec2& opening : path.walker.system().laws(here).opening)
-    so_far = std::max(so_far, far * opening.norm());
-  if (moved <= so_far) return {};
+  constexpr double gap = 1e-5;  // of the structure's size
+  if (path.memory.moves_beside_load || path.control->held_in_release()) return {};
+  const double moved = way_beside_load(path, path.walker.state(), candidate.state);
+  if (moved <= gap * path.size) return {};
   return fmt::format(
       "joints slide or part by {:.2g} while neither the load nor the displacement on which it works moves",
       moved);
@@ -296,7 +292,8 @@ bool is_free_beyond(const PathState& path) {
 void note_mechanism(PathState& path, Point& point, const Departure& before) {
   const double load = path.load_of(path.walker.state());
   path.memory.moves_beside_load = way_beside_load(path, before.state, path.walker.state()) > 0;
-  const bool is_free = stays(path, load, before.state) || path.memory.moves_beside_load,
+  const bool is_same_load = std::abs(load - path.load_of(before.state)) <= standing_load(path, load);
+  const bool is_free = stays(path, load, before.state) || (path.memory.moves_beside_load && is_same_load),
              is_drift = drifts(path, load);
   if (!is_free && !is_drift) return;
   const ContactMotion moving = contact_motion(path.walker, before.state);

@@ -50,7 +50,7 @@ bool bears_load(PathState& path, double within = 10);
 /// these move on as well: what slides under other loads, as a weight on a slope that is lifted, moves beside the load.
 double way_beside_load(const PathState& path, const State& from, const State& to);
 
-/// Why a step that moves joints far beside the load is too long; "" when it is not.
+/// Why a step that moves joints far beside the load is too long; "" when it is not, and where that is what is prescribed.
 std::string too_far_beside_load(const PathState& path, const Candidate& candidate);
 
 /// Prescribes the displacement on which the load works, which goes on where the load does not.

@@ -40,10 +40,10 @@ std::optional<Candidate> tried(PathState& path, Stride& stride, Thoroughness tho
 
 /// A try that found no next point: where the load ends or the path turns before its end, there.
 Outcome after_failure(PathState& path, Stride& stride, bool is_cut) {
-  if (path.moves_beside_load)
-    if (auto point = slide_beside_load(path)) return {std::move(point)};
   if (path.load_of(path.walker.ahead(stride.amount / path.parameters.step.cut)) <= 0)
     if (auto point = rupture(path)) return {std::move(point)};
+  if (path.moves_beside_load)
+    if (auto point = slide_beside_load(path)) return {std::move(point)};
   const bool is_again = stride.cuts++ > 0;
   if (auto point = land_on_turn(path, stride, is_cut || is_again)) return {std::move(point)};
   if (is_again)
