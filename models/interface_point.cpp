@@ -357,9 +357,10 @@ class PointMaker {
           interface.where,
           fmt::format("the blocks are too large for the softening of interface '{}' ({} sides): with blocks "
                       "of size {:.3g} the joint reaches {:.3g} times the softening slope and needs {:g}; use "
-                      "blocks below {:.3g}, or a larger fracture energy",
+                      "blocks below {:.3g}, or a larger fracture energy{}",
                       interface.name, interface.refused, interface.worst_size, interface.worst_ratio,
-                      smallest_margin, interface.worst_size * interface.worst_ratio / comfortable_margin));
+                      smallest_margin, interface.worst_size * interface.worst_ratio / comfortable_margin,
+                      interface.water ? ", or a larger `opening` of its `water`" : ""));
     if (interface.misses_linear_stress)
       findings_.add(
           interface.where,

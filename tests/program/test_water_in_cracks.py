@@ -110,6 +110,7 @@ class Water(unittest.TestCase):
         for change, said in (({"interfaces.base.law": {"type": "friction", "friction_angle": 30}}, "`water` needs a law that softens"),
                              ({"interfaces.base.law": {"type": "mohr_coulomb", "tensile_strength": 1, "cohesion": 2, "friction_angle": 30}},
                               "`water` needs a law that softens"),
+                             ({"interfaces.base.water.opening": 1e-9}, "or a larger `opening` of its `water`"),
                              ({"motion": {"time": 1}}, "is not known to `motion`")):
             with self.subTest(said=said), self.assertRaisesRegex(ddapath.InputError, said):
                 ddapath.run(SLID, change, folder=self.folder)
