@@ -3,7 +3,8 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+
+#include "framework/base/disjoint_sets.hpp"
 
 namespace dda {
 namespace {
@@ -31,12 +32,6 @@ void include(Quality& quality, const Block& block) {
   quality.shortest_side = std::min(quality.shortest_side, shortest_side(block));
 }
 
-/// Root of b in a forest of parents, halving the way there.
-std::size_t root(std::vector<std::size_t>& parent, std::size_t b) {
-  while (parent[b] != b) b = parent[b] = parent[parent[b]];
-  return b;
-}
-
 }  // namespace
 
 Quality assess(const Assembly& assembly) {
@@ -53,16 +48,11 @@ std::vector<std::vector<BlockId>> connected_groups(const Assembly& assembly) {
 }
 
 std::vector<std::vector<BlockId>> connected_groups(const Assembly& assembly, const std::vector<bool>& holds) {
-  std::vector<std::size_t> parent(assembly.num_blocks());
-  std::iota(parent.begin(), parent.end(), std::size_t{0});
-  for (std::size_t s = 0; s < assembly.sides.size(); ++s) {
-    if (!holds[s]) continue;
-    const Side& side = assembly.sides[s];
-    const std::size_t a = root(parent, side.first.value()), b = root(parent, side.second.value());
-    parent[std::max(a, b)] = std::min(a, b);
-  }
+  DisjointSets sets(assembly.num_blocks());
+  for (std::size_t s = 0; s < assembly.sides.size(); ++s)
+    if (holds[s]) sets.merge(assembly.sides[s].first.value(), assembly.sides[s].second.value());
   std::map<std::size_t, std::vector<BlockId>> groups;  // by lowest block
-  for (std::size_t b = 0; b < parent.size(); ++b) groups[root(parent, b)].push_back(BlockId{b});
+  for (std::size_t b = 0; b < sets.size(); ++b) groups[sets.representative(b)].push_back(BlockId{b});
   std::vector<std::vector<BlockId>> result;
   for (auto& [lowest, members] : groups) result.push_back(std::move(members));
   return result;

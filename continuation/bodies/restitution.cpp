@@ -4,7 +4,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
+
+#include "framework/base/disjoint_sets.hpp"
 
 namespace dda {
 namespace {
@@ -117,25 +118,15 @@ ImpactContact contact_of(const MovingScene& scene, const Impact& impact, const M
   return out;
 }
 
-/// The first of a set that is merged in place.
-std::size_t first_of(std::vector<std::size_t>& parent, std::size_t i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
-
 }  // namespace
 
 RigidGroups::RigidGroups(const MovingScene& scene, const std::vector<MeetingSearch::Pair>& held_together,
                          const Poses& at)
     : of_body(scene.num_bodies()) {
-  std::vector<std::size_t> parent(scene.num_bodies());
-  std::iota(parent.begin(), parent.end(), std::size_t{0});
-  for (const auto& [a, b] : held_together) {
-    const std::size_t i = first_of(parent, a), j = first_of(parent, b);
-    parent[std::max(i, j)] = std::min(i, j);
-  }
-  for (std::size_t b = 0; b < parent.size(); ++b) {
-    const std::size_t first = first_of(parent, b);
+  DisjointSets sets(scene.num_bodies());
+  for (const auto& [a, b] : held_together) sets.merge(a, b);
+  for (std::size_t b = 0; b < sets.size(); ++b) {
+    const std::size_t first = sets.representative(b);
     of_body[b] = first == b ? groups.size() : of_body[first];
     if (first == b) groups.emplace_back();
     Group& group = groups[of_body[b]];
@@ -144,7 +135,7 @@ RigidGroups::RigidGroups(const MovingScene& scene, const std::vector<MeetingSear
     group.is_held = group.is_held || scene.bodies[b].is_held;
   }
   for (Group& group : groups) group.centroid /= group.mass;
-  for (std::size_t b = 0; b < parent.size(); ++b) {
+  for (std::size_t b = 0; b < sets.size(); ++b) {
     const AffineBlock& block = scene.bodies[b].block;
     Group& group = groups[of_body[b]];
     group.inertia += block.inertia.trace() + block.mass * (centre_of(at[b]) - group.centroid).squaredNorm();

@@ -82,9 +82,10 @@ struct PathState {
   bool releases_at_once = false;       ///< some law does
   std::optional<RunningCracks> cracks;
   std::optional<LaterStages> later_stages;
-  double size = 0;                 ///< of the structure [L]
-  std::string refusal;             ///< why the last try has not been taken
-  bool moves_beside_load = false;  ///< it was since joints move far while the load and its displacement stay
+  double size = 0;      ///< of the structure [L]
+  std::string refusal;  ///< why the last try has not been taken
+  bool is_refused_beside_load =
+      false;  ///< it was since joints move far while the load and its displacement stay
   /// What the last candidate of this step was refused for, beside equilibrium.
   std::optional<Stopped> unsound;
   PathMemory memory;

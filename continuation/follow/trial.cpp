@@ -71,14 +71,14 @@ std::optional<Candidate> try_step(PathState& path, const Move& move, double amou
 
 std::optional<Candidate> judged(PathState& path, const Attempt& tried, const std::string& control) {
   std::string why = tried.reason;
-  path.moves_beside_load = false;
+  path.is_refused_beside_load = false;
   if (tried.converged) {
     Candidate candidate = path.walker.evaluate(tried);
     const Objection objection = objection_to(path, candidate);
     why = objection.why;
     if (why.empty()) return candidate;
     if (objection.unsound) path.unsound = {*objection.unsound, why};
-    path.moves_beside_load = objection.is_beside_load;
+    path.is_refused_beside_load = objection.is_beside_load;
   }
   path.reject(control, why);
   return {};

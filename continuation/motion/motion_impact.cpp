@@ -18,13 +18,17 @@ std::vector<MeetingSearch::Pair> Motion::held_together() const {
 /// What impacts give back, as far as they have taken it, and what they take away.
 void Motion::bounce(Try& step) {
   if (!course_.integrator->has_inertia() || course_.integrator->open_close()) return;
+  const std::vector<Meeting> meetings = potential_->meetings(step.found.poses);
+  if (meetings.empty() && m_.owed.empty()) {
+    m_.taken = 0;
+    return;
+  }
   constexpr double steps = 3;  // of falling, whose speed is that of contacts which stay
   Poses approach, velocity;
   for (std::size_t b = 0; b < now_.size(); ++b) {
     approach.push_back((step.inertia.flight[b] - now_[b]) / m_.dt.now);
     velocity.push_back(step.courses[b].velocity);
   }
-  const std::vector<Meeting> meetings = potential_->meetings(step.found.poses);
   const RigidGroups groups(scene_, held_together(), step.found.poses);
   const Rebound back = rebound(scene_, {.meetings = meetings,
                                         .contacts = m_.sliders,

@@ -42,7 +42,7 @@ std::optional<Candidate> tried(PathState& path, Stride& stride, Thoroughness tho
 Outcome after_failure(PathState& path, Stride& stride, bool is_cut) {
   if (path.load_of(path.walker.ahead(stride.amount / path.parameters.step.cut)) <= 0)
     if (auto point = rupture(path)) return {std::move(point)};
-  if (path.moves_beside_load)
+  if (path.is_refused_beside_load)
     if (auto point = slide_beside_load(path)) return {std::move(point)};
   const bool is_again = stride.cuts++ > 0;
   if (auto point = land_on_turn(path, stride, is_cut || is_again)) return {std::move(point)};

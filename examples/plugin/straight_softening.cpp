@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "models/interface/softening_parameters.hpp"
+#include "models/interface/softening/softening_parameters.hpp"
 
 namespace dda {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <random>
 
+#include "framework/base/disjoint_sets.hpp"
 #include "framework/base/threads.hpp"
 #include "meshing/geometry/box_grid.hpp"
 
@@ -86,11 +86,6 @@ void add_without_holes(const Figure& piece, std::vector<Polygon>& cells) {
     add_without_holes(part, cells);
 }
 
-std::size_t root(std::vector<std::size_t>& parent, std::size_t i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
-
 double distance_to(const Polygon& polygon, const Vec2& x) {
   double least = distance(x, polygon.at(0), polygon.at(1));
   for (std::size_t i = 1; i < polygon.size(); ++i)
@@ -123,17 +118,16 @@ std::vector<Vec2> all_vertices(const std::vector<Polygon>& cells) {
 std::vector<Vec2> merged(std::vector<Vec2> vertices, const Figure& figure, double tolerance) {
   std::vector<Box> boxes;
   for (const Vec2& x : vertices) boxes.push_back(Box{x, x}.inflated(tolerance / 2));
-  std::vector<std::size_t> parent(vertices.size());
-  std::iota(parent.begin(), parent.end(), std::size_t{0});
+  DisjointSets sets(vertices.size());
   BoxGrid(std::move(boxes)).for_each_pair([&](std::size_t i, std::size_t j) {
     if (vertices[i] == vertices[j] || (vertices[i] - vertices[j]).norm() > tolerance) return;
-    const std::size_t a = root(parent, i), b = root(parent, j);
+    const std::size_t a = sets.representative(i), b = sets.representative(j);
     const bool keep_a =
         rank(figure, vertices[a], tolerance / 1000) <= rank(figure, vertices[b], tolerance / 1000);
-    parent[keep_a ? b : a] = keep_a ? a : b;
+    sets.merge_into(keep_a ? a : b, keep_a ? b : a);
   });
   std::vector<Vec2> result(vertices.size());
-  for (std::size_t i = 0; i < vertices.size(); ++i) result[i] = vertices[root(parent, i)];
+  for (std::size_t i = 0; i < vertices.size(); ++i) result[i] = vertices[sets.representative(i)];
   return result;
 }
 

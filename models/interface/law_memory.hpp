@@ -33,23 +33,24 @@ struct Remembered {
 ///       }
 ///     };
 ///
-/// The record is read and replaced as a whole, `as<Memory>()` and `keep(memory)`, without allocation. The
-/// law's `memory()` returns `declared<Memory>()`, from which restart files and contract tests follow.
+/// The record is read and replaced as a whole, `as<Memory>()` and `keep(memory)`, without allocation; a law around another one
+/// keeps its own behind that one's numbers. The law's `memory()` returns `declared<Memory>()`, from which restart files and
+/// contract tests follow.
 class LawMemory {
  public:
   /// Numbers that a law may remember of a point.
   static constexpr std::size_t capacity = 10;
 
   template <class Memory>
-  Memory as() const {
+  Memory as(std::size_t behind = 0) const {
     Memory out;
-    Reader read{numbers_.data()};
+    Reader read{numbers_.data() + behind};
     Memory::visit(out, read);
     return out;
   }
   template <class Memory>
-  void keep(const Memory& memory) {
-    Writer write{numbers_.data()};
+  void keep(const Memory& memory, std::size_t behind = 0) {
+    Writer write{numbers_.data() + behind};
     Memory::visit(memory, write);
   }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 namespace dda {
 namespace {
@@ -39,6 +38,10 @@ std::vector<Remembered> WaterFilledLaw::memory() const {
   std::vector<Remembered> out = law_->memory();
   for (const Remembered& part : declared<WaterMemory>()) out.push_back(part);
   return out;
+}
+
+WaterFilledLaw::Shift WaterFilledLaw::frozen(const History& h) const {
+  return {h.memory.as<WaterMemory>(behind_).shift, Vec2::Zero()};
 }
 
 WaterFilledLaw::Filling WaterFilledLaw::at(double kappa, double k) const {
@@ -134,10 +137,9 @@ History WaterFilledLaw::accept(const Vec2& q, const History& h, double k) const 
   const Shift water = shift(q, h, k);
   History out = law_->accept(water.of(q), h, k);
   const double opening = q.x() + water.c - law_->respond(water.of(q), h, k).traction.x() / k;
-  const std::span<double> mine = std::span(out.memory.numbers()).subspan(behind_);
-  mine[2] += 0.5 * (frozen(h).c + water.c) * k * (opening - mine[1]);
-  mine[1] = opening;
-  mine[0] = water.c;
+  const auto before = h.memory.as<WaterMemory>(behind_);
+  const double work = before.work + 0.5 * k * (before.shift + water.c) * (opening - before.opening);
+  out.memory.keep(WaterMemory{water.c, opening, work}, behind_);
   return out;
 }
 
@@ -156,7 +158,9 @@ unsigned WaterFilledLaw::piece(const Vec2& q, const History& h, double k) const 
 
 History WaterFilledLaw::grown(const History& h, double k, double factor) const {
   History out = law_->grown(h, k, factor);
-  out.memory.numbers()[behind_] = at(kappa(out, k), k).pressure / k;
+  auto water = h.memory.as<WaterMemory>(behind_);
+  water.shift = at(kappa(out, k), k).pressure / k;
+  out.memory.keep(water, behind_);
   return out;
 }
 
@@ -168,7 +172,7 @@ std::optional<Contact> WaterFilledLaw::contact(const History& h, double k) const
   return out;
 }
 
-double WaterFilledLaw::supplied(const History& h) const { return h.memory.numbers()[behind_ + 2]; }
+double WaterFilledLaw::supplied(const History& h) const { return h.memory.as<WaterMemory>(behind_).work; }
 
 double WaterFilledLaw::water_pressure(const History& h, double k) const { return k * frozen(h).c; }
 

@@ -73,7 +73,7 @@ class WaterFilledLaw final : public InterfaceLaw {
   Shift shift(const Vec2& q, const History& h, double k) const;
   double solved(const Vec2& q, const History& h, double k, double least) const;
   /// Of the water that is there.
-  Shift frozen(const History& h) const { return {h.memory.numbers()[behind_], Vec2::Zero()}; }
+  Shift frozen(const History& h) const;
 
   std::shared_ptr<const InterfaceLaw> law_;
   double full_, opening_;

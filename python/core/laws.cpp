@@ -4,7 +4,7 @@
 
 #include <map>
 
-#include "models/interface/softening_parameters.hpp"
+#include "models/interface/softening/softening_parameters.hpp"
 #include "python/core/bindings.hpp"
 #include "python/core/own_classes.hpp"
 #include "python/core/python_law.hpp"

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "models/interface/law.hpp"
-#include "models/interface/softening_shape.hpp"
+#include "models/interface/softening/softening_shape.hpp"
 #include "python/core/asked.hpp"
 
 namespace dda::python {

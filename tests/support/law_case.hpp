@@ -90,7 +90,9 @@ struct LawCase {
 inline LawCase random_law(const std::string& name, Random& random, bool with_optional,
                           const UnitChange& units = {}) {
   const SchemaBase& schema = *interface_laws().find(name)->schema;
-  const NameHints hints = with_optional ? optional_numbers(schema, random) : NameHints{};
+  NameHints hints = with_optional ? optional_numbers(schema, random) : NameHints{};
+  if (hints.contains("cohesion"))
+    hints.erase(random.coin() ? "cohesion" : "shear_weight");  // one does the other's work
   LawCase out;
   out.parameters = rescaled(sample(schema, random, hints), schema, units);
   // What is released holds no more than the bond did.

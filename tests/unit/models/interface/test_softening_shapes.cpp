@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "models/interface/law.hpp"
-#include "models/interface/softening_shape.hpp"
+#include "models/interface/softening/softening_shape.hpp"
 #include "support/random.hpp"
 
 namespace dda {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "framework/deck/schema.hpp"
-#include "models/interface/damage_law.hpp"
+#include "models/interface/softening/damage_law.hpp"
 
 namespace dda {
 
@@ -13,12 +13,14 @@ struct SofteningParameters {
   double tensile_strength = 0;
   double fracture_energy = 0;
   std::optional<double> shear_fracture_energy;
-  double mixed_mode_exponent = 1;
+  std::optional<double> mixed_mode_exponent;
   std::optional<double> cohesion;
-  double shear_weight = 1;
+  std::optional<double> shear_weight;
   double friction_angle = 0;
 
   SofteningNumbers numbers() const;
+  /// What would do nothing beside the others is a finding.
+  void check(const Position& where, Findings& findings) const;
 };
 
 /// The same keys for every softening curve.
@@ -39,23 +41,25 @@ Schema<P> softening_schema(const std::string& text) {
                .text = "Energy per area of a complete crack in pure sliding, friction apart; Gf if absent."})
       .number(
           "mixed_mode_exponent", &P::mixed_mode_exponent,
-          {.fallback = 1.0,
-           .bounds = at_least(1),
-           .text = "Exponent η of Gf(M) = Gf_I + (Gf_II − Gf_I) M^η, M the share of sliding in the energy."})
+          {.bounds = at_least(1),
+           .text =
+               "Exponent η of Gf(M) = Gf_I + (Gf_II − Gf_I) M^η, M the share of sliding in the energy, with "
+               "`shear_fracture_energy`; 1 if absent."})
       .number("cohesion", &P::cohesion,
               {.dimension = dimension::stress,
                .bounds = above(0),
                .text = "Shear strength c without normal traction; shear_weight · ft if absent."})
-      .number("shear_weight", &P::shear_weight,
-              {.fallback = 1.0,
-               .bounds = above(0),
-               .text = "Weight β of sliding against opening in q_eq = sqrt(<q_n>² + (β q_s)²); not used with "
-                       "`cohesion`, which makes it c/ft."})
+      .number(
+          "shear_weight", &P::shear_weight,
+          {.bounds = above(0),
+           .text = "Weight β of sliding against opening in q_eq = sqrt(<q_n>² + (β q_s)²), in the place of "
+                   "`cohesion`, which makes it c/ft; 1 without either."})
       .number(
           "friction_angle", &P::friction_angle,
           {.fallback = 0.0,
            .bounds = at_least(0) & below(90),
-           .text = "Friction angle in degrees: closed joints slide at c − t_n tan φ, cracks at −t_n tan φ."});
+           .text = "Friction angle in degrees: closed joints slide at c − t_n tan φ, cracks at −t_n tan φ."})
+      .check([](const P& p, const Position& where, Findings& findings) { p.check(where, findings); });
 }
 
 }  // namespace dda

@@ -1,4 +1,4 @@
-#include "models/interface/softening_shape.hpp"
+#include "models/interface/softening/softening_shape.hpp"
 
 #include <algorithm>
 #include <cmath>

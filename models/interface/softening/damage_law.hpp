@@ -4,7 +4,7 @@
 
 #include "models/interface/coulomb.hpp"
 #include "models/interface/law.hpp"
-#include "models/interface/softening_shape.hpp"
+#include "models/interface/softening/softening_shape.hpp"
 
 namespace dda {
 

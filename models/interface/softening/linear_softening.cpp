@@ -1,4 +1,4 @@
-#include "models/interface/softening_parameters.hpp"
+#include "models/interface/softening/softening_parameters.hpp"
 
 namespace dda {
 namespace {

@@ -1,4 +1,4 @@
-#include "models/interface/damage_law.hpp"
+#include "models/interface/softening/damage_law.hpp"
 
 #include <algorithm>
 #include <cmath>
