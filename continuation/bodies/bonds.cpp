@@ -46,12 +46,11 @@ Mat6 stiffness_of(const Bond& bond, const BondState& state, const Mat2& d,
 
 namespace {
 
-Response frozen_at(const Bond& bond, const History& history, const Vec2& opening, const Vec2& bounding) {
+Response frozen_at(const Bond& bond, const History& history, const Vec2& opening, double closing) {
   const auto contact = bond.law->contact(history, bond.stiffness);
   if (!contact) return bond.law->respond_frozen(opening, history, bond.stiffness);
   const bool is_closed = opening.x() <= 0;
-  const double normal = is_closed ? contact->closed : contact->open,
-               bound = contact->coefficient * std::max(0.0, -bounding.x()),
+  const double normal = is_closed ? contact->closed : contact->open, bound = contact->coefficient * closing,
                slip = opening.y() - contact->slip;
   Response out;
   out.traction = {normal * opening.x(),
@@ -62,13 +61,13 @@ Response frozen_at(const Bond& bond, const History& history, const Vec2& opening
 
 }  // namespace
 
-Response frozen_response(const Bond& bond, const Vec2& opening, const Vec2& bounding) {
-  return frozen_at(bond, bond.history, opening, bounding);
+Response frozen_response(const Bond& bond, const Vec2& opening, double closing) {
+  return frozen_at(bond, bond.history, opening, closing);
 }
 
 Mat2 secant_of(const Bond& bond, const Vec2& opening) {
   const History then = bond.law->accept(opening, bond.history, bond.stiffness);
-  return frozen_at(bond, then, opening, opening).tangent;
+  return frozen_at(bond, then, opening, std::max(0.0, -opening.x())).tangent;
 }
 
 double stored_energy(const Bond& bond, const BondState& state) {

@@ -55,9 +55,9 @@ std::array<Vec6, 2> forces_of(const Bond& bond, const BondState& at, const Vec2&
 /// Of these the derivative with respect to the pose of a body, by sides, where that of the traction is d.
 Mat6 stiffness_of(const Bond& bond, const BondState& state, const Mat2& d,
                   const std::array<std::size_t, 2>& sides);
-/// The response at q with all damage as it is, and friction bounded by the closing ⟨−q_n⟩ of another opening: the gradient
-/// of a potential, as no law is whose friction follows its pressure.
-Response frozen_response(const Bond& bond, const Vec2& opening, const Vec2& bounding);
+/// The response at q with all damage as it is, friction bounded by a given closing: the gradient of a potential, as no law
+/// is whose friction follows its pressure.
+Response frozen_response(const Bond& bond, const Vec2& opening, double closing);
 /// The secant of its law at q, with the damage that q leaves, friction not following the pressure: never negative [F/L³].
 Mat2 secant_of(const Bond& bond, const Vec2& opening);
 

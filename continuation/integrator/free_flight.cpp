@@ -26,15 +26,35 @@ double turned_back(const AffineBlock& block, const Pose& now, double turn) {
 class FreeFlight final : public LastStep {
  public:
   explicit FreeFlight(const NoParameters&) {}
-  double mean(const Interval& dt) const override { return dt.begins ? dt.now / 2 : (dt.now + dt.before) / 2; }
+  double mean(const Interval& dt) const override { return dt.begins ? dt.now / 2 : dt.now; }
   Pose flight(const AffineBlock& block, const BodyCourse& at, const Interval& dt) const override {
     const double share = dt.now / dt.before;
     const Polar then = polar_of(gradient_of(at.before)), here = polar_of(gradient_of(at.now));
     const double turn = share * std::remainder(here.angle - then.angle, 2 * M_PI);
     const double back = dt.now * mean(dt) * turned_back(block, at.now, turn);
-    return pose_of(
-        centre_of(at.now) + share * (centre_of(at.now) - centre_of(at.before)),
-        rotation(here.angle + turn + back) * (here.stretch + share * (here.stretch - then.stretch)));
+    const RigidMotion more = made_up(at, dt);
+    return pose_of(centre_of(at.now) + share * (centre_of(at.now) - centre_of(at.before)) + more.velocity,
+                   rotation(here.angle + turn + back + more.spin) *
+                       (here.stretch + share * (here.stretch - then.stretch)));
+  }
+  /// Loads work between the middles of both steps.
+  BodyWork work(const AffineBlock& block, const BodyStep& step) const override {
+    BodyWork out = LastStep::work(block, step);
+    if (step.dt.begins || step.dt.now == step.dt.before) return out;
+    const RigidMotion more = made_up(step.start, step.dt);
+    const Pose coasted =
+        pose_of(centre_of(step.flight) - more.velocity, rotation(-more.spin) * gradient_of(step.flight));
+    out.loaded =
+        (step.dt.now + step.dt.before) / (2 * step.dt.now) * ((step.reached + coasted) / 2 - step.start.now);
+    return out;
+  }
+
+ private:
+  /// Where the lasting acceleration takes a body in what the last step was longer than this one: [L, 1].
+  static RigidMotion made_up(const BodyCourse& at, const Interval& dt) {
+    if (dt.begins) return {};
+    const double factor = dt.now * (dt.before - dt.now) / 2;
+    return {factor * at.steady.velocity, factor * at.steady.spin};
   }
 };
 

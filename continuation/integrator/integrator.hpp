@@ -21,6 +21,7 @@ struct BodyCourse {
   Pose velocity = Pose::Zero();      ///< ẏ, as the integrator means it [1/T]
   Pose acceleration = Pose::Zero();  ///< ÿ, as the last step has found it [1/T²]
   double growth = 1;                 ///< of lengths, by rotations in first order: no strain
+  RigidMotion steady = {};  ///< the acceleration that lasts: without vibrations and impacts [L/T², 1/T²]
 };
 
 /// A step of a body: from where it is, past where inertia would take it, to where it has come.
@@ -29,6 +30,8 @@ struct BodyStep {
   Pose flight;   ///< ŷ
   Pose reached;  ///< y₁
   Interval dt;
+  Vec2 pull = Vec2::Zero();  ///< acceleration by the loads [L/T²]
+  double gyration = 1;       ///< radius of [L]
 };
 
 /// What a step has done to a body: K₁ − K̂ = −∇Π(y₁) · way + of_start.

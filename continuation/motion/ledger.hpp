@@ -11,9 +11,10 @@ namespace dda {
 ///     external = Δkinetic + Δstored + friction + fracture + damping + numerical + error
 ///
 /// What is numerical, impacts and vibrations that a step damps, is measured: a step is a minimum, so that it satisfies
-/// K₁ − K̂ = −∇Π · way + of_start (BodyWork), or a linear system that says so. What that is missed by is the error. What impacts give back is taken off what
-/// is numerical. Where velocities are means over a step, kinetic energy and that of strain are those of its middle, half a step
-/// behind what is spent by then.
+/// K₁ − K̂ = −∇Π · way + of_start (BodyWork), or a linear system that says so. What that is missed by is the error. What
+/// impacts under way have taken is stored, so that they can give of it; the rest is numerical when they are over. Where
+/// velocities are means over a step, kinetic energy is that of its middle, half a step behind what is stored and spent by
+/// then, but for the strain of bodies that nothing holds.
 struct MotionLedger {
   double external = 0, kinetic = 0, friction = 0, fracture = 0, damping = 0, numerical = 0, error = 0;
   StoredEnergies stored;

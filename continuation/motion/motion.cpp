@@ -182,21 +182,37 @@ bool Motion::advance() {
   }
 }
 
-/// What is stored where the velocities are told of: strain that a vibration gives and takes is that of the middle of the last
-/// step where they are means over it.
+/// What is stored where the velocities are told of. Where they are means over the last step, the strain of bodies that nothing
+/// holds follows their loads and is that of the middle; what vibrates in joints goes with the velocity of an implicit step,
+/// which is that of the end.
 StoredEnergies Motion::stored(const std::vector<BodyCourse>& at) const {
   StoredEnergies out = solver_->stored(at);
   if (!course_.integrator->has_mean_velocities()) return out;
-  out.strain = 0;
-  for (std::size_t b = 0; b < at.size(); ++b)
-    if (!scene_.bodies[b].is_held)
-      out.strain += strain_energy_of(scene_.bodies[b].block,
-                                     (green_strain(at[b].before) + green_strain(at[b].now)) / 2);
+  std::vector<bool> is_joined(at.size(), false);
+  for (const Bond& bond : bonds_) is_joined[bond.first] = is_joined[bond.second] = true;
+  for (std::size_t b = 0; b < at.size(); ++b) {
+    const AffineBlock& block = scene_.bodies[b].block;
+    if (scene_.bodies[b].is_held || is_joined[b]) continue;
+    const Vec3 before = green_strain(at[b].before), now = green_strain(at[b].now);
+    out.strain += strain_energy_of(block, (before + now) / 2) - strain_energy_of(block, now);
+  }
   return out;
 }
 
 /// Where a body would go that goes on as in the last step. A driven one works on its way as one that flies does.
 Pose Motion::onwards(std::size_t body) const { return now_[body] + m_.dt.now * m_.courses[body].velocity; }
+
+BodyStep Motion::step_of(std::size_t body, const Try& step) const {
+  const AffineBlock& block = scene_.bodies[body].block;
+  const Pose& reached = step.found.poses[body];
+  if (scene_.bodies[body].is_held) return {m_.courses[body], onwards(body), reached, m_.dt};
+  return {.start = m_.courses[body],
+          .flight = step.inertia.flight[body],
+          .reached = reached,
+          .dt = m_.dt,
+          .pull = scene_.load_on(body).head<2>() / block.mass,
+          .gyration = std::sqrt(block.inertia.trace() / block.mass)};
+}
 
 /// Where the energy of a step has gone, and the courses it would lead to.
 void Motion::book(Try& step) const {
@@ -207,7 +223,7 @@ void Motion::book(Try& step) const {
   Poses beyond(now_.size());
   for (std::size_t b = 0; b < now_.size(); ++b) {
     const MovingBody& body = scene_.bodies[b];
-    const BodyStep of{m_.courses[b], body.is_held ? onwards(b) : step.inertia.flight[b], reached[b], m_.dt};
+    const BodyStep of = step_of(b, step);
     const BodyWork work = course_.integrator->work(body.block, of);
     step.courses.push_back(course_.integrator->arrive(of));
     beyond[b] = work.loaded - (reached[b] - now_[b]);
@@ -234,6 +250,7 @@ void Motion::book(Try& step) const {
   }
   out.damping = potential_->spent_by_damping(reached);
   out.stored = stored(step.courses);
+  out.stored.impacts = m_.ledger.stored.impacts;
   out.numerical = inner - of_start - (out.stored.sum() - m_.ledger.stored.sum()) - out.friction -
                   out.fracture - out.damping + (m_.ledger.kinetic - flown);
   out.error = out.external - inner + of_start - (out.kinetic - flown);
@@ -251,7 +268,13 @@ bool Motion::creates_energy(const MotionLedger& step) const {
   const double all = m_.ledger.kinetic + step.kinetic + std::abs(m_.ledger.stored.sum()) +
                      std::abs(step.stored.sum()) + std::abs(step.external);
   const double ahead = step.fracture + step.damping;  // booked up to half a step before that work
-  return -step.numerical > given + ahead + bearable * all + hardly * m_.most_kinetic;
+  const double made = -step.numerical - given - ahead - bearable * all - hardly * m_.most_kinetic;
+  if (made <= 0 || m_.dt.now >= m_.dt.before || m_.dt.begins) return made > 0;
+  // A shorter step than the last one begins nearer to its end than to its middle, of which the energies are.
+  double since_middle = solver_->stored(m_.courses).sum() + m_.ledger.stored.impacts - m_.ledger.stored.sum();
+  for (std::size_t b = 0; b < now_.size(); ++b)
+    if (!scene_.bodies[b].is_held) since_middle -= scene_.load_on(b).dot(now_[b] - m_.courses[b].before) / 2;
+  return made > (1 - m_.dt.now / m_.dt.before) * std::max(0.0, since_middle);
 }
 
 /// What the bonds remember; whether one has been spent.
@@ -295,6 +318,7 @@ void Motion::accept(Try step) {
     release();
     StoredEnergies left = stored(m_.courses);
     left.friction = m_.ledger.stored.friction;  // of sliders, which are the next step's to make again
+    left.impacts = m_.ledger.stored.impacts;
     m_.ledger.numerical -= left.sum() - m_.ledger.stored.sum();
     m_.ledger.stored = left;
   }

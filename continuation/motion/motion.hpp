@@ -37,7 +37,6 @@ struct MotionMemory {
   Interval dt;
   MotionLedger ledger;
   double time = 0, most_kinetic = 0;
-  double taken = 0;               ///< by impacts whose bodies still vibrate, and not given back [F L]
   std::vector<RigidMotion> owed;  ///< what they have not had the energy for, by body; empty when nothing is
   int iterations = 0, rejected = 0, easy = 0, still = 0;
   bool is_released = true;  ///< all that is spent
@@ -95,11 +94,13 @@ class Motion {
   double travelled(std::size_t body, double turned) const;
   Pose onwards(std::size_t body) const;
   Try try_step();
+  BodyStep step_of(std::size_t body, const Try& step) const;
   void book(Try& step) const;
   StoredEnergies stored(const std::vector<BodyCourse>& at) const;
   bool creates_energy(const MotionLedger& step) const;
   bool crack(const MotionStep& step);
   void bounce(Try& step);
+  static void hold(Try& step, double energy);
   void calm(Try& step, const std::vector<std::size_t>& hit, const RigidGroups& groups) const;
   void push(Try& step, const std::vector<RigidMotion>& given);
   std::vector<MeetingSearch::Pair> held_together() const;

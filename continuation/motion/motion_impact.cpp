@@ -19,10 +19,7 @@ std::vector<MeetingSearch::Pair> Motion::held_together() const {
 void Motion::bounce(Try& step) {
   if (!course_.integrator->has_inertia() || course_.integrator->open_close()) return;
   const std::vector<Meeting> meetings = potential_->meetings(step.found.poses);
-  if (meetings.empty() && m_.owed.empty()) {
-    m_.taken = 0;
-    return;
-  }
+  if (meetings.empty() && m_.owed.empty()) return hold(step, 0);
   constexpr double steps = 3;  // of falling, whose speed is that of contacts which stay
   Poses approach, velocity;
   for (std::size_t b = 0; b < now_.size(); ++b) {
@@ -51,7 +48,14 @@ void Motion::bounce(Try& step) {
   const std::vector<RigidMotion> given = back.given.empty() ? std::move(m_.owed) : back.given;
   m_.owed.clear();
   if (!given.empty()) push(step, given);
-  m_.taken = hit.empty() && m_.owed.empty() ? 0 : std::max(0.0, m_.taken + step.entry.numerical);
+  const bool is_over = !scene_.meeting.restitution || (hit.empty() && m_.owed.empty());
+  hold(step, is_over ? 0 : std::max(0.0, step.entry.stored.impacts + step.entry.numerical));
+}
+
+/// What impacts under way have taken is spent when they are over, less what they have given back.
+void Motion::hold(Try& step, double energy) {
+  step.entry.numerical -= energy - step.entry.stored.impacts;
+  step.entry.stored.impacts = energy;
 }
 
 /// Impacts leave no vibration of the bodies that are in them: a strain begins its way back at rest.
@@ -68,6 +72,7 @@ void Motion::calm(Try& step, const std::vector<std::size_t>& hit, const RigidGro
     out.kinetic += kinetic_energy(block, step.courses[b].velocity);
   }
   out.stored = stored(step.courses);
+  out.stored.impacts = m_.ledger.stored.impacts;
   out.numerical -= out.kinetic + out.stored.sum() - before;
 }
 
@@ -83,7 +88,7 @@ void Motion::push(Try& step, const std::vector<RigidMotion>& given) {
     linear += change.dot(block.times_mass(step.courses[b].velocity));
     square += kinetic_energy(block, change);
   }
-  const double most = std::max(0.0, m_.taken + step.entry.numerical);
+  const double most = std::max(0.0, step.entry.stored.impacts + step.entry.numerical);
   double share = 1;
   if (linear + square > most)
     share = (std::sqrt(linear * linear + 4 * square * most) - linear) / (2 * square);

@@ -5,15 +5,15 @@
 
 namespace dda {
 
-Friction coulomb_friction(const Vec2& q, double slip, bool sliding, double m) {
+Friction coulomb_friction(const Sides& at, double slip, bool sliding, double m) {
   Friction out;
-  if (m == 0 || q.x() > 0) return out;
-  const double limit = -m * q.x(), trial = q.y() - slip;
+  if (m == 0 || !at.rub()) return out;
+  const double limit = m * at.closing, trial = at.q.y() - slip;
   out.direction = trial < 0 ? -1 : 1;
   out.at_limit = std::abs(trial) >= limit * (1 - at_limit_from);
   out.slides = std::abs(trial) > limit * (1 + (sliding ? -at_limit_from : beyond_limit));
   out.elastic = std::abs(trial) > limit ? out.direction * limit : trial;
-  out.gradient = out.slides ? Vec2(-out.direction * m, 0) : Vec2(0, 1);
+  out.gradient = out.slides ? Vec2(out.direction * m * at.per_normal, 0) : Vec2(0, 1);
   return out;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "models/kinematics/first_order.hpp"
 
 namespace dda {
@@ -8,10 +10,25 @@ namespace dda {
 /// little below it, as near as a step is solved.
 inline constexpr double beyond_limit = 1e-11, at_limit_from = 1e-7;
 
+/// Where the sides of a point are, and the closing that bounds their friction: their own, ⟨−q_n⟩, or a given one whatever
+/// q_n is, as where normal forces are those of an iterate before.
+struct Sides {
+  Vec2 q;
+  double closing;     ///< [L]
+  double per_normal;  ///< its derivative with respect to q_n
+
+  Sides(const Vec2& at)  // NOLINT(google-explicit-constructor): an opening is where the sides are
+      : q(at), closing(std::max(0.0, -at.x())), per_normal(at.x() > 0 ? 0 : -1) {}
+  Sides(const Vec2& at, double given) : q(at), closing(given), per_normal(0) {}
+
+  /// Touching, q_n = 0, counts as closed.
+  bool rub() const { return closing > 0 || per_normal < 0; }
+};
+
 /// Coulomb friction of a part of a point that carries no cohesion any more, as an elastic-perfectly plastic
 /// spring under the contact pressure.
 ///
-///     e = clip(q_s − s, ± m ⟨−q_n⟩),   m = tan φ/β²,   friction traction β² k e,   new slip s = q_s − e
+///     e = clip(q_s − s, ± m c),   c = ⟨−q_n⟩,   m = tan φ/β²,   friction traction β² k e,   new slip s = q_s − e
 struct Friction {
   double elastic = 0;            ///< e [L]
   Vec2 gradient = Vec2::Zero();  ///< ∂e/∂q
@@ -58,7 +75,7 @@ struct LimitedSlide {
 };
 LimitedSlide slide_under(const Course& limit, const Course& trial);
 
-/// At the limit `sliding` decides which side's gradient is meant. Touching, q_n = 0, counts as closed.
-Friction coulomb_friction(const Vec2& q, double slip, bool sliding, double m);
+/// At the limit `sliding` decides which side's gradient is meant.
+Friction coulomb_friction(const Sides& at, double slip, bool sliding, double m);
 
 }  // namespace dda

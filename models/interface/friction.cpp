@@ -43,13 +43,9 @@ class ContactFriction final : public InterfaceLaw {
     return held.at_limit ? Vec2(m_, held.direction) : Vec2(Vec2::Zero());
   }
 
-  Response respond(const Vec2& q, const History& h, double k) const override {
-    Response out;
-    if (q.x() > 0) return out;
-    const Friction held = friction(q, h);
-    out.traction = k * Vec2(q.x(), held.elastic);
-    out.tangent << k, 0, k * held.gradient.x(), k * held.gradient.y();
-    return out;
+  Response respond(const Vec2& q, const History& h, double k) const override { return responded(q, h, k); }
+  Response respond_bounded(const Vec2& q, const History& h, double k, double closing) const override {
+    return responded({q, closing}, h, k);
   }
   Response respond_frozen(const Vec2& q, const History& h, double k) const override {
     return respond(q, h, k);
@@ -84,8 +80,15 @@ class ContactFriction final : public InterfaceLaw {
   }
 
  private:
-  Friction friction(const Vec2& q, const History& h) const {
-    return coulomb_friction(q, h.memory.as<Memory>().slip, h.sliding, m_);
+  Friction friction(const Sides& at, const History& h) const {
+    return coulomb_friction(at, h.memory.as<Memory>().slip, h.sliding, m_);
+  }
+  Response responded(const Sides& at, const History& h, double k) const {
+    const Friction held = friction(at, h);
+    const bool is_closed = at.q.x() <= 0;
+    Response out{k * Vec2(std::min(at.q.x(), 0.0), held.elastic), Mat2::Zero()};
+    out.tangent << (is_closed ? k : 0), 0, k * held.gradient.x(), k * held.gradient.y();
+    return out;
   }
   double m_;
 };

@@ -121,6 +121,11 @@ class InterfaceLaw {
   virtual Response respond(const Vec2& q, const History& h, double k) const = 0;
   /// Traction and stiffness at q with the damage of h frozen; contact and friction still follow q.
   virtual Response respond_frozen(const Vec2& q, const History& h, double k) const = 0;
+  /// The same with friction bounded by a given closing whatever q is, in place of ⟨−q_n⟩: while the sides are pressed
+  /// together D is symmetric. Of laws without friction, and of water, which follows q, it is `respond`.
+  virtual Response respond_bounded(const Vec2& q, const History& h, double k, double) const {
+    return respond(q, h, k);
+  }
   /// Energy per area that accepting q would add to h.dissipated.
   virtual Spending spending(const Vec2& q, const History& h, double k) const = 0;
   /// The history after q has been accepted.

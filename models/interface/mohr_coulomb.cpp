@@ -101,6 +101,9 @@ class MohrCoulomb final : public InterfaceLaw {
   Response respond_frozen(const Vec2& q, const History& h, double k) const override {
     return respond(q, h, k);
   }
+  Response respond_bounded(const Vec2& q, const History& h, double k, double closing) const override {
+    return memory_of(h).phase == bonded || h.share > 0 ? respond(q, h, k) : released({q, closing}, h, k);
+  }
 
   Spending spending(const Vec2& q, const History& h, double k) const override {
     const Memory start = memory_of(h);
@@ -200,8 +203,8 @@ class MohrCoulomb final : public InterfaceLaw {
   bool fails_in_tension(const Vec2& q, const History& h) const {
     return memory_of(h).phase == sheared || ft_ / c_ * (std::abs(q.y()) + tan_ * q.x()) <= q.x();
   }
-  Friction friction(const Vec2& q, const History& h) const {
-    return coulomb_friction(q, memory_of(h).slip, h.sliding, residual_);
+  Friction friction(const Sides& at, const History& h) const {
+    return coulomb_friction(at, memory_of(h).slip, h.sliding, residual_);
   }
   /// Of the tractions of what is released, and the derivative of the second one with respect to q_n.
   struct Limits {
@@ -243,15 +246,11 @@ class MohrCoulomb final : public InterfaceLaw {
     }
     return out;
   }
-  Response released(const Vec2& q, const History& h, double k) const {
-    Response out;
-    if (q.x() > 0) {
-      if (memory_of(h).phase == sheared) out = {Vec2(k * q.x(), 0), Vec2(k, 0).asDiagonal()};
-      return out;
-    }
-    const Friction held = friction(q, h);
-    out.traction = k * Vec2(q.x(), held.elastic);
-    out.tangent << k, 0, k * held.gradient.x(), k * held.gradient.y();
+  Response released(const Sides& at, const History& h, double k) const {
+    const Friction held = friction(at, h);
+    const bool bears = at.q.x() <= 0 || memory_of(h).phase == sheared;
+    Response out{k * Vec2(bears ? at.q.x() : 0, held.elastic), Mat2::Zero()};
+    out.tangent << (bears ? k : 0), 0, k * held.gradient.x(), k * held.gradient.y();
     return out;
   }
 

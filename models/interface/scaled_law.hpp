@@ -54,6 +54,9 @@ class ScaledLaw final : public InterfaceLaw {
   Response respond_frozen(const Vec2& q, const History& h, double k) const override {
     return scaled(law_->respond_frozen(q / b_, h, own(k)));
   }
+  Response respond_bounded(const Vec2& q, const History& h, double k, double closing) const override {
+    return scaled(law_->respond_bounded(q / b_, h, own(k), closing / b_));
+  }
   Spending spending(const Vec2& q, const History& h, double k) const override {
     const Spending found = law_->spending(q / b_, h, own(k));
     return {a_ * b_ * found.value, a_ * found.gradient};

@@ -50,6 +50,20 @@ TEST_P(LawContract, FrozenTangentIsDifferenceOfFrozenTraction) {
   });
 }
 
+TEST_P(LawContract, FrictionBoundedByAnotherClosingHasAPotentialUnderPressure) {
+  at_random_states([&](const LawCase& at, const Vec2& q, const History& h) {
+    const double own = std::max(0.0, -q.x());
+    const Response bounded = at.law->respond_bounded(q, h, at.k, own), free = at.law->respond(q, h, at.k);
+    EXPECT_LT((bounded.traction - free.traction).norm(), 1e-12 * at.stiff() * q.norm());
+    if (own == 0 || at.is_filled || h.share > 0) return;
+    const double other = 1.5 * own;
+    const auto traction = [&](const Vec2& x) { return at.law->respond_bounded(x, h, at.k, other).traction; };
+    const Mat2 tangent = at.law->respond_bounded(q, h, at.k, other).tangent;
+    EXPECT_LT((tangent - differences(at, q, traction)).norm(), difference_error * at.stiff()) << at.text();
+    EXPECT_LT(std::abs(tangent(0, 1) - tangent(1, 0)), 1e-12 * at.stiff()) << at.text();
+  });
+}
+
 /// Sequentially linear steps rely on it.
 TEST_P(LawContract, FrozenTractionOfSofteningWithoutFrictionIsASecant) {
   at_random_states([&](const LawCase& at, const Vec2& q, const History& h) {

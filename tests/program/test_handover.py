@@ -46,6 +46,42 @@ class Scratch(unittest.TestCase):
         return [str(finding) for finding in verify(folder) if not finding.holds]
 
 
+class Joints(Scratch):
+    """What joints do in motion that have cracked on the path."""
+
+    def test_friction_of_joints_with_a_long_tail(self):
+        """A beam of Voronoi blocks, let go where a crack has run through them: its joints close and rub while it springs back.
+
+        Friction follows the pressure of joints as that of contacts does, so that a step has a minimum to be found; what vibrates
+        is damped, and nothing is given back.
+        """
+        for law in ("exponential_softening", "bilinear_softening"):
+            with self.subTest(law=law):
+                run = ddapath.run(self.beam(law), folder=self.folder, overwrite=True)
+                self.assertEqual(run.summary["status"], "goal_reached", run.summary["reason"])
+                self.assertIn("at rest", run.summary["motion"]["reason"])
+                self.assertEqual(self.refused(self.folder), [])
+                falls = -np.diff(run.motion.curve["impact_and_damping"])
+                self.assertLess(falls.max(), 1e-9 * run.motion.curve["kinetic_energy"].max())
+
+    def beam(self, law):
+        return {"units": {"length": "mm", "force": "N"}, "thickness": 100, "plane": "stress",
+                "scene": {"regions": [{"name": "beam", "material": "concrete", "vertices": box(-220, 0, 220, 100)}],
+                          "subdivision": {"type": "voronoi", "size": 20}},
+                "materials": {"concrete": {"type": "linear_elastic", "young_modulus": 30000, "poisson_ratio": 0.2, "density": 2.4e-9}},
+                "interfaces": {"joints": {"between": ["concrete", "concrete"],
+                                          "law": {"type": law, "tensile_strength": 3, "fracture_energy": 0.1, "friction_angle": 35}}},
+                "cracks": [{"through_blocks": ["beam"], "begin": "automatic"}],
+                "supports": {"left": {"over": [[-205, 0], [-195, 0]], "fix": "xy"},
+                             "right": {"over": [[195, 0], [205, 0]], "fix": "y"}},
+                "stages": [{"name": "bending", "loads": [
+                    {"type": "point_load", "over": [[-75, 100], [-55, 100]], "force": [0, -1]},
+                    {"type": "point_load", "over": [[55, 100], [75, 100]], "force": [0, -1]}]}],
+                "gauges": {"deflection": {"type": "displacement", "over": [[-75, 100], [-55, 100]], "direction": [0, -1]}},
+                "path": {"stop": {"load_below": 0.1}},
+                "motion": {"time": 0.4, "contact": {"friction": 0.5}, "loads": "drop"}}
+
+
 class Then(Scratch):
     """`path.then`: what comes after a path."""
 

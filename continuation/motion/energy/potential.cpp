@@ -16,6 +16,8 @@ Potential::Potential(const MovingScene& scene, const MeetingSearch& search, cons
   for (const MovingBody& body : scene.bodies)
     rows_.push_back(body.is_held ? -1 : static_cast<int>(num_moving_++));
   for (const Bond& bond : bonds) add_pair(rows_[bond.first], rows_[bond.second], lasting_);
+  for (std::size_t i = 0; i < bonds.size(); ++i)
+    if (bonds[i].law->residual_friction().value_or(0) > 0) with_friction_.push_back(i);
   for (const MotionSpring& spring : scene.springs)
     for (const auto& [i, row_i] : spring.rows)
       for (const auto& [j, row_j] : spring.rows) add_pair(rows_[i], rows_[j], lasting_);
@@ -44,9 +46,27 @@ void Potential::begin(const Poses& start) {
   frames_.clear();
   for (const Bond& bond : bonds_) frames_.push_back(frame_of(bond, start));
   if (damping_) damping_->begin(start, frames_, damped_);
-  if (histories_ == Histories::grow) return;
-  openings_.clear();
-  for (std::size_t i = 0; i < bonds_.size(); ++i) openings_.push_back(state_of(i, start).opening);
+  set_rubbing({});
+}
+
+std::vector<RubbingBond> Potential::rubbing(const Poses& at) const {
+  std::vector<RubbingBond> out;
+  for (const std::size_t i : with_friction_) {
+    const Bond& bond = bonds_[i];
+    const Vec2 opening = state_of(i, at).opening;
+    const double k = bond.stiffness;
+    const bool is_cracked = bond.law->contact(bond.history, k).has_value();
+    if (!is_cracked && bond.law->equivalent_opening(opening, bond.history, k) <= bond.law->initial_kappa(k))
+      continue;
+    out.push_back({i, std::max(0.0, -opening.x()), bond.weight * k * *bond.law->residual_friction()});
+  }
+  return out;
+}
+
+void Potential::set_rubbing(const std::vector<RubbingBond>& bonds) {
+  closings_.assign(bonds_.size(), {});
+  for (const RubbingBond& rubbing : bonds) closings_[rubbing.bond] = rubbing.closing;
+  has_rubbing_ = !bonds.empty();
 }
 
 /// What meets, and what would after a little way. One place is asked for this again and again: for forces, for curvatures and
@@ -97,8 +117,11 @@ Potential::Vector Potential::gradient(const Poses& at) const {
 
 Response Potential::bond_response(std::size_t i, const Vec2& opening) const {
   const Bond& bond = bonds_[i];
-  return histories_ == Histories::frozen ? frozen_response(bond, opening, openings_[i])
-                                         : bond.law->respond(opening, bond.history, bond.stiffness);
+  const std::optional<double>& closing = closings_[i];
+  if (histories_ == Histories::frozen)
+    return frozen_response(bond, opening, closing.value_or(std::max(0.0, -opening.x())));
+  return closing ? bond.law->respond_bounded(opening, bond.history, bond.stiffness, *closing)
+                 : bond.law->respond(opening, bond.history, bond.stiffness);
 }
 
 void Potential::add_bonds(const Poses& at, Softening softening, Curvatures& out) const {

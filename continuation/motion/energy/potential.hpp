@@ -15,8 +15,18 @@ namespace dda {
 /// Energies of a scene, by what stores them [F L].
 struct StoredEnergies {
   double strain = 0, springs = 0, bonds = 0, contact = 0, friction = 0;
+  double impacts = 0;  ///< taken by impacts under way, which may still give it back
 
-  double sum() const { return strain + springs + bonds + contact + friction; }
+  double sum() const { return strain + springs + bonds + contact + friction + impacts; }
+};
+
+/// Friction of a bond that is bounded by a given closing.
+struct RubbingBond {
+  std::size_t bond = 0;
+  double closing = 0;      ///< [L]
+  double per_closing = 0;  ///< W k tan φ [F/L]
+
+  double bound() const { return per_closing * closing; }  ///< μ N [F]
 };
 
 /// What the step minimises beside inertia: Π(z) = strain + springs + bonds + contact + friction + damping − f·z.
@@ -43,6 +53,12 @@ class Potential {
   void set_damped(Damping::Step step) { damped_ = std::move(step); }
   void set_sliders(std::vector<Slider> sliders) { sliders_ = std::move(sliders); }
   const std::vector<Slider>& sliders() const { return sliders_; }
+  /// Bonds that are cracked or crack at a place, with the closings there.
+  std::vector<RubbingBond> rubbing(const Poses& at) const;
+  /// Friction of these is bounded by the closings given, that of all others by their own.
+  void set_rubbing(const std::vector<RubbingBond>& bonds);
+  bool has_friction() const { return !sliders_.empty() || has_rubbing_; }
+  const std::vector<Bond>& bonds() const { return bonds_; }
   BondState state_of(std::size_t bond, const Poses& at) const {
     return dda::state_of(bonds_[bond], frames_[bond], at);
   }
@@ -104,8 +120,10 @@ class Potential {
   std::vector<int> rows_;
   Eigen::Index num_moving_ = 0;
   Poses start_;
-  std::vector<Mat2> frames_;    ///< of the bonds
-  std::vector<Vec2> openings_;  ///< q of the bonds at the start, where histories are frozen
+  std::vector<Mat2> frames_;                     ///< of the bonds
+  std::vector<std::size_t> with_friction_;       ///< bonds
+  std::vector<std::optional<double>> closings_;  ///< of the bonds, where they are given [L]
+  bool has_rubbing_ = false;
   Histories histories_ = Histories::grow;
   std::optional<Damping> damping_;
   Damping::Step damped_;

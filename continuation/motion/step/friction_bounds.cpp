@@ -12,22 +12,41 @@ constexpr int patience = 15;  // passes before residuals are taken to turn
 
 }  // namespace
 
-double FrictionBounds::change(const std::vector<Slider>& sliders) const {
+std::vector<FrictionBound> Rubbing::bounds(const std::vector<Bond>& all) const {
+  std::vector<FrictionBound> out;
+  for (const Slider& slider : sliders) out.push_back({slider.meeting.key, slider.bound});
+  for (const RubbingBond& rubbing : bonds) {
+    const Bond& bond = all[rubbing.bond];
+    out.push_back({{.body = static_cast<std::uint32_t>(bond.first),
+                    .vertex = static_cast<std::uint32_t>(rubbing.bond),
+                    .other = static_cast<std::uint32_t>(bond.second)},
+                   rubbing.bound()});
+  }
+  return out;
+}
+
+void Rubbing::set_bounds(const std::vector<FrictionBound>& bounds) {
+  for (std::size_t i = 0; i < sliders.size(); ++i) sliders[i].bound = bounds[i].force;
+  for (std::size_t i = 0; i < bonds.size(); ++i)
+    bonds[i].closing = bounds[sliders.size() + i].force / bonds[i].per_closing;
+}
+
+double FrictionBounds::change(const std::vector<FrictionBound>& asked) const {
   double change = 0, all = 0;
-  for (const Slider& slider : sliders) all += slider.bound;
-  for (const Bound& bound : pass_of(sliders)) change += std::abs(bound.residual);
+  for (const FrictionBound& bound : asked) all += bound.force;
+  for (const Bound& bound : pass_of(asked)) change += std::abs(bound.residual);
   if (all > 0) return change / all;
   return change > 0 ? 1 : 0;
 }
 
 /// b and r of all contacts that are here or were in the last pass.
-FrictionBounds::Pass FrictionBounds::pass_of(const std::vector<Slider>& sliders) const {
+FrictionBounds::Pass FrictionBounds::pass_of(const std::vector<FrictionBound>& asked) const {
   Pass out;
   SliderMemory here;
-  for (const Slider& slider : sliders) {
-    const double used = used_.of(slider.meeting.key).force;
-    out.push_back({slider.meeting.key, used, slider.bound - used});
-    here.set(slider.meeting.key, {0, 1});
+  for (const auto& [key, force] : asked) {
+    const double used = used_.of(key).force;
+    out.push_back({key, used, force - used});
+    here.set(key, {0, 1});
   }
   for (const auto& [key, kept] : used_.all())
     if (here.of(key).force == 0) out.push_back({key, kept.force, -kept.force});
@@ -41,20 +60,20 @@ FrictionBounds::Bound FrictionBounds::at(const Pass& pass, const MeetingKey& key
   return found != pass.end() && found->key == key ? *found : Bound{key};
 }
 
-void FrictionBounds::relax(std::vector<Slider>& sliders) {
+void FrictionBounds::relax(std::vector<FrictionBound>& asked) {
   if (passes_++ > 0) {
-    Pass now = pass_of(sliders);
+    Pass now = pass_of(asked);
     if (!past_.empty()) factor_ = factor_of(now);
     const Eigen::VectorXd next = next_of(now);
-    for (Slider& slider : sliders) {
-      const auto place = std::ranges::lower_bound(now, slider.meeting.key, {}, &Bound::key) - now.begin();
-      slider.bound = std::max(0.0, next[place]);
+    for (auto& [key, force] : asked) {
+      const auto place = std::ranges::lower_bound(now, key, {}, &Bound::key) - now.begin();
+      force = std::max(0.0, next[place]);
     }
     past_.push_back(std::move(now));
     if (past_.size() > most_past) past_.pop_front();
   }
   used_ = {};
-  for (const Slider& slider : sliders) used_.set(slider.meeting.key, {0, slider.bound});
+  for (const auto& [key, force] : asked) used_.set(key, {0, force});
 }
 
 /// ω, a tenth at least, and growing by no more than to its double. Where residuals grow along themselves, as of a body that

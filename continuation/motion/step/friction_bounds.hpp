@@ -5,8 +5,26 @@
 #include <vector>
 
 #include "continuation/bodies/sliders.hpp"
+#include "continuation/motion/energy/potential.hpp"
 
 namespace dda {
+
+/// What bounds a friction: μ N as it follows from a place, or as a pass takes it.
+struct FrictionBound {
+  MeetingKey key;
+  double force = 0;  ///< [F]
+};
+
+/// All that rubs at a place.
+struct Rubbing {
+  std::vector<Slider> sliders;
+  std::vector<RubbingBond> bonds;
+
+  bool empty() const { return sliders.empty() && bonds.empty(); }
+  /// Sliders first. Bonds have keys of their own: bodies that are joined do not meet.
+  std::vector<FrictionBound> bounds(const std::vector<Bond>& all) const;
+  void set_bounds(const std::vector<FrictionBound>& bounds);
+};
 
 /// The bounds μ N of friction from pass to pass of a step: the forces N of a pass follow from the bounds b of the one before,
 /// and those are sought that follow from themselves.
@@ -24,9 +42,9 @@ class FrictionBounds {
  public:
   /// The sum of |r| over that of μ N; 0 without friction. A vertex keeps its bound where it goes to the next edge of the same
   /// body.
-  double change(const std::vector<Slider>& sliders) const;
+  double change(const std::vector<FrictionBound>& asked) const;
   /// Sets the bounds μ N of the next pass to b.
-  void relax(std::vector<Slider>& sliders);
+  void relax(std::vector<FrictionBound>& asked);
 
  private:
   struct Bound {
@@ -36,7 +54,7 @@ class FrictionBounds {
   };
   using Pass = std::vector<Bound>;  ///< in the order of its keys
 
-  Pass pass_of(const std::vector<Slider>& sliders) const;
+  Pass pass_of(const std::vector<FrictionBound>& asked) const;
   static Bound at(const Pass& pass, const MeetingKey& key);
   double factor_of(const Pass& now);
   Eigen::VectorXd next_of(const Pass& now) const;

@@ -18,12 +18,6 @@ Poses advanced(const Poses& z, const Poses& dz, double share) {
   return out;
 }
 
-double slope_along(const Vector& gradient, const Poses& way) {
-  double out = 0;
-  for (std::size_t b = 0; b < way.size(); ++b) out += of_body(gradient, b).dot(way[b]);
-  return out;
-}
-
 /// So many springs may change in a direction that they cost about as much as the factorisation: half a solution each of a
 /// plane graph, n log n beside n^(3/2).
 Eigen::Index as_dear_as_factor(Eigen::Index unknowns) {
@@ -40,18 +34,21 @@ MotionStep StepMinimum::solve(const StepStart& from, const Inertia& inertia) {
   MotionStep out{.poses = start, .forces = {}, .contacts = {}, .failure = {}};
   FrictionBounds bounds;
   for (int pass = 0; out.converged(); ++pass) {
-    std::vector<Slider> sliders = sliders_at(out.poses, from.sliders, pass == 0);
-    const bool is_free = sliders.empty();  // of friction: there is nothing to settle
-    if (pass > 0 && is_free && potential_.sliders().empty()) break;
-    const double change = pass > 0 ? bounds.change(sliders) : 1;
+    Rubbing rubbing{sliders_at(out.poses, from.sliders, pass == 0), potential_.rubbing(out.poses)};
+    const bool is_free = rubbing.empty();  // of friction: there is nothing to settle
+    if (pass > 0 && is_free && !potential_.has_friction()) break;
+    std::vector<FrictionBound> asked = rubbing.bounds(potential_.bonds());
+    const double change = pass > 0 ? bounds.change(asked) : 1;
     const bool is_settled = change <= tolerances_.friction_change;
     if (pass == tolerances_.most_passes && !is_settled) {
       out.failure =
           fmt::format("friction has not settled: normal forces change by {:.1e} of their sum", change);
       break;
     }
-    if (!is_settled) bounds.relax(sliders);
-    potential_.set_sliders(std::move(sliders));
+    if (!is_settled) bounds.relax(asked);
+    rubbing.set_bounds(asked);
+    potential_.set_sliders(std::move(rubbing.sliders));
+    potential_.set_rubbing(rubbing.bonds);
     rounding_ = potential_.rounding(out.poses, inertia.per_square_time);
     if (pass == 0) out.poses = predicted(start, inertia);
     const Minimised found =
@@ -217,6 +214,15 @@ bool StepMinimum::factor(const Potential::Curvature& curvature) {
   return factor_.factorise(curvature.matrix);
 }
 
+/// The slope along a way, without bodies on which what is left is rounding: next to stiff supports that hides all else.
+double StepMinimum::slope_along(const Vector& gradient, const Poses& way) const {
+  double out = 0;
+  for (std::size_t b = 0; b < way.size(); ++b)
+    if (const auto g = of_body(gradient, b); left_of(g, scene_.bodies[b].size) > rounding_[b])
+      out += g.dot(way[b]);
+  return out;
+}
+
 /// Where the slope along dz has fallen to a fifth, by bisection and the Illinois rule; as far as cores are free where it
 /// still leads down there.
 StepMinimum::Found StepMinimum::line_search(const Poses& z, const Poses& dz, const Inertia& inertia,
@@ -230,13 +236,15 @@ StepMinimum::Found StepMinimum::line_search(const Poses& z, const Poses& dz, con
   };
   const double first = descent.slope;
   double low = 0, high = descent.free, at_low = first, at_high = slope_at(high);
-  if (!(at_high > flat * std::abs(first))) return out;
-  for (int i = 0; i < most; ++i) {
+  if (!(first < 0 && at_high > flat * std::abs(first))) return out;
+  for (int i = 0, side = 0; i < most; ++i) {
     const double now =
         slope_at(i % 3 == 2 ? (low + high) / 2 : low - at_low * (high - low) / (at_high - at_low));
     if (std::abs(now) <= flat * std::abs(first)) return out;
     (now > 0 ? high : low) = out.share;
     (now > 0 ? at_high : at_low) = now;
+    if (side * now > 0) (now > 0 ? at_low : at_high) /= 2;
+    side = now > 0 ? 1 : -1;
   }
   if (low > 0) slope_at(low);
   return out;

@@ -40,6 +40,7 @@ class StepMinimum final : public StepSolver {
     Eigen::VectorXd gradient;
   };
   Found line_search(const Poses& z, const Poses& dz, const Inertia& inertia, const Descent& descent) const;
+  double slope_along(const Eigen::VectorXd& gradient, const Poses& way) const;
   std::vector<Slider> sliders_at(const Poses& z, const SliderMemory& memory, bool uses_memory) const;
   void tell(const Poses& start, MotionStep& out) const;
 

@@ -21,9 +21,7 @@ Unbalanced unbalanced(const MovingScene& scene, const Eigen::VectorXd& forces,
                       const std::vector<double>& rounding) {
   Unbalanced out;
   for (std::size_t b = 0; b < scene.num_bodies(); ++b) {
-    const auto g = of_body(forces, b);
-    const double size = std::max(g.head<2>().norm(), g.tail<4>().norm() / scene.bodies[b].size);
-    const double now = std::max(0.0, size - rounding[b]);
+    const double now = std::max(0.0, left_of(of_body(forces, b), scene.bodies[b].size) - rounding[b]);
     if (!(now <= out.force)) out = {now, b};
   }
   return out;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -63,6 +64,11 @@ class StepSolver {
 
 /// The largest force that the loads or, by a thousandth, inertia have on a body, moments over its size [F].
 double force_scale(const MovingScene& scene, const Poses& start, const Inertia& inertia);
+
+/// What is left of the forces on a body of a size, moments over it [F].
+inline double left_of(const Vec6& forces, double size) {
+  return std::max(forces.head<2>().norm(), forces.tail<4>().norm() / size);
+}
 
 /// What is left of some forces on each body, moments over its size, and which body it is most at.
 struct Unbalanced {

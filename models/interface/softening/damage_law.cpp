@@ -61,15 +61,16 @@ double DamageLaw::energy_ratio_slope(double mixity) const {
          std::pow(mixity, n_.mixed_mode_exponent - 1);
 }
 
-DamageLaw::Trial DamageLaw::trial(const Vec2& q) const {
+DamageLaw::Trial DamageLaw::trial(const Sides& sides) const {
+  const Vec2& q = sides.q;
   const double beta = n_.shear_weight, normal = std::max(q.x(), 0.0);
   Trial out;
   Vec2 sliding_gradient(0, 1);
   double sliding = q.y();
-  if (q.x() < 0 && m_ > 0) {
-    const double excess = std::abs(q.y()) + m_ * q.x(), sign = q.y() < 0 ? -1 : 1;
+  if (sides.closing > 0 && m_ > 0) {
+    const double excess = std::abs(q.y()) - m_ * sides.closing, sign = q.y() < 0 ? -1 : 1;
     sliding = sign * std::max(excess, 0.0);
-    sliding_gradient = excess > 0 ? Vec2(sign * m_, 1) : Vec2(Vec2::Zero());
+    sliding_gradient = excess > 0 ? Vec2(-sign * m_ * sides.per_normal, 1) : Vec2(Vec2::Zero());
   }
   out.opening = std::hypot(normal, beta * sliding);
   if (out.opening == 0) return out;
@@ -83,8 +84,8 @@ DamageLaw::Trial DamageLaw::trial(const Vec2& q) const {
   return out;
 }
 
-DamageLaw::Equivalent DamageLaw::equivalent(const Vec2& q, double k) const {
-  const Trial at = trial(q);
+DamageLaw::Equivalent DamageLaw::equivalent(const Sides& sides, double k) const {
+  const Trial at = trial(sides);
   Equivalent out{at.opening, at.mixity, at.opening_gradient, at.mixity_gradient};
   const double kappa0 = initial_kappa(k);
   if (at.opening < kappa0 * (1 - on_surface) || !has_modes() || at.mixity == 0) return out;
@@ -131,8 +132,8 @@ double DamageLaw::secant_slope_at(double kappa, double k) const {
   return (strength_slope - n_.strength * shape_->value(omega) / kappa) / kappa;
 }
 
-Friction DamageLaw::friction(const Vec2& q, const History& h) const {
-  return coulomb_friction(q, memory_of(h).slip, h.sliding, m_);
+Friction DamageLaw::friction(const Sides& at, const History& h) const {
+  return coulomb_friction(at, memory_of(h).slip, h.sliding, m_);
 }
 
 Vec2 DamageLaw::slip_gradient(const Vec2& q, const History& h, double k) const {
@@ -141,14 +142,15 @@ Vec2 DamageLaw::slip_gradient(const Vec2& q, const History& h, double k) const {
   return held.at_limit ? Vec2(m_, held.direction) : Vec2(Vec2::Zero());
 }
 
-Response DamageLaw::secant(const Vec2& q, const History& h, double kappa, double k) const {
+Response DamageLaw::secant(const Sides& sides, const History& h, double kappa, double k) const {
+  const Vec2& q = sides.q;
   const double beta2 = n_.shear_weight * n_.shear_weight;
   const double r = secant_at(kappa, k);
   Response out;
   out.tangent.diagonal() = Vec2(q.x() < 0 ? k : r, beta2 * r);
   out.traction = out.tangent.diagonal().cwiseProduct(q);
-  if (r == k || m_ == 0 || q.x() > 0) return out;
-  const Friction held = friction(q, h);
+  if (r == k || m_ == 0 || !sides.rub()) return out;
+  const Friction held = friction(sides, h);
   out.traction.y() += beta2 * (k - r) * held.elastic;
   out.tangent.row(1) += beta2 * (k - r) * held.gradient.transpose();
   return out;
@@ -160,14 +162,21 @@ bool DamageLaw::is_loading(double opening, double kappa, bool flag) const {
   return flag ? opening >= kappa * (1 - on_surface) : opening > kappa * (1 + round_off);
 }
 
-Response DamageLaw::respond(const Vec2& q, const History& h, double k) const {
+Response DamageLaw::respond(const Vec2& q, const History& h, double k) const { return responded(q, h, k); }
+
+Response DamageLaw::respond_bounded(const Vec2& q, const History& h, double k, double closing) const {
+  return responded({q, closing}, h, k);
+}
+
+Response DamageLaw::responded(const Sides& sides, const History& h, double k) const {
+  const Vec2& q = sides.q;
   const double reached = kappa(h, k);
-  const Equivalent at = equivalent(q, k);
-  if (!is_loading(at.kappa, reached, h.loading)) return secant(q, h, std::max(reached, at.kappa), k);
+  const Equivalent at = equivalent(sides, k);
+  if (!is_loading(at.kappa, reached, h.loading)) return secant(sides, h, std::max(reached, at.kappa), k);
   const double kappa = std::max(at.kappa, reached);
-  Response out = secant(q, h, kappa, k);
+  Response out = secant(sides, h, kappa, k);
   const double beta2 = n_.shear_weight * n_.shear_weight;
-  const Vec2 lever(std::max(q.x(), 0.0), beta2 * (q.y() - friction(q, h).elastic));
+  const Vec2 lever(std::max(q.x(), 0.0), beta2 * (q.y() - friction(sides, h).elastic));
   out.tangent += secant_slope_at(kappa, k) * lever * at.gradient.transpose();
   return out;
 }

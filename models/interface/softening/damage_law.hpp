@@ -61,6 +61,7 @@ class DamageLaw final : public InterfaceLaw {
   Vec2 slip_gradient(const Vec2& q, const History& h, double k) const override;
   Response respond(const Vec2& q, const History& h, double k) const override;
   Response respond_frozen(const Vec2& q, const History& h, double k) const override;
+  Response respond_bounded(const Vec2& q, const History& h, double k, double closing) const override;
   Spending spending(const Vec2& q, const History& h, double k) const override;
   History accept(const Vec2& q, const History& h, double k) const override;
   double stored(const Vec2& q, const History& h, double k) const override;
@@ -85,11 +86,12 @@ class DamageLaw final : public InterfaceLaw {
     double kappa = 0, mixity = 0;
     Vec2 gradient = Vec2::Zero(), mixity_gradient = Vec2::Zero();
   };
-  Trial trial(const Vec2& q) const;
-  Equivalent equivalent(const Vec2& q, double k) const;
+  Trial trial(const Sides& at) const;
+  Equivalent equivalent(const Sides& at, double k) const;
   bool is_loading(double opening, double kappa, bool flag) const;
-  Friction friction(const Vec2& q, const History& h) const;
-  Response secant(const Vec2& q, const History& h, double kappa, double k) const;
+  Friction friction(const Sides& at, const History& h) const;
+  Response secant(const Sides& at, const History& h, double kappa, double k) const;
+  Response responded(const Sides& at, const History& h, double k) const;
   void add_friction_work(const Vec2& q, const History& h, double k, Spending& out) const;
 
   bool has_modes() const { return n_.shear_fracture_energy != n_.fracture_energy; }

@@ -45,10 +45,11 @@ def spent_never_falls(curve):
 def told_half_a_step_early(curve):
     """What of the last change of the stored energy `impact_and_damping` may have been told too little, ± [FL].
 
-    Work, kinetic energy and that of strain are those of the middle of a step, what contacts, joints and springs store is that of
-    its end: half a step ahead. How much of the stored energy that is no file tells; it is none of it to all of it.
+    Work and kinetic energy are those of the middle of a step, most of what is stored is that of its end: half a step ahead. How
+    much of it that is no file tells; it is none of it to all of it, but for what impacts have taken.
     """
-    return np.diff(curve["stored_energy"], prepend=0.0) / 2
+    stored = curve["stored_energy"] - curve.get("impact_energy", 0.0)
+    return np.diff(stored, prepend=0.0) / 2
 
 
 def impact_gives_nothing_back(curve, bound):

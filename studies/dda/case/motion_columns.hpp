@@ -9,8 +9,8 @@
 namespace dda::motion_column {
 
 inline constexpr const char *work = "external_work", *kinetic = "kinetic_energy", *stored = "stored_energy",
-                            *strain = "strain_energy",
-                            *contact = "contact_energy",  // parts of what is stored
+                            *strain = "strain_energy", *contact = "contact_energy",
+                            *impact = "impact_energy",  // parts of what is stored
                                 *friction = "friction", *fracture = "fracture", *damping = "viscous_damping",
                             *numerical = "impact_and_damping", *error = "energy_error";
 

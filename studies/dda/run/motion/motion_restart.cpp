@@ -18,7 +18,6 @@ struct Scalars {
     visit("stored", self.at.stored);
     visit("time", m.time);
     visit("most_kinetic", m.most_kinetic);
-    visit("taken", m.taken);
     visit("step", m.dt.now);
     visit("step_before", m.dt.before);
     visit("begins", m.dt.begins);
@@ -47,10 +46,23 @@ struct Scalars {
     visit("stored_bonds", ledger.stored.bonds);
     visit("stored_contact", ledger.stored.contact);
     visit("stored_friction", ledger.stored.friction);
+    visit("stored_impacts", ledger.stored.impacts);
   }
 };
 
 constexpr std::size_t of_pose = 6;
+
+void put_motions(const std::vector<RigidMotion>& motions, std::vector<double>& out) {
+  for (const RigidMotion& motion : motions)
+    out.insert(out.end(), {motion.velocity.x(), motion.velocity.y(), motion.spin});
+}
+
+std::vector<RigidMotion> motions_of(const std::vector<double>& numbers) {
+  std::vector<RigidMotion> out;
+  for (std::size_t i = 0; i + 2 < numbers.size(); i += 3)
+    out.push_back({{numbers[i], numbers[i + 1]}, numbers[i + 2]});
+  return out;
+}
 
 void put_lists(const MotionMemory& m, RestartData& out) {
   std::vector<double>& courses = out.numbers["courses"];
@@ -58,9 +70,10 @@ void put_lists(const MotionMemory& m, RestartData& out) {
   for (const BodyCourse& course : m.courses)
     for (const Pose* part : {&course.before, &course.now, &course.velocity, &course.acceleration})
       courses.insert(courses.end(), part->begin(), part->end());
-  for (const RigidMotion& motion : m.owed)
-    for (const double part : {motion.velocity.x(), motion.velocity.y(), motion.spin})
-      out.numbers["owed"].push_back(part);
+  std::vector<RigidMotion> steady;
+  for (const BodyCourse& course : m.courses) steady.push_back(course.steady);
+  put_motions(steady, out.numbers["steady"]);
+  put_motions(m.owed, out.numbers["owed"]);
   out.numbers["fracture_of"] = m.ledger.fracture_of;
   out.integers["bonds"] = {m.bonds.begin(), m.bonds.end()};
   put_all(out, "histories", m.histories);
@@ -93,9 +106,10 @@ void take_lists(const RestartData& data, MotionMemory& m) {
     const std::size_t body = m.courses.size();
     m.courses.push_back({pose(0), pose(1), pose(2), pose(3), body < growths.size() ? growths[body] : 1.0});
   }
-  const std::vector<double> owed = list(data.numbers, "owed");
-  for (std::size_t i = 0; i + 2 < owed.size(); i += 3)
-    m.owed.push_back({{owed[i], owed[i + 1]}, owed[i + 2]});
+  const std::vector<RigidMotion> steady = motions_of(list(data.numbers, "steady"));
+  for (std::size_t body = 0; body < std::min(steady.size(), m.courses.size()); ++body)
+    m.courses[body].steady = steady[body];
+  m.owed = motions_of(list(data.numbers, "owed"));
   m.ledger.fracture_of = list(data.numbers, "fracture_of");
   for (const std::int64_t bond : list(data.integers, "bonds"))
     m.bonds.push_back(static_cast<std::size_t>(bond));

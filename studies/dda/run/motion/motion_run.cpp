@@ -93,6 +93,7 @@ class MotionRecorder {
                                ledger.stored.sum(),
                                ledger.stored.strain,
                                ledger.stored.contact + ledger.stored.friction,
+                               ledger.stored.impacts,
                                ledger.friction,
                                ledger.fracture,
                                ledger.damping,

@@ -14,14 +14,9 @@ struct Jammed {
   Mat2 a;
   double stuck = 1e9;
 
-  std::vector<Slider> sliders(const Vec2& b) const {
+  std::vector<FrictionBound> asked(const Vec2& b) const {
     const Vec2 now = (c + a * b).cwiseMin(stuck);
-    std::vector<Slider> out(2);
-    for (std::uint32_t i = 0; i < 2; ++i) {
-      out[i].meeting.key = {i + 1, 0, 0, 0, false};
-      out[i].bound = now[i];
-    }
-    return out;
+    return {{{.body = 1}, now[0]}, {{.body = 2}, now[1]}};
   }
   Vec2 solution() const { return (Mat2::Identity() - a).inverse() * c; }
 };
@@ -30,9 +25,9 @@ Vec2 settled(const Jammed& jammed, int passes) {
   FrictionBounds bounds;
   Vec2 b = jammed.c;
   for (int i = 0; i < passes; ++i) {
-    std::vector<Slider> sliders = jammed.sliders(b);
-    bounds.relax(sliders);
-    b = {sliders[0].bound, sliders[1].bound};
+    std::vector<FrictionBound> asked = jammed.asked(b);
+    bounds.relax(asked);
+    b = {asked[0].force, asked[1].force};
   }
   return b;
 }
@@ -58,13 +53,11 @@ TEST(FrictionBounds, SettleWhereResidualsTurn) {
   FrictionBounds bounds;
   Eigen::Vector3d b(420, 490, 430);
   for (int pass = 0; pass < 25; ++pass) {
-    std::vector<Slider> sliders(3);
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      sliders[i].meeting.key = {i + 1, 0, 0, 0, false};
-      sliders[i].bound = exact[i] + a.row(i).dot(b - exact);
-    }
-    bounds.relax(sliders);
-    for (std::uint32_t i = 0; i < 3; ++i) b[i] = sliders[i].bound;
+    std::vector<FrictionBound> asked;
+    for (std::uint32_t i = 0; i < 3; ++i)
+      asked.push_back({{.body = i + 1}, exact[i] + a.row(i).dot(b - exact)});
+    bounds.relax(asked);
+    for (std::uint32_t i = 0; i < 3; ++i) b[i] = asked[i].force;
   }
   EXPECT_LT((b - exact).norm(), 1e-6 * exact.norm());
 }
@@ -72,12 +65,12 @@ TEST(FrictionBounds, SettleWhereResidualsTurn) {
 TEST(FrictionBounds, ForgetWhatIsGone) {
   const Jammed jammed{{30, 20}, Mat2::Zero()};
   FrictionBounds bounds;
-  std::vector<Slider> sliders = jammed.sliders(Vec2::Zero());
-  bounds.relax(sliders);
-  sliders.pop_back();
-  EXPECT_DOUBLE_EQ(bounds.change(sliders), 20.0 / 30);
-  bounds.relax(sliders);
-  EXPECT_EQ(bounds.change(sliders), 0);
+  std::vector<FrictionBound> asked = jammed.asked(Vec2::Zero());
+  bounds.relax(asked);
+  asked.pop_back();
+  EXPECT_DOUBLE_EQ(bounds.change(asked), 20.0 / 30);
+  bounds.relax(asked);
+  EXPECT_EQ(bounds.change(asked), 0);
 }
 
 TEST(FrictionBounds, AreTakenAsTheyAreWhereNothingIsJammed) {
@@ -89,11 +82,11 @@ TEST(FrictionBounds, AreTakenAsTheyAreWhereNothingIsJammed) {
 TEST(FrictionBounds, TellHowFarTheForcesAreFromThem) {
   const Jammed jammed{{30, 20}, Mat2::Zero()};
   FrictionBounds bounds;
-  std::vector<Slider> sliders = jammed.sliders(Vec2::Zero());
-  EXPECT_EQ(bounds.change(sliders), 1);
-  bounds.relax(sliders);
-  sliders[1].bound = 25;
-  EXPECT_DOUBLE_EQ(bounds.change(sliders), 5.0 / 55);
+  std::vector<FrictionBound> asked = jammed.asked(Vec2::Zero());
+  EXPECT_EQ(bounds.change(asked), 1);
+  bounds.relax(asked);
+  asked[1].force = 25;
+  EXPECT_DOUBLE_EQ(bounds.change(asked), 5.0 / 55);
 }
 
 }  // namespace
