@@ -52,7 +52,7 @@ void ContactSolver::prepare(const State& guess) {
 }
 
 std::optional<Reduced> ContactSolver::solve(const StepGoal& goal) {
-  if (has_offsets(system_) || !system_.has_contacts()) return {};
+  if (!system_.has_contacts()) return {};
   if (const auto sum = goal.control.as_sum(goal.step)) return solve_sum(*sum, goal, goal.guess);
   auto found = solve_tangents(system_, goal, [&](const ControlSum& sum, const State& guess) {
     points_.reset();

@@ -24,10 +24,6 @@ std::size_t count_changed(System& system, const State& at, Kind is_of_kind) {
 
 }  // namespace
 
-bool has_offsets(const System& system) {
-  return !system.loading().dead_offset.empty() || !system.loading().reference_offset.empty();
-}
-
 std::vector<std::size_t> newly_cracked(System& system, const LinearSystem& linear, const State& at) {
   const auto laws = system.laws_at(at);
   std::vector<std::size_t> out;
@@ -101,7 +97,7 @@ std::optional<Reduced> solve_tangents(
 
 std::optional<Reduced> solve_reduced(Stepper& stepper, const StepGoal& goal) {
   System& system = stepper.system();
-  if (!system.linear().updates() || system.iterates_multipliers() || has_offsets(system)) return {};
+  if (!system.linear().updates() || system.iterates_multipliers()) return {};
   if (const auto sum = goal.control.as_sum(goal.step)) return solve_sum(stepper, *sum, goal);
   return solve_tangents(system, goal, [&](const ControlSum& sum, const State& guess) {
     return solve_sum(stepper, sum, {goal.start, goal.control, goal.step, guess});

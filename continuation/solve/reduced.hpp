@@ -20,7 +20,7 @@ struct Reduced {
 /// looked at in full: points that crack there are taken in and the iteration starts again from the guess, so
 /// that it goes the way of Newton's method for all unknowns. It is a better guess and no more: equilibrium is
 /// judged by the full residual. Nothing where the points' equations are none of all: where no base is kept, with
-/// initial stress or iterated multipliers, and where more points crack than a base bears beside it.
+/// iterated multipliers, and where more points crack than a base bears beside it.
 std::optional<Reduced> solve_reduced(Stepper& stepper, const StepGoal& goal);
 
 /// Under a control that looks at every point: its tangent is a gauge, taken anew at each state that `solve` has found
@@ -32,8 +32,6 @@ std::optional<Reduced> solve_tangents(
 /// Whether joints have come to lie much farther from the guess than this is from the start of the step: beside contact
 /// Newton's method may end on another path.
 bool strays(const System& system, const State& found, const State& start, const State& guess);
-/// Whether loads leave openings of their own, which the equations of some points leave out.
-bool has_offsets(const System& system);
 /// Points without columns that are not as in the base at a state.
 std::vector<std::size_t> newly_cracked(System& system, const LinearSystem& linear, const State& at);
 /// Points that are not held at a state as in the intact structure.

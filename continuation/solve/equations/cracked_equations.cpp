@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "continuation/linear/dense/two_by_two.hpp"
@@ -21,17 +22,27 @@ CrackedEquations::CrackedEquations(const System& system, LinearSystem& linear, c
       dead_(length()),
       live_(length()),
       update_(linear_.couplings()) {
+  live_change_ = opened_by(system.loading().reference_offset);
   for (std::size_t i = 0; i < points_.size(); ++i)
-    pair_of(live_, i) = system.equilibrium().opening(points_[i], linear_.reference_solution());
+    pair_of(live_, i) = system.equilibrium().opening(points_[i], linear_.reference_solution()) +
+                        system.loading().reference_opening(points_[i]);
   only_touch_ = std::ranges::all_of(
       points_, [&](std::size_t p) { return system.equilibrium().point(p).is_separate(); });
   if (!control.gauge) return;
   gauge_live_ = control.gauge->value(linear_.reference_solution(), 1) - control.gauge->constant;
+  if (!live_change_.empty()) gauge_live_ += control.gauge->value(live_change_, 0) - control.gauge->constant;
   along_ = points_.empty() ? Vector() : linear_.along_columns(*control.gauge);
 }
 
 Vec2 CrackedEquations::multiplier(std::size_t i) const {
   return system_.iterates_multipliers() ? system_.multipliers()[points_[i]] : Vec2(Vec2::Zero());
+}
+
+/// What opens it without displacements: its multiplier, and what initial stress does.
+Vec2 CrackedEquations::offset(std::size_t i, double load_factor) const {
+  const Loading& loading = system_.loading();
+  return multiplier(i) + loading.dead_opening(points_[i]) +
+         load_factor * loading.reference_opening(points_[i]);
 }
 
 Iterate CrackedEquations::begin(const State& guess, const Rule& rule) { return start_at(guess, rule, false); }
@@ -46,19 +57,19 @@ Iterate CrackedEquations::begin_walks(const State& start, const State& guess, co
 Eigen::VectorXd CrackedEquations::openings(const State& at) const {
   Vector out(length() + 1);
   for (std::size_t i = 0; i < points_.size(); ++i)
-    pair_of(out, i) = system_.jump(points_[i], at.d) + multiplier(i);
+    pair_of(out, i) = system_.jump(points_[i], at.d) + offset(i, at.load_factor);
   out[length()] = at.load_factor;
   return out;
 }
 
 Iterate CrackedEquations::start_at(const State& guess, const Rule& rule, bool walks) {
   is_condensed_ = false;
-  origin_ = pulled_by_multipliers();
+  origin_ = pulled_by_offsets();
   const std::vector<double>& dead = origin_ ? *origin_ : linear_.dead_solution();
   z_origin_ = Vector::Zero(length());
   load_origin_ = 0;
   for (std::size_t i = 0; i < points_.size(); ++i)
-    pair_of(dead_, i) = system_.equilibrium().opening(points_[i], dead) + multiplier(i);
+    pair_of(dead_, i) = system_.equilibrium().opening(points_[i], dead) + offset(i, 0);
   q_ = openings(guess).head(length());
   if (control_.gauge) gauge_dead_ = control_.gauge->value(dead, 0);
   load_factor_ = guess.load_factor;
@@ -73,20 +84,37 @@ Iterate CrackedEquations::start_at(const State& guess, const Rule& rule, bool wa
   return {start_, load_factor_};
 }
 
-/// d_dead with the forces of the multipliers of all points without columns, D_base m; nothing where they have none.
-std::shared_ptr<const std::vector<double>> CrackedEquations::pulled_by_multipliers() const {
-  if (!system_.iterates_multipliers()) return {};
-  const std::vector<Vec2>& multipliers = system_.multipliers();
-  Vector tractions(2 * std::ssize(multipliers));
-  for (std::size_t p = 0; p < multipliers.size(); ++p)
-    pair_of(tractions, p) = linear_.base()[p] * multipliers[p];
-  for (const std::size_t p : points_) pair_of(tractions, p).setZero();
-  if (tractions.isZero(0)) return {};
-  std::vector<double> out = linear_.dead_solution(), change(out.size(), 0.0);
-  system_.equilibrium().scatter_add({tractions.data(), 2 * multipliers.size()}, change);
-  linear_.solve_base(change, change);
-  for (std::size_t k = 0; k < out.size(); ++k) out[k] -= change[k];
+/// d_dead with the forces of the multipliers of all points without columns, D_base m, and of what initial stress opens,
+/// D_base q₀; nothing where there are none.
+std::shared_ptr<const std::vector<double>> CrackedEquations::pulled_by_offsets() const {
+  const std::vector<double>& initial = system_.loading().dead_offset;
+  std::vector<double> offsets = initial;
+  if (system_.iterates_multipliers()) {
+    const std::vector<Vec2>& multipliers = system_.multipliers();
+    offsets.resize(2 * multipliers.size(), 0.0);
+    const std::set<std::size_t> with_columns(points_.begin(), points_.end());
+    for (std::size_t p = 0; p < multipliers.size(); ++p)
+      if (!with_columns.contains(p)) Eigen::Map<Vec2>(&offsets[2 * p]) += multipliers[p];
+  }
+  const std::vector<double> change = opened_by(offsets);
+  if (change.empty()) return {};
+  std::vector<double> out = linear_.dead_solution();
+  for (std::size_t k = 0; k < out.size(); ++k) out[k] += change[k];
   return std::make_shared<const std::vector<double>>(std::move(out));
+}
+
+/// −K_base⁻¹ Bᵀ W D_base q₀ of such openings, 2 per point; empty where they are none.
+std::vector<double> CrackedEquations::opened_by(const std::vector<double>& offsets) const {
+  if (std::ranges::all_of(offsets, [](double q) { return q == 0; })) return {};
+  std::vector<double> tractions(offsets.size()), out(system_.equilibrium().num_unknowns(), 0.0);
+  for (std::size_t p = 0; 2 * p < offsets.size(); ++p) {
+    const Eigen::Map<const Vec2> offset(&offsets[2 * p]);
+    Eigen::Map<Vec2> traction(&tractions[2 * p]);
+    traction = -linear_.base()[p] * offset;
+  }
+  system_.equilibrium().scatter_add(tractions, out);
+  linear_.solve_base(out, out);
+  return out;
 }
 
 Iterate CrackedEquations::go_on_walking(const Rule& rule) {
@@ -207,7 +235,7 @@ void CrackedEquations::refine() {
   }
   const State at = state_here();
   for (std::size_t i = 0; i < points_.size(); ++i)
-    pair_of(dead_, i) = system_.jump(points_[i], at.d) + multiplier(i);
+    pair_of(dead_, i) = system_.jump(points_[i], at.d) + offset(i, at.load_factor);
   if (control_.gauge) gauge_dead_ = at.value(*control_.gauge);
 }
 
@@ -240,9 +268,9 @@ double CrackedEquations::residual_norm(const State& at) const {
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const std::size_t p = points_[i];
     const InterfacePoint& point = equilibrium.point(p);
-    const Vec2 jump = system_.jump(p, at.d);
+    const Vec2 q = system_.jump(p, at.d) + offset(i, at.load_factor);
     const Vec2 missed =
-        point.weight * (system_.respond(p, jump + multiplier(i)).traction - linear_.base()[p] * jump) -
+        point.weight * (system_.respond(p, q).traction - linear_.base()[p] * (q - multiplier(i))) -
         pair_of(z_, i);
     point.for_each_part([&](BlockId node, const Mat26& rows) {
       forces.try_emplace(node, Vec6::Zero()).first->second += rows.transpose() * missed;
@@ -254,7 +282,14 @@ double CrackedEquations::residual_norm(const State& at) const {
 }
 
 State CrackedEquations::state_here() {
-  return {linear_.combined({.origin = origin_, .load_factor = load_factor_ - load_origin_, .z = difference_}),
+  const double load = load_factor_ - load_origin_;
+  auto origin = origin_;
+  if (!live_change_.empty() && load != 0) {
+    std::vector<double> moved = origin_ ? *origin_ : linear_.dead_solution();
+    for (std::size_t k = 0; k < moved.size(); ++k) moved[k] += load * live_change_[k];
+    origin = std::make_shared<const std::vector<double>>(std::move(moved));
+  }
+  return {linear_.combined({.origin = std::move(origin), .load_factor = load, .z = difference_}),
           load_factor_};
 }
 

@@ -19,7 +19,8 @@ namespace dda {
 ///     d = d_dead + (λ − λ₀) d_ref − Z (z − z₀)
 ///
 /// with the base, Z and G of a LinearSystem and the iterated multipliers m; z₀ = 0 and λ₀ = 0 until refined. Multipliers of points
-/// that are held as in the base but for them, t = D_base q, are loads of d_dead. An iteration costs a dense solve of the
+/// that are held as in the base but for them, t = D_base q, are loads of d_dead, and what initial stress opens, q₀(λ), is one
+/// of d_dead and d_ref on all of them and counts in q_dead and q_ref. An iteration costs a dense solve of the
 /// size of the cracked components.
 class CrackedEquations final : public WalkedEquations {
  public:
@@ -91,10 +92,12 @@ class CrackedEquations final : public WalkedEquations {
   using Vector = Eigen::VectorXd;
 
   Eigen::Index length() const { return 2 * static_cast<Eigen::Index>(points_.size()); }
-  std::shared_ptr<const std::vector<double>> pulled_by_multipliers() const;
+  std::shared_ptr<const std::vector<double>> pulled_by_offsets() const;
+  std::vector<double> opened_by(const std::vector<double>& offsets) const;
   Iterate start_at(const State& guess, const Rule& rule, bool walks);
   Vector openings(const State& at) const;
   Vec2 multiplier(std::size_t i) const;
+  Vec2 offset(std::size_t i, double load_factor) const;
   double opening_scale() const;
   double largest_miss(Accuracy accuracy) const;
   bool is_solved(Accuracy accuracy) const;
@@ -122,8 +125,9 @@ class CrackedEquations final : public WalkedEquations {
   LinearSystem& linear_;
   const ControlSum control_;
   const std::vector<std::size_t> points_;
-  Vector dead_, live_;  ///< q_dead + m, q_ref
-  Vector along_;        ///< Zᵀ ∂g/∂d
+  Vector dead_, live_;               ///< q_dead + m, q_ref
+  std::vector<double> live_change_;  ///< of d_ref by initial stress; empty without
+  Vector along_;                     ///< Zᵀ ∂g/∂d
   double gauge_dead_ = 0, gauge_live_ = 0;
   bool only_touch_ = false;
   std::shared_ptr<const std::vector<double>> origin_;  ///< d_dead where it is another one

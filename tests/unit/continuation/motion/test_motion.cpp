@@ -229,7 +229,7 @@ TEST(Motion, GivesBackWhatRestitutionSays) {
     while (motion.advance()) {
       if (motion.time() > std::sqrt(2 / gravity) + 0.02)
         highest = std::max(highest, motion.poses()[1][1] - 0.5);
-      EXPECT_GE(motion.ledger().numerical, spent - 1e-9 * density)
+      EXPECT_GE(motion.ledger().numerical, spent - 1e-6 * gravity * density)
           << "what may be given back is not spent yet";
       spent = motion.ledger().numerical;
     }
