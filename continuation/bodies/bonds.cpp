@@ -13,6 +13,20 @@ Mat2 frame_of(const Bond& bond, const Poses& at) {
   return (Mat2() << n.x(), n.y(), -n.y(), n.x()).finished();
 }
 
+bool is_turned(const Bond& bond, const Poses& at) {
+  constexpr double far = 0.2;
+  const auto angle = [&](std::size_t body) { return polar_of(gradient_of(at[body])).angle; };
+  return std::abs(std::remainder(angle(bond.second) - angle(bond.first), 2 * M_PI)) > far;
+}
+
+void spend(Bond& bond, const Vec2& opening) {
+  constexpr double all = 1e12;  // of its opening so far
+  const double dissipated = bond.history.dissipated;
+  bond.history = bond.law->releases_at_once() ? bond.law->release(opening, bond.history, bond.stiffness, 0)
+                                              : bond.law->grown(bond.history, bond.stiffness, all);
+  bond.history.dissipated = dissipated;
+}
+
 BondState state_of(const Bond& bond, const Mat2& local, const Poses& at) {
   BondState out;
   out.opening_rows = {-local * affine_rows(bond.at_first), local * affine_rows(bond.at_second)};

@@ -10,6 +10,7 @@
 #include <map>
 #include <set>
 
+#include "continuation/bodies/joined.hpp"
 #include "continuation/handover/regions.hpp"
 #include "meshing/contact/outline.hpp"
 #include "models/loading.hpp"
@@ -36,6 +37,7 @@ class Maker {
     out_.velocities.assign(out_.poses.size(), Pose::Zero());
     for (const VelocityParameters& thrown : parameters_.velocities) add_velocity(thrown);
     out_.scene.around = blocks_around_vertices();
+    drop_spent();
     return std::move(out_);
   }
 
@@ -225,13 +227,20 @@ class Maker {
     return out;
   }
 
+  /// What has cracked through bears pressure where something else still holds the bodies; where nothing does, they meet.
+  void drop_spent() {
+    const std::vector<MeetingSearch::Pair> joined = joined_by(out_.bonds, out_.scene.around);
+    std::erase_if(out_.bonds, [&](const Bond& bond) {
+      return bond.is_spent() && !std::ranges::binary_search(joined, pair_of(bond));
+    });
+  }
+
   void add_bonds() {
     const Equilibrium& equilibrium = end_.equilibrium;
     for (std::size_t p = 0; p < equilibrium.num_points(); ++p) {
       const InterfacePoint& point = equilibrium.point(p);
       const History history = p < equilibrium.num_active() ? end_.history[p] : History{};
-      if (point.is_separate() || (point.law->can_crack() && point.law->is_spent(history, point.stiffness)))
-        continue;
+      if (point.is_separate()) continue;
       const auto [first, second] = pieces_.beside(point);
       if (out_.scene.bodies[first].is_held && out_.scene.bodies[second].is_held) continue;
       Bond bond;

@@ -37,11 +37,12 @@ class FreeFlight final : public LastStep {
                    rotation(here.angle + turn + back + more.spin) *
                        (here.stretch + share * (here.stretch - then.stretch)));
   }
-  /// Loads work between the middles of both steps.
+  /// Loads work between the middles of both steps where their acceleration counts from the one to the other.
   BodyWork work(const AffineBlock& block, const BodyStep& step) const override {
     BodyWork out = LastStep::work(block, step);
-    if (step.dt.begins || step.dt.now == step.dt.before) return out;
     const RigidMotion more = made_up(step.start, step.dt);
+    const bool counts = !more.velocity.isZero(0) || more.spin != 0 || !step.is_joined;
+    if (step.dt.begins || step.dt.now == step.dt.before || !counts) return out;
     const Pose coasted =
         pose_of(centre_of(step.flight) - more.velocity, rotation(-more.spin) * gradient_of(step.flight));
     out.loaded =

@@ -32,6 +32,7 @@ struct BodyStep {
   Interval dt;
   Vec2 pull = Vec2::Zero();  ///< acceleration by the loads [L/T²]
   double gyration = 1;       ///< radius of [L]
+  bool is_joined = false;    ///< by bonds, which are stiff
 };
 
 /// What a step has done to a body: K₁ − K̂ = −∇Π(y₁) · way + of_start.

@@ -15,6 +15,7 @@ inline double common(double before, double now, double most) {
 /// The acceleration of a body by its loads and by what of the reactions to them lasts, which are no more than twice as large:
 /// not that of stiff vibrations and of impacts, which a step that is implicit in them has used up by its end.
 inline RigidMotion lasting(const BodyStep& step, const Pose& acceleration) {
+  if (step.is_joined) return {};
   const double most = 2 * step.pull.norm();
   const RigidMotion before = rigid_part(step.start.now, step.start.acceleration),
                     now = rigid_part(step.reached, acceleration);

@@ -147,7 +147,7 @@ Motion::Try Motion::try_step() {
   m_.iterations += out.found.iterations;
   if (!out.found.converged()) return out;
   book(out);
-  if (creates_energy(out.entry))
+  if (creates_energy(out))
     out.found.failure = fmt::format("the step would create an energy of {:.3g}", -out.entry.numerical);
   return out;
 }
@@ -182,14 +182,19 @@ bool Motion::advance() {
   }
 }
 
+std::vector<bool> Motion::joined_bodies() const {
+  std::vector<bool> out(now_.size(), false);
+  for (const Bond& bond : bonds_) out[bond.first] = out[bond.second] = true;
+  return out;
+}
+
 /// What is stored where the velocities are told of. Where they are means over the last step, the strain of bodies that nothing
 /// holds follows their loads and is that of the middle; what vibrates in joints goes with the velocity of an implicit step,
 /// which is that of the end.
 StoredEnergies Motion::stored(const std::vector<BodyCourse>& at) const {
   StoredEnergies out = solver_->stored(at);
   if (!course_.integrator->has_mean_velocities()) return out;
-  std::vector<bool> is_joined(at.size(), false);
-  for (const Bond& bond : bonds_) is_joined[bond.first] = is_joined[bond.second] = true;
+  const std::vector<bool> is_joined = joined_bodies();
   for (std::size_t b = 0; b < at.size(); ++b) {
     const AffineBlock& block = scene_.bodies[b].block;
     if (scene_.bodies[b].is_held || is_joined[b]) continue;
@@ -202,7 +207,7 @@ StoredEnergies Motion::stored(const std::vector<BodyCourse>& at) const {
 /// Where a body would go that goes on as in the last step. A driven one works on its way as one that flies does.
 Pose Motion::onwards(std::size_t body) const { return now_[body] + m_.dt.now * m_.courses[body].velocity; }
 
-BodyStep Motion::step_of(std::size_t body, const Try& step) const {
+BodyStep Motion::step_of(std::size_t body, const Try& step, bool is_joined) const {
   const AffineBlock& block = scene_.bodies[body].block;
   const Pose& reached = step.found.poses[body];
   if (scene_.bodies[body].is_held) return {m_.courses[body], onwards(body), reached, m_.dt};
@@ -211,32 +216,33 @@ BodyStep Motion::step_of(std::size_t body, const Try& step) const {
           .reached = reached,
           .dt = m_.dt,
           .pull = scene_.load_on(body).head<2>() / block.mass,
-          .gyration = std::sqrt(block.inertia.trace() / block.mass)};
+          .gyration = std::sqrt(block.inertia.trace() / block.mass),
+          .is_joined = is_joined};
 }
 
 /// Where the energy of a step has gone, and the courses it would lead to.
 void Motion::book(Try& step) const {
   const Poses& reached = step.found.poses;
   MotionLedger& out = step.entry;
-  const Eigen::VectorXd& forces = step.found.forces;
+  const std::vector<bool> is_joined = joined_bodies();
   double inner = 0, flown = 0, of_start = 0;
   Poses beyond(now_.size());
   for (std::size_t b = 0; b < now_.size(); ++b) {
     const MovingBody& body = scene_.bodies[b];
-    const BodyStep of = step_of(b, step);
-    const BodyWork work = course_.integrator->work(body.block, of);
+    const BodyStep of = step_of(b, step, is_joined[b]);
     step.courses.push_back(course_.integrator->arrive(of));
+    const BodyWork work = course_.integrator->work(body.block, of);
     beyond[b] = work.loaded - (reached[b] - now_[b]);
+    const auto forces = of_body(step.found.forces, b);
     if (body.is_held) {
-      const double driven = of_body(forces, b).dot(work.loaded);
+      const double driven = forces.dot(work.loaded);
       step.courses[b].velocity = (reached[b] - now_[b]) / m_.dt.now;
       out.external += driven;
       inner += driven;
       continue;
     }
-    const double loaded = scene_.load_on(b).dot(work.loaded);
-    out.external += loaded;
-    inner += loaded + of_body(forces, b).dot(work.way);
+    out.external += scene_.load_on(b).dot(work.loaded);
+    inner += scene_.load_on(b).dot(work.loaded) + forces.dot(work.way);
     flown += work.flown;
     of_start += work.of_start;
     out.kinetic += kinetic_energy(body.block, step.courses[b].velocity);
@@ -257,14 +263,17 @@ void Motion::book(Try& step) const {
 }
 
 /// Whether a step gives back more energy than there was: Newton's method has found another minimum than that beside it.
-bool Motion::creates_energy(const MotionLedger& step) const {
+bool Motion::creates_energy(const Try& tried) const {
   constexpr double bearable = 0.02, hardly = 1e-5;
   if (!solver_->loses_energy()) return false;
-  double given = 0;  // by the loads to what is free, in one step
+  const MotionLedger& step = tried.entry;
+  double given = 0;  // by the loads to what is free, in one step, and by what is driven in its second half
   for (std::size_t b = 0; b < now_.size(); ++b)
     if (!scene_.bodies[b].is_held)
       given += m_.dt.now * m_.dt.now * scene_.load_on(b).head<2>().squaredNorm() /
                (2 * scene_.bodies[b].block.mass);
+    else
+      given += std::max(0.0, of_body(tried.found.forces, b).dot(tried.found.poses[b] - now_[b])) / 2;
   const double all = m_.ledger.kinetic + step.kinetic + std::abs(m_.ledger.stored.sum()) +
                      std::abs(step.stored.sum()) + std::abs(step.external);
   const double ahead = step.fracture + step.damping;  // booked up to half a step before that work
@@ -283,8 +292,9 @@ bool Motion::crack(const MotionStep& step) {
   for (std::size_t i = 0; i < bonds_.size(); ++i) {
     Bond& bond = bonds_[i];
     const bool was_spent = bond.is_spent();
-    bond.history =
-        bond.law->accept(potential_->state_of(i, step.poses).opening, bond.history, bond.stiffness);
+    const Vec2 opening = potential_->state_of(i, step.poses).opening;
+    bond.history = bond.law->accept(opening, bond.history, bond.stiffness);
+    if (bond.can_tear() && !bond.is_spent() && is_turned(bond, step.poses)) spend(bond, opening);
     has_parted = has_parted || (!was_spent && bond.is_spent());
   }
   return has_parted;
@@ -337,9 +347,26 @@ void Motion::judge() {
   end_if_due();
 }
 
+/// Whether what is driven has still to move: looked for step by step ahead, up to where it does.
+bool Motion::is_driven_on() {
+  constexpr double hardly = 1e-9;  // of the structure's smallest body
+  if (m_.time < driven_at_) return true;
+  double size = std::numeric_limits<double>::infinity();
+  for (const MovingBody& body : scene_.bodies) size = std::min(size, body.size);
+  for (const Drive& drive : scene_.drives) {
+    const double here = drive.displacement->at(m_.time);
+    for (double time = m_.time + natural_; time < course_.time; time += natural_)
+      if (std::abs(drive.displacement->at(time) - here) > hardly * size) {
+        driven_at_ = time;
+        return true;
+      }
+  }
+  return false;
+}
+
 void Motion::end_if_due() {
   constexpr int enough = 20;
-  if (course_.stops_at_rest && m_.still >= enough) {
+  if (course_.stops_at_rest && m_.still >= enough && !is_driven_on()) {
     ending_ = Ending::at_rest;
     reason_ = fmt::format("at rest after {:.4g}", m_.time);
   } else if (course_.time > 0 && m_.time >= course_.time * (1 - 1e-12)) {

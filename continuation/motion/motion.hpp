@@ -92,12 +92,14 @@ class Motion {
   void set_step();
   double longest() const;
   double travelled(std::size_t body, double turned) const;
+  bool is_driven_on();
   Pose onwards(std::size_t body) const;
   Try try_step();
-  BodyStep step_of(std::size_t body, const Try& step) const;
+  std::vector<bool> joined_bodies() const;
+  BodyStep step_of(std::size_t body, const Try& step, bool is_joined) const;
   void book(Try& step) const;
   StoredEnergies stored(const std::vector<BodyCourse>& at) const;
-  bool creates_energy(const MotionLedger& step) const;
+  bool creates_energy(const Try& tried) const;
   bool crack(const MotionStep& step);
   void bounce(Try& step);
   static void hold(Try& step, double energy);
@@ -117,7 +119,8 @@ class Motion {
   MotionMemory m_;     ///< but for the histories, which are those of bonds_
   Poses now_, start_;  ///< where bodies are, and where they were at first
   double natural_ = 0;
-  double pull_ = 0;  ///< acceleration of all that moves, by the loads or by how fast it is [L/T²]
+  double driven_at_ = 0;  ///< when what is driven moves on, as far as that has been looked for [T]
+  double pull_ = 0;       ///< acceleration of all that moves, by the loads or by how fast it is [L/T²]
   std::size_t num_meetings_ = 0;
   Ending ending_ = Ending::none;
   std::string reason_;

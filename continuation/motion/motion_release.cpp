@@ -14,13 +14,11 @@ using Pairs = std::vector<MeetingSearch::Pair>;
 
 /// Whether the sides of a spent bond face each other no more.
 bool Motion::has_left(const Bond& bond) const {
-  constexpr double turn = 0.2, way = 0.1;
+  constexpr double way = 0.1;
   if (!bond.is_spent()) return false;
-  const auto angle = [this](std::size_t b) { return polar_of(gradient_of(now_[b])).angle; };
   const Vec2 jump = place_of(now_[bond.second], bond.at_second) - place_of(now_[bond.first], bond.at_first);
   const double size = std::min(scene_.bodies[bond.first].size, scene_.bodies[bond.second].size);
-  return std::abs(std::remainder(angle(bond.second) - angle(bond.first), 2 * M_PI)) > turn ||
-         jump.norm() > way * size;
+  return is_turned(bond, now_) || jump.norm() > way * size;
 }
 
 /// Pairs that bear on each other by what is left of their joints, but for the ends of their sides; in order.
@@ -43,8 +41,8 @@ bool Motion::may_meet(const MeetingSearch::Pair& pair,
 }
 
 /// Bodies that a bond joins, or a chain of them around a corner, do not meet. Where the last is spent its law goes on
-/// to bear pressure as long as its sides face each other, and the ends of sides bear it until the bodies meet:
-/// outlines that have overlapped as bonded bodies may tell no outside.
+/// to bear pressure, and so do the ends of sides, until the bodies meet: outlines that have overlapped as bonded bodies may
+/// tell no outside.
 void Motion::release() {
   Pairs joined = joined_by(bonds_, scene_.around);
   const Pairs bearing = bearing_pairs();
@@ -53,9 +51,7 @@ void Motion::release() {
     if (!std::ranges::binary_search(joined, pair) && !may_meet(pair, bearing)) waiting.push_back(pair);
   joined.insert(joined.end(), waiting.begin(), waiting.end());
   std::ranges::sort(joined);
-  const auto is_gone = [&](const Bond& bond) {
-    return !std::ranges::binary_search(joined, pair_of(bond)) || has_left(bond);
-  };
+  const auto is_gone = [&](const Bond& bond) { return !std::ranges::binary_search(joined, pair_of(bond)); };
   std::vector<std::size_t> left;
   for (std::size_t i = 0; i < bonds_.size(); ++i)
     if (!is_gone(bonds_[i])) left.push_back(m_.bonds[i]);

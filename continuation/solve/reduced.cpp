@@ -97,7 +97,9 @@ std::optional<Reduced> solve_tangents(
 
 std::optional<Reduced> solve_reduced(Stepper& stepper, const StepGoal& goal) {
   System& system = stepper.system();
-  if (!system.linear().updates() || system.iterates_multipliers()) return {};
+  const Loading& loading = system.loading();
+  const bool has_initial_stress = !loading.dead_offset.empty() || !loading.reference_offset.empty();
+  if (!system.linear().updates() || system.iterates_multipliers() || has_initial_stress) return {};
   if (const auto sum = goal.control.as_sum(goal.step)) return solve_sum(stepper, *sum, goal);
   return solve_tangents(system, goal, [&](const ControlSum& sum, const State& guess) {
     return solve_sum(stepper, sum, {goal.start, goal.control, goal.step, guess});

@@ -20,7 +20,7 @@ struct Reduced {
 /// looked at in full: points that crack there are taken in and the iteration starts again from the guess, so
 /// that it goes the way of Newton's method for all unknowns. It is a better guess and no more: equilibrium is
 /// judged by the full residual. Nothing where the points' equations are none of all: where no base is kept, with
-/// iterated multipliers, and where more points crack than a base bears beside it.
+/// initial stress or iterated multipliers, and where more points crack than a base bears beside it.
 std::optional<Reduced> solve_reduced(Stepper& stepper, const StepGoal& goal);
 
 /// Under a control that looks at every point: its tangent is a gauge, taken anew at each state that `solve` has found

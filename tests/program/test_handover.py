@@ -64,6 +64,27 @@ class Joints(Scratch):
                 falls = -np.diff(run.motion.curve["impact_and_damping"])
                 self.assertLess(falls.max(), 1e-9 * run.motion.curve["kinetic_energy"].max())
 
+    def test_what_has_cracked_bears_where_another_point_holds(self):
+        """A block that was pushed until one corner of its joint had torn rocks back onto that corner, which bears as before."""
+        deck = {"units": {"length": "m", "force": "N"}, "thickness": 1,
+                "scene": {"regions": [{"name": "ground", "material": "rock", "vertices": box(-1, -0.3, 1.5, 0)},
+                                      {"name": "wall", "material": "brick", "vertices": box(0, 0, 0.25, 1.2)}],
+                          "boundaries": {"base": [[-1, -0.3], [1.5, -0.3]]}},
+                "materials": {name: {"type": "linear_elastic", "young_modulus": 1e9, "poisson_ratio": 0.2, "density": 2500}
+                              for name in ("rock", "brick")},
+                "interfaces": {"foot": {"between": ["rock", "brick"], "points": "vertices",
+                                        "law": {"type": "linear_softening", "tensile_strength": 1e5, "fracture_energy": 10}}},
+                "supports": {"ground": {"boundary": "base", "fix": "xy"}},
+                "stages": [{"name": "weight", "loads": [{"type": "body_force", "materials": ["brick"], "force": [0, -24525]}]},
+                           {"name": "push", "loads": [{"type": "body_force", "materials": ["brick"], "force": [10000, 0]}]}],
+                "gauges": {"x": {"type": "displacement", "at": [0.25, 1.2], "direction": [1, 0]}},
+                "path": {"stop": {"gauges": {"x": 0.02}}, "then": "motion"},
+                "motion": {"held": ["ground"], "contact": {"friction": 0.6}, "time": 2, "loads": "drop"}}
+        run = ddapath.run(deck, folder=self.folder)
+        self.assertEqual(run.summary["status"], "goal_reached", run.summary["reason"])
+        self.assertLess(run.motion.curve.x.abs().max(), 0.021)
+        self.assertEqual(self.refused(self.folder), [])
+
     def beam(self, law):
         return {"units": {"length": "mm", "force": "N"}, "thickness": 100, "plane": "stress",
                 "scene": {"regions": [{"name": "beam", "material": "concrete", "vertices": box(-220, 0, 220, 100)}],

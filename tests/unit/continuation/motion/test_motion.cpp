@@ -293,6 +293,20 @@ TEST(Motion, IsDraggedByAGroundThatSetsOutAtOnce) {
 
 /// Courses of five, four and three bricks, of stone a thousand times as stiff, on a ground that swings with 0.6 g and
 /// bears 0.3 g by friction: no brick has a reason to slip on another, which bears 0.7 of its force.
+TEST(Motion, IsNotAtRestBeforeWhatIsDrivenIs) {
+  class Late final : public TimeFunction {
+   public:
+    double at(double time) const override { return std::clamp(time - 0.8, 0.0, 0.2); }
+  };
+  MovingScene of = scene(0.6, {body(box(-5, -1, 9, 0), true), body(box(0, 0, 1, 0.3))}, {0, -gravity});
+  of.drives.push_back({{0}, {1, 0}, std::make_shared<Late>()});
+  Motion motion(of, {}, undeformed(of), at_rest(of), {.time = 5});
+  run(motion);
+  EXPECT_EQ(motion.ending(), Motion::Ending::at_rest);
+  EXPECT_GT(motion.time(), 1);
+  EXPECT_NEAR(motion.poses()[0][0], 2.2, 1e-12);
+}
+
 TEST(Motion, StiffBricksSlideOnTheGroundAsOneBody) {
   constexpr double stiffer = 1000, breadth = 0.5, rise = 0.25;
   std::vector<MovingBody> bodies{body(box(-2, -0.5, 4, 0), true)};
