@@ -13,10 +13,9 @@ Mat2 frame_of(const Bond& bond, const Poses& at) {
   return (Mat2() << n.x(), n.y(), -n.y(), n.x()).finished();
 }
 
-bool is_turned(const Bond& bond, const Poses& at) {
-  constexpr double far = 0.2;
+double turn_of(const Bond& bond, const Poses& at) {
   const auto angle = [&](std::size_t body) { return polar_of(gradient_of(at[body])).angle; };
-  return std::abs(std::remainder(angle(bond.second) - angle(bond.first), 2 * M_PI)) > far;
+  return std::abs(std::remainder(angle(bond.second) - angle(bond.first), 2 * M_PI));
 }
 
 void spend(Bond& bond, const Vec2& opening) {

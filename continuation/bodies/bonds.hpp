@@ -46,8 +46,8 @@ struct BondState {
   std::array<Mat26, 2> opening_rows, stress_rows;  ///< ∂q/∂y and ∂τ/∂y, first and second body
 };
 BondState state_of(const Bond& bond, const Mat2& frame, const Poses& at);
-/// Whether its bodies have turned against each other so far that its sides face each other no more.
-bool is_turned(const Bond& bond, const Poses& at);
+/// By how much its bodies have turned against each other.
+double turn_of(const Bond& bond, const Poses& at);
 /// Takes from it what it still holds at an opening, but for pressure and friction; what that would have spent is not.
 void spend(Bond& bond, const Vec2& opening);
 /// Rows n and s of the frame that has turned with both sides.

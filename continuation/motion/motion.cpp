@@ -286,15 +286,17 @@ bool Motion::creates_energy(const Try& tried) const {
   return made > (1 - m_.dt.now / m_.dt.before) * std::max(0.0, since_middle);
 }
 
-/// What the bonds remember; whether one has been spent.
+/// What the bonds remember; whether one has been spent. A corner that is pressed may never tear: bodies that have turned over it
+/// so far that other sides of theirs may meet are held by it no longer.
 bool Motion::crack(const MotionStep& step) {
+  constexpr double over = 0.7;
   bool has_parted = false;
   for (std::size_t i = 0; i < bonds_.size(); ++i) {
     Bond& bond = bonds_[i];
     const bool was_spent = bond.is_spent();
     const Vec2 opening = potential_->state_of(i, step.poses).opening;
     bond.history = bond.law->accept(opening, bond.history, bond.stiffness);
-    if (bond.can_tear() && !bond.is_spent() && is_turned(bond, step.poses)) spend(bond, opening);
+    if (bond.can_tear() && !bond.is_spent() && turn_of(bond, step.poses) > over) spend(bond, opening);
     has_parted = has_parted || (!was_spent && bond.is_spent());
   }
   return has_parted;

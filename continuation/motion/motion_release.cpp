@@ -14,11 +14,11 @@ using Pairs = std::vector<MeetingSearch::Pair>;
 
 /// Whether the sides of a spent bond face each other no more.
 bool Motion::has_left(const Bond& bond) const {
-  constexpr double way = 0.1;
+  constexpr double turn = 0.2, way = 0.1;
   if (!bond.is_spent()) return false;
   const Vec2 jump = place_of(now_[bond.second], bond.at_second) - place_of(now_[bond.first], bond.at_first);
   const double size = std::min(scene_.bodies[bond.first].size, scene_.bodies[bond.second].size);
-  return is_turned(bond, now_) || jump.norm() > way * size;
+  return turn_of(bond, now_) > turn || jump.norm() > way * size;
 }
 
 /// Pairs that bear on each other by what is left of their joints, but for the ends of their sides; in order.
