@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "models/interface/coulomb.hpp"
+
 namespace dda {
 
 Mat2 frame_of(const Bond& bond, const Poses& at) {
@@ -80,7 +82,7 @@ Response frozen_response(const Bond& bond, const Vec2& opening, double closing) 
 
 Mat2 secant_of(const Bond& bond, const Vec2& opening) {
   const History then = bond.law->accept(opening, bond.history, bond.stiffness);
-  return frozen_at(bond, then, opening, std::max(0.0, -opening.x())).tangent;
+  return frozen_at(bond, then, opening, closing_of(opening)).tangent;
 }
 
 double stored_energy(const Bond& bond, const BondState& state) {

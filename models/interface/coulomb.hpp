@@ -10,6 +10,9 @@ namespace dda {
 /// little below it, as near as a step is solved.
 inline constexpr double beyond_limit = 1e-11, at_limit_from = 1e-7;
 
+/// ⟨−q_n⟩.
+inline double closing_of(const Vec2& q) { return std::max(0.0, -q.x()); }
+
 /// Where the sides of a point are, and the closing that bounds their friction: their own, ⟨−q_n⟩, or a given one whatever
 /// q_n is, as where normal forces are those of an iterate before.
 struct Sides {
@@ -18,7 +21,7 @@ struct Sides {
   double per_normal;  ///< its derivative with respect to q_n
 
   Sides(const Vec2& at)  // NOLINT(google-explicit-constructor): an opening is where the sides are
-      : q(at), closing(std::max(0.0, -at.x())), per_normal(at.x() > 0 ? 0 : -1) {}
+      : q(at), closing(closing_of(at)), per_normal(at.x() > 0 ? 0 : -1) {}
   Sides(const Vec2& at, double given) : q(at), closing(given), per_normal(0) {}
 
   /// Touching, q_n = 0, counts as closed.

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "contract/law_contract.hpp"
+#include "models/interface/coulomb.hpp"
 
 namespace dda {
 namespace {
@@ -52,7 +53,7 @@ TEST_P(LawContract, FrozenTangentIsDifferenceOfFrozenTraction) {
 
 TEST_P(LawContract, FrictionBoundedByAnotherClosingHasAPotentialUnderPressure) {
   at_random_states([&](const LawCase& at, const Vec2& q, const History& h) {
-    const double own = std::max(0.0, -q.x());
+    const double own = closing_of(q);
     const Response bounded = at.law->respond_bounded(q, h, at.k, own), free = at.law->respond(q, h, at.k);
     EXPECT_LT((bounded.traction - free.traction).norm(), 1e-12 * at.stiff() * q.norm());
     if (own == 0 || at.is_filled || h.share > 0) return;

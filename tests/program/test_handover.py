@@ -46,6 +46,29 @@ class Scratch(unittest.TestCase):
         return [str(finding) for finding in verify(folder) if not finding.holds]
 
 
+class Resumed(Scratch):
+    def resume(self, *options):
+        said = subprocess.run([str(ddapath.find_program()), "resume", str(self.folder), "--quiet", *options],
+                              capture_output=True, text=True)
+        self.assertEqual(said.returncode, 0, said.stderr)
+        return {name: (self.folder / name).read_bytes() for name in ("curve.csv", "motion/motion.csv") if (self.folder / name).exists()}
+
+    def test_a_path_that_has_ended_gets_no_more_rows(self):
+        """One that has ended as a mechanism, as one that has reached a goal; what follows it is taken up where it was."""
+        for motion in ({}, {"motion": {"held": ["ground"], "time": 0.5}, "path": {"stop": {"gauges": {"x": 1}}, "then": "motion"}}):
+            ddapath.run(pushed_block(**motion), folder=self.folder, overwrite=True)
+            before = {name: (self.folder / name).read_bytes() for name in ("curve.csv", *(["motion/motion.csv"] if motion else []))}
+            reason = ddapath.read_run(self.folder).summary["reason"]
+            self.assertEqual(self.resume(), before)
+            self.assertEqual(ddapath.read_run(self.folder).summary["reason"], reason)
+
+    def test_another_goal_is_followed(self):
+        ddapath.run(pushed_block(path={"stop": {"steps": 2}}), folder=self.folder, check=False)
+        rows = len(ddapath.read_run(self.folder).curve)
+        self.resume("--set", "path.stop.steps=1000", "--set", "path.stop.gauges={x: 0.01}")
+        self.assertGreater(len(ddapath.read_run(self.folder).curve), rows)
+
+
 class Joints(Scratch):
     """What joints do in motion that have cracked on the path."""
 

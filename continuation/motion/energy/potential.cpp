@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "continuation/motion/energy/curvatures.hpp"
+#include "models/interface/coulomb.hpp"
 
 namespace dda {
 
@@ -58,7 +59,7 @@ std::vector<RubbingBond> Potential::rubbing(const Poses& at) const {
     const bool is_cracked = bond.law->contact(bond.history, k).has_value();
     if (!is_cracked && bond.law->equivalent_opening(opening, bond.history, k) <= bond.law->initial_kappa(k))
       continue;
-    out.push_back({i, std::max(0.0, -opening.x()), bond.weight * k * *bond.law->residual_friction()});
+    out.push_back({i, closing_of(opening), bond.weight * k * *bond.law->residual_friction()});
   }
   return out;
 }
@@ -119,7 +120,7 @@ Response Potential::bond_response(std::size_t i, const Vec2& opening) const {
   const Bond& bond = bonds_[i];
   const std::optional<double>& closing = closings_[i];
   if (histories_ == Histories::frozen)
-    return frozen_response(bond, opening, closing.value_or(std::max(0.0, -opening.x())));
+    return frozen_response(bond, opening, closing.value_or(closing_of(opening)));
   return closing ? bond.law->respond_bounded(opening, bond.history, bond.stiffness, *closing)
                  : bond.law->respond(opening, bond.history, bond.stiffness);
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "continuation/course/point.hpp"
 #include "studies/dda/record/crack_record.hpp"
 #include "studies/dda/record/failure_indicator.hpp"
 #include "studies/dda/record/fields.hpp"
@@ -75,6 +76,7 @@ struct RunMemory {
   std::vector<FirstCrack> first_cracks;  ///< by interface
   std::vector<GrownSegment> grown;       ///< of cracks through blocks, as they came
   std::vector<HeldStage> stages;         ///< that are over
+  std::optional<Ending> ended;           ///< how the path has ended, once it has
 
   /// The single numbers; what else there is has records of its own.
   template <class Self, class Visit>

@@ -49,7 +49,10 @@ void offer_motion(Simulation& simulation, RunRecorder& recorder) {
 
 RunResult conclude_run(const FollowedPath& followed, Ending ending, const MotionOptions& options) {
   auto& [deck, folder, simulation, recorder] = followed;
-  if (ending.kind != Ending::Kind::interrupted) follow_primary(deck, folder, recorder.memory());
+  if (ending.kind != Ending::Kind::interrupted) {
+    recorder.end_path(ending);
+    follow_primary(deck, folder, recorder.memory());
+  }
   if (deck.deck.moves() && ending.kind != Ending::Kind::interrupted)
     if (const Ending moved = move_on(followed, options); moved.kind != Ending::Kind::goal_reached)
       ending = moved;

@@ -10,6 +10,7 @@
 #include "studies/dda/run/conclusion.hpp"
 #include "studies/dda/run/new_run.hpp"
 #include "studies/dda/run/next_point.hpp"
+#include "studies/dda/run/recording/ended_path.hpp"
 #include "studies/dda/run/recording/restart.hpp"
 #include "studies/dda/run/recording/summary.hpp"
 #include "studies/dda/run/stepped_run.hpp"
@@ -87,7 +88,8 @@ RunResult resume_run(const fs::path& existing, const std::vector<std::string>& o
   Simulation simulation(deck.deck, timings);
   simulation.prepare();
   guard.set_flag_first();
-  const RunMemory memory = restore(data, existing, simulation);
+  RunMemory memory = restore(data, existing, simulation);
+  memory.ended = take_ending(data, deck);
   const bool in_place = options.folder.empty();
   const RunFolder folder = in_place ? source : new_folder(deck, options);
   if (!in_place) copy_run(existing, folder);
@@ -97,9 +99,9 @@ RunResult resume_run(const fs::path& existing, const std::vector<std::string>& o
   simulation.stepper().log_to(folder.file("nox.log"));
   RunRecorder recorder(folder, simulation, deck, effective, timings, memory);
   simulation.path().interrupt_when(interrupted);
-  Ending ending;
+  Ending ending = memory.ended.value_or(Ending{});
   Progress progress = Progress::for_stream(stderr, options.quiet);
-  while (next_point(simulation, &recorder, ending)) show(recorder, progress);
+  while (!memory.ended && next_point(simulation, &recorder, ending)) show(recorder, progress);
   progress.finish();
   return conclude_run({deck, folder, simulation, recorder}, ending,
                       {.quiet = options.quiet, .goes_on = true});

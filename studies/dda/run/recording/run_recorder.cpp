@@ -16,6 +16,7 @@
 #include "studies/dda/record/warnings/large_movements.hpp"
 #include "studies/dda/record/warnings/turning_contacts.hpp"
 #include "studies/dda/record/warnings/unlikely_numbers.hpp"
+#include "studies/dda/run/recording/ended_path.hpp"
 #include "studies/dda/run/recording/profile.hpp"
 #include "studies/dda/run/recording/restart.hpp"
 #include "studies/dda/run/recording/summary.hpp"
@@ -287,8 +288,9 @@ void RunRecorder::store_here() { store(here(), last_); }
 
 void RunRecorder::write_restart_file() {
   const auto scope = timings_.measure("restart file");
-  write_restart(folder_.file("restart.h5"), restart_data(simulation_, memory_, deck_, effective_),
-                durability());
+  RestartData data = restart_data(simulation_, memory_, deck_, effective_);
+  put_ending(data, memory_.ended);
+  write_restart(folder_.file("restart.h5"), data, durability());
   restart_written_ = timings_.total();
 }
 

@@ -33,6 +33,8 @@ class RunRecorder {
   void record(const Point& point);
   /// What else is to stand among the notices.
   void add_notice(std::string text) { offered_.push_back(std::move(text)); }
+  /// No step of the path comes any more, whatever follows it.
+  void end_path(const Ending& ending) { memory_.ended = ending; }
   /// The restart file of the last step, before something begins that may take long.
   void keep() { write_restart_file(); }
   /// What is to stand under "motion" in the summary.
