@@ -37,16 +37,21 @@ class FreeFlight final : public LastStep {
                    rotation(here.angle + turn + back + more.spin) *
                        (here.stretch + share * (here.stretch - then.stretch)));
   }
-  /// Loads work between the middles of both steps where their acceleration counts from the one to the other.
-  BodyWork work(const AffineBlock& block, const BodyStep& step) const override {
-    BodyWork out = LastStep::work(block, step);
-    const RigidMotion more = made_up(step.start, step.dt);
-    const bool counts = !more.velocity.isZero(0) || more.spin != 0 || !step.is_joined;
-    if (step.dt.begins || step.dt.now == step.dt.before || !counts) return out;
-    const Pose coasted =
-        pose_of(centre_of(step.flight) - more.velocity, rotation(-more.spin) * gradient_of(step.flight));
-    out.loaded =
-        (step.dt.now + step.dt.before) / (2 * step.dt.now) * ((step.reached + coasted) / 2 - step.start.now);
+  Vec2 curvature(const BodyStep& step) const override {
+    const AsOne& of = step.as_one;
+    const double most = 3 * of.pull.norm();
+    return {common(of.before.x(), of.now.x(), most), common(of.before.y(), of.now.y(), most)};
+  }
+  /// By the loads and by what of the reactions to them lasts, which are no more than twice as large: not by stiff vibrations
+  /// and impacts, which a step that is implicit in them has used up by its end.
+  RigidMotion lasting(const BodyStep& step, const Pose& acceleration) const override {
+    const AsOne& of = step.as_one;
+    const double most = 2 * of.pull.norm();
+    const Vec2 one = of.before - of.pull, other = of.now - of.pull;
+    RigidMotion out{of.pull + Vec2(common(one.x(), other.x(), most), common(one.y(), other.y(), most)), 0};
+    if (!step.is_joined)
+      out.spin = common(rigid_part(step.start.now, step.start.acceleration).spin,
+                        rigid_part(step.reached, acceleration).spin, most / step.gyration);
     return out;
   }
 

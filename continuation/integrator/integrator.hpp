@@ -22,6 +22,14 @@ struct BodyCourse {
   Pose acceleration = Pose::Zero();  ///< ÿ, as the last step has found it [1/T²]
   double growth = 1;                 ///< of lengths, by rotations in first order: no strain
   RigidMotion steady = {};  ///< the acceleration that lasts: without vibrations and impacts [L/T², 1/T²]
+  Pose lag = Pose::Zero();  ///< how far behind `now` the place is up to which its loads have worked
+};
+
+/// What bodies that hold together do as one in a step: means by mass, zero where one of them is held.
+struct AsOne {
+  Vec2 pull = Vec2::Zero();                        ///< acceleration by the loads [L/T²]
+  Vec2 before = Vec2::Zero(), now = Vec2::Zero();  ///< accelerations of the last step and of this one
+  Vec2 way = Vec2::Zero();                         ///< [L]
 };
 
 /// A step of a body: from where it is, past where inertia would take it, to where it has come.
@@ -30,15 +38,16 @@ struct BodyStep {
   Pose flight;   ///< ŷ
   Pose reached;  ///< y₁
   Interval dt;
-  Vec2 pull = Vec2::Zero();  ///< acceleration by the loads [L/T²]
-  double gyration = 1;       ///< radius of [L]
-  bool is_joined = false;    ///< by bonds, which are stiff
+  AsOne as_one = {};       ///< with what it holds together with
+  double gyration = 1;     ///< radius of [L]
+  bool is_joined = false;  ///< by bonds, which are stiff
+  double lasts = 0;        ///< the share of the last step's forces on it that is still there
 };
 
 /// What a step has done to a body: K₁ − K̂ = −∇Π(y₁) · way + of_start.
 struct BodyWork {
   Pose way;             ///< along which the forces at the end count
-  Pose loaded;          ///< along which constant loads have worked
+  Pose rubbed;          ///< along which friction has worked, and what drives a body
   double flown = 0;     ///< K̂ [F L]
   double of_start = 0;  ///< by the forces at the start, or taken by what resists every motion [F L]
 };
@@ -57,6 +66,8 @@ class Integrator {
   virtual Pose flight(const AffineBlock& block, const BodyCourse& at, const Interval& dt) const = 0;
   /// Whether ẏ is a mean over the last step: kinetic energy is that of its middle then.
   virtual bool has_mean_velocities() const { return false; }
+  /// The share of the forces at the end of a step, those at its start having the rest, in the work of what is driven.
+  virtual double share_of_end() const { return 1; }
   /// s of the velocity at the end of a step: ẏ₁ = s (y₁ − y₀)/dt − (s − 1) ẏ₀.
   virtual double end_rate() const { return 1; }
   /// The course with y₁ as its now.

@@ -7,30 +7,28 @@
 
 namespace dda {
 
-/// What two reactions that follow each other have in common, at most so much: of what flies, rests or slides all of it.
+/// What two accelerations that follow each other have in common, less what they differ by, at most so much: of what flies,
+/// rests or slides all of it, of impacts and vibrations nothing.
 inline double common(double before, double now, double most) {
   if (before * now <= 0) return 0;
-  return std::clamp(std::abs(before) < std::abs(now) ? before : now, -most, most);
-}
-/// The acceleration of a body by its loads and by what of the reactions to them lasts, which are no more than twice as large:
-/// not that of stiff vibrations and of impacts, which a step that is implicit in them has used up by its end.
-inline RigidMotion lasting(const BodyStep& step, const Pose& acceleration) {
-  if (step.is_joined) return {};
-  const double most = 2 * step.pull.norm();
-  const RigidMotion before = rigid_part(step.start.now, step.start.acceleration),
-                    now = rigid_part(step.reached, acceleration);
-  const Vec2 one = before.velocity - step.pull, other = now.velocity - step.pull;
-  return {step.pull + Vec2(common(one.x(), other.x(), most), common(one.y(), other.y(), most)),
-          common(before.spin, now.spin, most / step.gyration)};
+  const auto [low, high] = std::minmax({std::abs(before), std::abs(now)});
+  return std::copysign(std::clamp(2 * low - high, 0.0, most), now);
 }
 
 /// Integrators that take the velocity from the last step: v = (y₁ − y₀)/dt, the mean over it.
 ///
 ///     c = 1/(dt dt_m),     K₁ − K̂ = −(dt_m/dt) ∇Π(y₁) · (½ (y₁ + ŷ) − y₀)
+///
+/// Energies are those of its middle, ½ (y₀ + y₁) − ⅛ dt² a; where bodies are joined that is so of what they do as one, and
+/// what vibrates within goes with the energies of the end, as of any implicit step.
 class LastStep : public Integrator {
  public:
   /// dt_m, over which accelerations act.
   virtual double mean(const Interval& dt) const = 0;
+  /// a, as far as it is there all through a step.
+  virtual Vec2 curvature(const BodyStep& /*step*/) const { return Vec2::Zero(); }
+  /// The acceleration that lasts beyond a step that has come to this one.
+  virtual RigidMotion lasting(const BodyStep& /*step*/, const Pose& /*acceleration*/) const { return {}; }
 
   BodyCourse begin(const Pose& now, const Pose& velocity, double dt) const final {
     const BodyCourse at_rest{now, now, Pose::Zero(), Pose::Zero()};
@@ -58,12 +56,30 @@ class LastStep : public Integrator {
             .now = step.reached,
             .velocity = (step.reached - step.start.now) / step.dt.now,
             .acceleration = acceleration,
-            .steady = lasting(step, acceleration)};
+            .steady = lasting(step, acceleration),
+            .lag = lag(step)};
   }
-  BodyWork work(const AffineBlock& block, const BodyStep& step) const override {
+  BodyWork work(const AffineBlock& block, const BodyStep& step) const final {
     const double share = mean(step.dt) / step.dt.now;
     const Pose way = share * ((step.reached + step.flight) / 2 - step.start.now);
-    return {way, way, kinetic_energy(block, (step.flight - step.start.now) / step.dt.now), 0};
+    return {way, rubbed(step, way), kinetic_energy(block, (step.flight - step.start.now) / step.dt.now), 0};
+  }
+
+ private:
+  /// From middle to middle by what lasts of the forces, which has slowed the body in what the last step was longer.
+  static Pose rubbed(const BodyStep& step, Pose way) {
+    const Pose before = step.start.now - step.start.before, flown = step.flight - step.start.now;
+    way.head<2>() += step.lasts / 2 * (before - flown).head<2>();
+    return way;
+  }
+  Pose lag(const BodyStep& step) const {
+    Pose out = Pose::Zero();
+    if (step.is_joined)
+      out.head<2>() = step.as_one.way / 2;
+    else
+      out = (step.reached - step.start.now) / 2;
+    out.head<2>() += step.dt.now * step.dt.now / 8 * curvature(step);
+    return out;
   }
 };
 

@@ -18,6 +18,7 @@ class Trapezoidal final : public Integrator {
   Pose flight(const AffineBlock&, const BodyCourse& at, const Interval& dt) const override {
     return at.now + dt.now * at.velocity + dt.now * dt.now / 4 * at.acceleration;
   }
+  double share_of_end() const override { return 0.5; }
   double end_rate() const override { return 2; }
   BodyCourse arrive(const BodyStep& step) const override {
     return {step.start.now, step.reached,

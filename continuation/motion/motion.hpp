@@ -7,6 +7,7 @@
 #include "continuation/bodies/restitution.hpp"
 #include "continuation/control/stop.hpp"
 #include "continuation/integrator/integrator.hpp"
+#include "continuation/motion/joined_bodies.hpp"
 #include "continuation/motion/ledger.hpp"
 #include "continuation/motion/step/step_solver.hpp"
 
@@ -37,6 +38,7 @@ struct MotionMemory {
   Interval dt;
   MotionLedger ledger;
   double time = 0, most_kinetic = 0;
+  std::vector<Vec6> holding;      ///< forces on what is held, by body [F, F L]
   std::vector<RigidMotion> owed;  ///< what they have not had the energy for, by body; empty when nothing is
   int iterations = 0, rejected = 0, easy = 0, still = 0;
   bool is_released = true;  ///< all that is spent
@@ -93,10 +95,9 @@ class Motion {
   double longest() const;
   double travelled(std::size_t body, double turned) const;
   bool is_driven_on();
-  Pose onwards(std::size_t body) const;
   Try try_step();
-  std::vector<bool> joined_bodies() const;
-  BodyStep step_of(std::size_t body, const Try& step, bool is_joined) const;
+  BodyStep step_of(std::size_t body, const Try& step, const AsOne& as_one) const;
+  std::vector<AsOne> as_one(const Try& step) const;
   void book(Try& step) const;
   StoredEnergies stored(const std::vector<BodyCourse>& at) const;
   bool creates_energy(const Try& tried) const;
@@ -106,6 +107,7 @@ class Motion {
   void calm(Try& step, const std::vector<std::size_t>& hit, const RigidGroups& groups) const;
   void push(Try& step, const std::vector<RigidMotion>& given);
   std::vector<MeetingSearch::Pair> held_together() const;
+  void hold_by(const Eigen::VectorXd& forces);
   void accept(Try step);
   void judge();
   void end_if_due();
@@ -116,8 +118,9 @@ class Motion {
   std::unique_ptr<MeetingSearch> search_;
   std::unique_ptr<Potential> potential_;
   std::unique_ptr<StepSolver> solver_;
-  MotionMemory m_;     ///< but for the histories, which are those of bonds_
-  Poses now_, start_;  ///< where bodies are, and where they were at first
+  MotionMemory m_;       ///< but for the histories, which are those of bonds_
+  JoinedBodies joined_;  ///< by bonds_
+  Poses now_, start_;    ///< where bodies are, and where they were at first
   double natural_ = 0;
   double driven_at_ = 0;  ///< when what is driven moves on, as far as that has been looked for [T]
   double pull_ = 0;       ///< acceleration of all that moves, by the loads or by how fast it is [L/T²]

@@ -58,6 +58,7 @@ void Motion::release() {
   std::erase_if(bonds_, is_gone);
   const bool is_same = potential_ && left == m_.bonds && joined == m_.joined;
   m_.bonds = std::move(left);
+  joined_ = JoinedBodies(scene_, bonds_);
   m_.is_released = waiting.empty() && std::ranges::none_of(bonds_, &Bond::is_spent);
   if (is_same) return;
   m_.joined = std::move(joined);

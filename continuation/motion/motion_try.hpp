@@ -12,6 +12,7 @@ struct Motion::Try {
   MotionStep found;
   std::vector<BodyCourse> courses = {};
   MotionLedger entry = {};
+  double flown = 0;  ///< K̂ of all [F L]
 };
 
 }  // namespace dda

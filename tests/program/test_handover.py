@@ -108,6 +108,38 @@ class Joints(Scratch):
         self.assertLess(run.motion.curve.x.abs().max(), 0.021)
         self.assertEqual(self.refused(self.folder), [])
 
+    def test_what_is_joined_falls_as_one_whatever_the_steps(self):
+        """A step that is cut shows the velocity of its own middle, and loads have worked up to there."""
+        stones = [{"name": "low", "material": "rock", "vertices": box(0, 0, 1, 1)},
+                  {"name": "high", "material": "stone", "vertices": box(0, 1, 1, 2)}]
+        deck = pushed_block(
+            scene={"type": "polygons", "regions": stones}, supports={}, stages=[], path={}, gauges={},
+            interfaces={"bed": {"between": ["rock", "stone"], "law": {"type": "elastic", "normal_stiffness": 1e11, "shear_stiffness": 1e11}}},
+            motion={"gravity": [0, -9.81], "time": 0.065, "stop_at_rest": False, "contact": {"friction": 0.5}})
+        for key in ("supports", "stages", "path", "gauges"):
+            del deck[key]
+        last = ddapath.run(deck, folder=self.folder).motion.curve.iloc[-1]
+        exact = 2500 * (9.81 * (last.time - last.time_step / 2)) ** 2  # ½ of two blocks
+        self.assertLess(last.time_step, 0.9 * 0.01 / 9.81 ** 0.5)
+        self.assertAlmostEqual(last.kinetic_energy / exact, 1, delta=1e-9)
+        self.assertAlmostEqual(last.external_work / exact, 1, delta=1e-9)
+
+    def test_a_driven_ground_works_by_the_forces_of_the_whole_step(self):
+        """A wall bonded to a ground that sets out: mean accelerations lose nothing, and their book says so."""
+        deck = pushed_block(
+            supports={}, stages=[], path={}, scene={"type": "polygons", "regions": [
+                {"name": "ground", "material": "rock", "vertices": box(-2, -0.3, 3, 0)},
+                {"name": "wall", "material": "stone", "vertices": box(0, 0, 0.25, 1.2)}]},
+            interfaces={"foot": {"between": ["rock", "stone"], "law": {"type": "elastic", "normal_stiffness": 1e10, "shear_stiffness": 1e10}}},
+            gauges={"x": {"type": "displacement", "at": [0.25, 1.2], "direction": [1, 0]}},
+            motion={"gravity": [0, -9.81], "time": 0.5, "integrator": "trapezoidal", "contact": {"friction": 0.6},
+                    "driven": [{"regions": ["ground"], "direction": [1, 0], "displacement": {"type": "expression", "value": "0.1*t*t"}}]})
+        for key in ("supports", "stages", "path"):
+            del deck[key]
+        curve = ddapath.run(deck, folder=self.folder).motion.curve
+        self.assertLess(abs(curve.impact_and_damping).max(), 1e-5 * curve.kinetic_energy.max())
+        self.assertFalse(self.refused(self.folder))
+
     def beam(self, law):
         return {"units": {"length": "mm", "force": "N"}, "thickness": 100, "plane": "stress",
                 "scene": {"regions": [{"name": "beam", "material": "concrete", "vertices": box(-220, 0, 220, 100)}],

@@ -1,5 +1,7 @@
 #include "studies/dda/run/motion/motion_restart.hpp"
 
+#include <array>
+
 #include "framework/base/errors.hpp"
 #include "framework/files/run/record.hpp"
 
@@ -51,6 +53,8 @@ struct Scalars {
 };
 
 constexpr std::size_t of_pose = 6;
+constexpr std::array poses_of_course = {&BodyCourse::before, &BodyCourse::now, &BodyCourse::velocity,
+                                        &BodyCourse::acceleration, &BodyCourse::lag};
 
 void put_motions(const std::vector<RigidMotion>& motions, std::vector<double>& out) {
   for (const RigidMotion& motion : motions)
@@ -68,8 +72,10 @@ void put_lists(const MotionMemory& m, RestartData& out) {
   std::vector<double>& courses = out.numbers["courses"];
   for (const BodyCourse& course : m.courses) out.numbers["growths"].push_back(course.growth);
   for (const BodyCourse& course : m.courses)
-    for (const Pose* part : {&course.before, &course.now, &course.velocity, &course.acceleration})
-      courses.insert(courses.end(), part->begin(), part->end());
+    for (const auto part : poses_of_course)
+      courses.insert(courses.end(), (course.*part).begin(), (course.*part).end());
+  std::vector<double>& holding = out.numbers["holding"];
+  for (const Vec6& force : m.holding) holding.insert(holding.end(), force.begin(), force.end());
   std::vector<RigidMotion> steady;
   for (const BodyCourse& course : m.courses) steady.push_back(course.steady);
   put_motions(steady, out.numbers["steady"]);
@@ -99,13 +105,18 @@ Values list(const std::map<std::string, Values>& all, const std::string& name) {
 
 void take_lists(const RestartData& data, MotionMemory& m) {
   const std::vector<double> courses = list(data.numbers, "courses"), growths = list(data.numbers, "growths");
-  for (std::size_t at = 0; at + 4 * of_pose <= courses.size(); at += 4 * of_pose) {
-    const auto pose = [&](std::size_t part) {
-      return Pose(Eigen::Map<const Pose>(courses.data() + at + part * of_pose));
-    };
+  for (std::size_t at = 0; at + poses_of_course.size() * of_pose <= courses.size();) {
     const std::size_t body = m.courses.size();
-    m.courses.push_back({pose(0), pose(1), pose(2), pose(3), body < growths.size() ? growths[body] : 1.0});
+    BodyCourse& course = m.courses.emplace_back();
+    for (const auto part : poses_of_course) {
+      course.*part = Eigen::Map<const Pose>(courses.data() + at);
+      at += of_pose;
+    }
+    if (body < growths.size()) course.growth = growths[body];
   }
+  const std::vector<double> holding = list(data.numbers, "holding");
+  for (std::size_t at = 0; at + of_pose <= holding.size(); at += of_pose)
+    m.holding.push_back(Eigen::Map<const Vec6>(holding.data() + at));
   const std::vector<RigidMotion> steady = motions_of(list(data.numbers, "steady"));
   for (std::size_t body = 0; body < std::min(steady.size(), m.courses.size()); ++body)
     m.courses[body].steady = steady[body];
