@@ -114,6 +114,12 @@ std::optional<std::size_t> InterfaceBook::law_through(const CrackParameters& p, 
         fmt::format("cracks through blocks run where the stress sends them; the `crack_normal` of the "
                     "interface '{}' is for cracks along sides",
                     interfaces_[found].name));
+  if (!std::isfinite(interfaces_[found].law->initial_kappa(1)))
+    findings_.add(
+        p.where,
+        fmt::format("cracks through blocks need a law with a tensile strength; that of the interface "
+                    "'{}' is `{}`: name another one by `law`",
+                    interfaces_[found].name, parameters.law.name()));
   if (parameters.treatment.name() != "consistent")
     findings_.add(p.where,
                   fmt::format("cracks through blocks need the treatment 'consistent' of the interface '{}'",

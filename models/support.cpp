@@ -174,6 +174,20 @@ std::string free_motions(const Eigen::MatrixXd& rows, const Vec2& centre, double
 
 }  // namespace
 
+std::vector<BoundaryPoint> points_held_along(const Body& body, const ModelParameters& model) {
+  constexpr double along = 0.5;
+  std::vector<BoundaryPoint> out;
+  for (const auto& [name, support] : model.supports) {
+    if (!support.boundary) continue;
+    for (const BoundaryPoint& point : held_points(body, *support.boundary, support.where))
+      if (std::ranges::any_of(directions(support, point.normal), [&](const auto& named) {
+            return std::abs(cross(named.second, point.normal)) > along;
+          }))
+        out.push_back(point);
+  }
+  return out;
+}
+
 std::vector<Spring> make_supports(const Body& body, const ModelParameters& model, Findings& findings) {
   std::vector<Spring> out;
   SupportMaker maker(body, model.support_stiffness * body.largest_modulus() * body.thickness, out);

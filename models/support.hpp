@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "models/body/body.hpp"
+#include "models/body/place.hpp"
 #include "models/parameters.hpp"
 
 namespace dda {
@@ -24,6 +25,9 @@ struct Spring {
 
 /// The springs of all supports; positions outside the structure are findings.
 std::vector<Spring> make_supports(const Body& body, const ModelParameters& model, Findings& findings);
+
+/// Points of boundaries that supports hold along themselves, whatever the stage.
+std::vector<BoundaryPoint> points_held_along(const Body& body, const ModelParameters& model);
 
 /// A spring of a support that a stage puts in or takes away.
 struct ChangingSpring {

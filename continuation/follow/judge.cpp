@@ -112,7 +112,8 @@ Objection objection_to(const PathState& path, const Candidate& candidate) {
   const double dissipated = candidate.dissipated - here.dissipated;
   const double before = std::abs(path.load_of(path.walker.state())),
                after = std::abs(path.load_of(candidate.state));
-  if (here.dissipated > 0 && dissipated <= 0 && after < before && path.walker.leaving().dissipates)
+  if (here.dissipated > 0 && dissipated <= 0 && after < before && before > path.smallest_load() &&
+      path.walker.leaving().dissipates)
     return {"the step retraces the unloading branch"};
   return {};
 }

@@ -75,7 +75,8 @@ double way_of_mechanism(const PathState& path) {
 /// stored.
 double way_before(const PathState& path, double displacement) {
   const double load = std::abs(path.load_of(path.walker.state())), stored = path.walker.here().stored;
-  if (path.walker.system().loading().load_is_force || load == 0) return std::abs(displacement);
+  if (path.walker.system().loading().load_is_force || load <= path.smallest_load())
+    return std::abs(displacement);
   return std::max(std::abs(displacement), stored / load);
 }
 

@@ -99,6 +99,7 @@ class Motion {
   BodyStep step_of(std::size_t body, const Try& step, const AsOne& as_one) const;
   std::vector<AsOne> as_one(const Try& step) const;
   void book(Try& step) const;
+  void book_fracture(const Poses& reached, MotionLedger& out) const;
   StoredEnergies stored(const std::vector<BodyCourse>& at) const;
   bool creates_energy(const Try& tried) const;
   bool crack(const MotionStep& step);

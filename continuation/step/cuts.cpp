@@ -65,6 +65,13 @@ std::vector<Vec3> block_stress(PathState& path) {
   return path.cracks->structure.stress(path.walker.system().loading(), at.d.all(), at.load_factor);
 }
 
+BlockStress growing_stress(PathState& path) {
+  const State& at = path.walker.state();
+  const Tangent& leaving = path.walker.leaving();
+  return path.cracks->structure.growing(path.walker.system().loading(), {at.d.all(), at.load_factor},
+                                        {leaving.d.all(), leaving.load_factor});
+}
+
 CrackFront::Surroundings around(PathState& path) {
   const auto stress_at = [&structure = path.cracks->structure, means = block_stress(path),
                           &loading = path.walker.system().loading(),

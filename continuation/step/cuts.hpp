@@ -12,6 +12,9 @@ namespace dda {
 /// Mean σ of each block where the walker stands: (σx, σy, τxy) [F/L²].
 std::vector<Vec3> block_stress(PathState& path);
 
+/// The same, and its rates along the way on which the path leaves there.
+BlockStress growing_stress(PathState& path);
+
 /// What directions of cracks may ask of the structure where the walker stands: stress is that of the first block at
 /// a point; energy is released by the structure once the points of the cuts that are in tension bear none, those that are
 /// pressed staying closed,

@@ -156,8 +156,9 @@ std::optional<Point> growth_step(PathState& path, int crack) {
   const std::vector<Cut> cuts = front.geometry().cuts();
   const std::vector<CrackFront::Memory> memory = front.memory();
   front.grow(crack);
-  const double bearable = energy_of_opened_bonds(path, cuts);  // a closed cut makes nothing stiffer
+  double bearable = energy_of_opened_bonds(path, cuts);  // a closed cut makes nothing stiffer
   follow_cuts(path, cuts);
+  bearable += 2 * energy_ahead(path, crack, front.geometry().cuts());  // of initial stress, which a cut stores as well
   path.report("grown", front.end_of(crack).empty()
                            ? fmt::format("crack {} has grown to {}", crack, place(front.tip(crack)))
                            : fmt::format("crack {} ends at {}: {}", crack, place(front.tip(crack)),

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "continuation/follow/place_before.hpp"
 #include "continuation/follow/trial.hpp"
 #include "continuation/step/cuts.hpp"
 #include "continuation/step/steps.hpp"
@@ -7,13 +8,16 @@
 namespace dda {
 
 std::optional<CrackFront::Asked> crack_to_start(PathState& path) {
-  if (!path.cracks || !path.cracks->structure.front().is_automatic() || path.walker.here().dissipated == 0)
-    return {};
-  return path.cracks->structure.front().asked(block_stress(path), spent_on(path, path.walker.here().history));
+  if (!path.cracks || !path.cracks->structure.front().is_automatic()) return {};
+  CrackFront& front = path.cracks->structure.front();
+  if (path.walker.here().dissipated == 0)
+    return path.walker.leaving().d.empty() ? std::nullopt : front.asked_sooner(growing_stress(path));
+  return front.asked(block_stress(path), spent_on(path, path.walker.here().history));
 }
 
 std::optional<Point> start_step(PathState& path, const CrackFront::Asked& asked) {
   CrackFront& front = path.cracks->structure.front();
+  const PlaceBefore before(path);
   if (path.cracks->grows) path.cracks->grows();
   const std::vector<Cut> cuts = front.geometry().cuts();
   const std::vector<CrackFront::Memory> memory = front.memory();
@@ -21,6 +25,15 @@ std::optional<Point> start_step(PathState& path, const CrackFront::Asked& asked)
   if (!crack) return {};
   follow_cuts(path, cuts);
   const Vec2& x = front.tip(*crack);
+  const auto said = [&] {
+    path.report("begun", fmt::format("crack {} {} ({:.6g}, {:.6g})", *crack,
+                                     asked.moved ? "moves to" : "stands ready at", x.x(), x.y()));
+  };
+  if (before.is_at_rest()) {
+    path.walker.begin_stage(path.walker.system().equilibrium().stages().size() - 1);
+    said();
+    return {};
+  }
   path.refusal = "no convergence with the cut closed";
   if (auto next = standing_still(path)) {
     constexpr double of_cuts = 1e-3;  // a closed cut is all but rigid
@@ -28,8 +41,7 @@ std::optional<Point> start_step(PathState& path, const CrackFront::Asked& asked)
     auto point = jump_to(path, *std::move(next), StepKind::growth, of_cuts * path.walker.here().stored);
     path.memory.step = step;
     if (point) {
-      path.report("begun", fmt::format("crack {} {} ({:.6g}, {:.6g})", *crack,
-                                       asked.moved ? "moves to" : "stands ready at", x.x(), x.y()));
+      said();
       return point;
     }
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "continuation/contact/rate_walk.hpp"
+#include "continuation/walk/power.hpp"
 #include "continuation/walk/snap_back.hpp"
 
 namespace dda {
@@ -20,40 +21,6 @@ Tangent direction(System& system, const State& state) {
   out.opening.resize(laws->opening.size());
   for (std::size_t p = 0; p < out.opening.size(); ++p)
     out.opening[p] = system.opening_rate(p, out.d) + system.loading().reference_opening(p);
-  return out;
-}
-
-/// Energy spent per unit of load factor where cracks grow, friction included; 0 when none grows.
-double dissipation_rate(System& system, const State& state, const Tangent& along) {
-  double sum = 0;
-  bool grows = false;
-  const auto laws = system.laws_at(state);
-  for (std::size_t p = 0; p < along.opening.size(); ++p) {
-    const History& h = system.history()[p];
-    if (!h.loading && !h.sliding) continue;
-    const InterfacePoint& point = system.equilibrium().point(p);
-    const double rate =
-        point.weight *
-        point.law->spending(laws->opening[p], h, point.stiffness).gradient.dot(along.opening[p]);
-    grows = grows || (h.loading && rate != 0);
-    sum += rate;
-  }
-  return grows ? sum : 0;
-}
-
-/// What the live loads do along a direction: forces per unit of their factor, and the size of what all do
-/// with them now.
-struct LivePower {
-  double of_forces = 0, size = 0;
-};
-
-LivePower live_power(const System& system, const State& state, const Tangent& along) {
-  const Loading& loading = system.loading();
-  LivePower out;
-  out.of_forces = along.rate(system.reference_work());
-  out.size = std::abs(state.load_factor * out.of_forces);
-  for (const WorkPair& pair : loading.driven)
-    out.size += std::abs(state.value(pair.force) * along.rate(pair.displacement));
   return out;
 }
 
@@ -177,7 +144,7 @@ class RateProblem {
     Tangent found = pruned(arriving);
     if (found.d.empty()) return found;
     const bool keeps = is_settled(found);
-    if (keeps && !leads_back(system_, found, heading_)) return found;
+    if (keeps && !leads_back(system_, found, heading_) && !is_pushed_back(found)) return found;
     const std::vector<History> flags = system_.history();
     const auto other = walked(arriving);
     if (other && !(keeps && other->leads_back)) return other->tangent;
@@ -246,8 +213,18 @@ class RateProblem {
 
   bool is_better(const Way& one, const Way& other, const Tangent& arriving) const {
     if (one.leads_back != other.leads_back) return other.leads_back;
+    if (is_pushed_back(one.tangent) != is_pushed_back(other.tangent)) return is_pushed_back(other.tangent);
     if (one.tangent.dissipates != other.tangent.dissipates) return one.tangent.dissipates;
     return nearness(one.tangent, arriving) > nearness(other.tangent, arriving);
+  }
+
+  /// Whether a load that sets out moves the structure against itself, as where what has softened goes on: what unloads, or turns
+  /// back, goes with it.
+  bool is_pushed_back(const Tangent& found) const {
+    constexpr double rounding = 1e-10;
+    if (sense_ != Sense::loads) return false;
+    const LivePower power = live_power(system_, state_, found);
+    return power.of_forces < -rounding * power.size;
   }
 
   /// Cosine between two directions, in the openings of the points flagged.

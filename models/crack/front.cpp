@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "models/interface_book.hpp"
+#include "models/support.hpp"
 
 namespace dda {
 namespace {
@@ -33,7 +34,7 @@ double at_length(double length, const std::pair<double, double>& one, const std:
 }  // namespace
 
 CrackFront::CrackFront(CrackGeometry& geometry, const Body& body, const ModelParameters& model)
-    : geometry_(geometry), body_(body), model_(model) {
+    : geometry_(geometry), body_(body), model_(model), held_(points_held_along(body, model)) {
   Findings findings;
   InterfaceBook book(body, model, findings);
   findings.throw_if_any();
@@ -88,84 +89,9 @@ std::string CrackFront::why_not_from(const Vec2& x, const std::string& end) cons
       nearest.x(), nearest.y());
 }
 
-bool CrackFront::is_automatic() const {
-  return std::ranges::any_of(model_.cracks, &CrackParameters::is_automatic);
-}
-
-CrackStarts::Wish CrackFront::wish_of(std::size_t entry) const {
-  constexpr double block_sizes = 4, of_zone = 0.3;
-  const CrackParameters& p = model_.cracks[entry];
-  CrackStarts::Wish out;
-  double zone = 0;
-  for (const auto& [region, resistance] : resistance_) {
-    const std::string& name = body_.assembly.regions[static_cast<std::size_t>(region)].name;
-    if (std::ranges::find(p.through_blocks, name) == p.through_blocks.end()) continue;
-    out.strength[region] = {resistance.strength, resistance.field ? &*resistance.field : nullptr};
-    zone = std::max(zone, resistance.characteristic_length);
-  }
-  out.apart = p.apart.value_or(std::max(block_sizes * geometry_.block_size(), of_zone * zone));
-  return out;
-}
-
-void CrackFront::begin_where_asked(const BlockStress& elastic) {
-  for (std::size_t e = 0; e < model_.cracks.size(); ++e) {
-    if (!model_.cracks[e].is_automatic()) continue;
-    const auto places = CrackStarts(geometry_, body_).places(elastic, wish_of(e));
-    const auto cut = std::ranges::find_if(places, [&](const CrackStart& place) {
-      return start({e, place, std::nullopt}).has_value();
-    });
-    if (cut == places.end())
-      throw InputError(
-          model_.cracks[e].where,
-          "no crack can begin by itself: the loads cause no tension where the regions end, or none "
-          "that is as far from other cracks as `apart` says");
-  }
-}
-
 bool CrackFront::has_grown(int crack) const {
   return std::ranges::any_of(geometry_.cuts(),
                              [&](const Cut& cut) { return cut.crack == crack && !cut.is_provisional; });
-}
-
-std::optional<CrackFront::Asked> CrackFront::asked(const std::vector<Vec3>& stress,
-                                                   const std::set<int>& spent_on) const {
-  const BlockStress all{std::vector<Vec3>(stress.size(), Vec3::Zero()), stress};
-  for (std::size_t e = 0; e < model_.cracks.size(); ++e)
-    if (auto out = model_.cracks[e].is_automatic() ? asked_of(e, all, spent_on) : std::nullopt) return out;
-  return {};
-}
-
-std::optional<CrackFront::Asked> CrackFront::asked_of(std::size_t entry, const BlockStress& stress,
-                                                      const std::set<int>& spent_on) const {
-  constexpr double enough = 0.9, block_sizes = 2;
-  std::int64_t count = 0;
-  CrackStarts::Wish wish = wish_of(entry);
-  for (int crack = 0; crack < static_cast<int>(num_cracks()); ++crack) {
-    if (at(crack).entry != entry) continue;
-    ++count;
-    const bool may_move = !has_grown(crack) && !spent_on.contains(crack) && !is_met(ahead_of(crack));
-    if (may_move) wish.except = crack;
-  }
-  if (count >= model_.cracks[entry].most.value_or(1) && !wish.except) return {};
-  const auto places = CrackStarts(geometry_, body_).places(stress, wish);
-  if (places.empty() || places.front().load_factor > 1 / enough) return {};
-  const double near = block_sizes * geometry_.block_size();
-  if (wish.except && (places.front().at - at(*wish.except).tip).norm() <= near) return {};
-  return Asked{entry, places.front(), wish.except};
-}
-
-std::optional<int> CrackFront::start(const Asked& crack) {
-  const int number = crack.moved.value_or(static_cast<int>(num_cracks()));
-  const std::vector<Cut> cuts = geometry_.cuts();
-  const std::vector<Memory> memory = cracks_;
-  if (crack.moved)
-    drop_ahead(number);
-  else
-    cracks_.emplace_back();
-  at(number) = {crack.entry, crack.start.at, crack.start.direction, 0, {}};
-  if (cut_ahead(number, crack.start.direction)) return number;
-  restore(cuts, memory);
-  return {};
 }
 
 std::vector<Cut> CrackFront::ahead_of(int crack) const {
@@ -200,7 +126,7 @@ bool CrackFront::passes(int crack, std::size_t side) const {
 std::string CrackFront::end_at(int crack, const Vec2& x, const Vec2& direction) const {
   const auto sides = geometry_.sides_at(x);
   const auto stop = std::ranges::find_if(sides, [&](std::size_t side) { return !passes(crack, side); });
-  if (stop != sides.end()) return "interface '" + ends_.at(*stop) + "'";
+  if (stop != sides.end() && !begins_at(crack, x)) return "interface '" + ends_.at(*stop) + "'";
   if (geometry_.is_on_crack(x, crack)) return "another crack";
   const auto block = geometry_.block_ahead(x, direction);
   if (!block) return "the boundary";

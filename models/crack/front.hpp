@@ -57,8 +57,9 @@ class CrackFront {
   /// Cuts the first segment of every crack whose place is given.
   void begin();
   bool is_automatic() const;
-  /// The same of the first crack of entries that begin by themselves: σ + λ dσ/dλ of the whole structure.
-  void begin_where_asked(const BlockStress& elastic);
+  /// The same of the first crack of entries that begin by themselves, which stands ready: σ + λ dσ/dλ of the whole structure
+  /// by stages, of which the first that asks for a crack decides.
+  void begin_where_asked(const std::vector<BlockStress>& elastic);
   /// A crack that stress asks for.
   struct Asked {
     std::size_t entry;
@@ -67,7 +68,12 @@ class CrackFront {
   };
   /// By the stresses σ now. Nothing where no entry asks for a crack. Cracks on whose segment ahead energy has been spent
   /// do not move.
-  std::optional<Asked> asked(const std::vector<Vec3>& stress, const std::set<int>& spent_on = {}) const;
+  std::optional<Asked> asked(const std::vector<Vec3>& stress, const std::set<int>& spent_on = {});
+  /// Where, before anything has cracked, one that stands ready is asked for sooner than where it stands, as the load grows:
+  /// σ now and its rates.
+  std::optional<Asked> asked_sooner(const BlockStress& growing);
+  /// The place where tension asks most for one, whether there may be more or not.
+  std::optional<Asked> left_out(const std::vector<Vec3>& stress) const;
   /// Cuts its first segment; its number, or nothing where that cannot be cut.
   std::optional<int> start(const Asked& crack);
   /// Aims the segment ahead of a crack; whether it is another one now.
@@ -116,6 +122,15 @@ class CrackFront {
   std::optional<Vec2> cut_from_corner(int crack, const Vec2& from, const Vec2& direction);
   std::optional<Vec2> open_side(int crack, const Vec2& from, const Vec2& direction, double within);
   std::string end_at(int crack, const Vec2& x, const Vec2& direction) const;
+  /// Whether that is the place where a crack begins.
+  bool begins_at(int crack, const Vec2& x) const { return !has_grown(crack) && x == at(crack).tip; }
+  /// Cracks of an entry, without those that have come to an end close to where they have begun.
+  std::int64_t num_begun(std::size_t entry) const;
+  /// The crack of an entry that has not grown, without which its places are looked for.
+  std::optional<int> ready(std::size_t entry, const std::set<int>& spent_on) const;
+  /// The first of some places at which a crack can be cut.
+  std::optional<Asked> first_to_cut(std::size_t entry, std::span<const CrackStart> places,
+                                    std::optional<int> moved);
   std::string why_not_from(const Vec2& x, const std::string& end) const;
   bool passes(int crack, std::size_t side) const;
   bool is_open_to_cracks(int region) const { return resistance_.contains(region); }
@@ -126,8 +141,7 @@ class CrackFront {
   bool is_met(const std::vector<Cut>& ahead) const;
   CrackStarts::Wish wish_of(std::size_t entry) const;
   bool has_grown(int crack) const;
-  std::optional<Asked> asked_of(std::size_t entry, const BlockStress& stress,
-                                const std::set<int>& spent_on) const;
+  std::optional<Asked> asked_of(std::size_t entry, const BlockStress& stress, const std::set<int>& spent_on);
   std::vector<Cut> ahead_of(int crack) const;
   void drop_ahead(int crack);
   void replay(const Cut& cut);
@@ -143,6 +157,7 @@ class CrackFront {
     std::optional<RandomField> field = {};  ///< by which ft varies
   };
   std::map<int, Resistance> resistance_;                     ///< by region
+  std::vector<BoundaryPoint> held_;                          ///< along the boundary
   std::map<std::size_t, std::string> ends_;                  ///< interfaces under some `end_at`, by side
   std::vector<std::shared_ptr<const CrackDirection>> rule_;  ///< of each entry
 };

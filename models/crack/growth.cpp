@@ -117,4 +117,12 @@ std::vector<Vec3> CrackedStructure::stress(const Loading& loading, std::span<con
   return out;
 }
 
+BlockStress CrackedStructure::growing(const Loading& loading, const Place& at, const Place& rate) const {
+  BlockStress out{stress(loading, at.d, at.load_factor), stress(loading, rate.d, rate.load_factor)};
+  const std::vector<double> nothing(at.d.size(), 0.0);
+  const std::vector<Vec3> initial = stress(loading, nothing, 0);
+  for (std::size_t b = 0; b < initial.size(); ++b) out.live[b] -= initial[b];
+  return out;
+}
+
 }  // namespace dda

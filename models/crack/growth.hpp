@@ -57,6 +57,12 @@ class CrackedStructure {
   std::pair<Equilibrium, Growth> tried(const std::vector<Cut>& before) const;
   /// Mean σ of each block: (σx, σy, τxy) [F/L²].
   std::vector<Vec3> stress(const Loading& loading, std::span<const double> d, double load_factor) const;
+  /// The same and its rates, of displacements and a load factor that grow.
+  struct Place {
+    std::span<const double> d;
+    double load_factor;
+  };
+  BlockStress growing(const Loading& loading, const Place& at, const Place& rate) const;
 
  private:
   CrackFront& front_;

@@ -166,6 +166,13 @@ bool is_near_a_cut(const CrackGeometry& cracks, const CrackStarts::Wish& wish, c
   });
 }
 
+bool is_held(const CrackSite& place, std::span<const BoundaryPoint> held) {
+  constexpr double same_way = 0.99;
+  return place.edge && std::ranges::any_of(held, [&](const BoundaryPoint& point) {
+           return point.block == place.block && point.normal.dot(-place.edge->inward()) > same_way;
+         });
+}
+
 /// The same of the tension along a direction alone.
 double critical_along(const Recovered& at, const Vec2& t, double f) {
   const double dead = t.dot(at.dead * t), live = t.dot(at.live * t);
@@ -213,7 +220,7 @@ std::vector<CrackStart> CrackStarts::places(const BlockStress& stress, const Wis
   const Recovery recovery(body_, stress, radius, cracks_.tolerance());
   std::vector<CrackStart> out;
   for (const CrackSite& place : places_on(body_, wish.strength, radius, cracks_.tolerance())) {
-    if (is_near_a_cut(cracks_, wish, place.x)) continue;
+    if (is_near_a_cut(cracks_, wish, place.x) || is_held(place, wish.held)) continue;
     const LocalStrength& strength = wish.strength.at(body_.block(place.block).region);
     const CrackStart start = start_at(place, recovery.at(place), strength.at(place.x));
     if (std::isfinite(start.load_factor) && !runs_along_boundary(body_, start, h)) out.push_back(start);

@@ -2,9 +2,11 @@
 
 #include <map>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "models/body/body.hpp"
+#include "models/body/place.hpp"
 #include "models/body/random_field.hpp"
 
 namespace dda {
@@ -45,6 +47,8 @@ class CrackStarts {
     std::map<int, LocalStrength> strength;  ///< of the regions that may crack
     double apart = 0;                       ///< least distance to any cut [L]
     std::optional<int> except = {};         ///< a crack whose cuts do not count
+    std::span<const BoundaryPoint> held =
+        {};  ///< where supports hold the boundary along itself: nothing opens there
   };
   /// Those with a finite λ, the smallest first; places of the same λ in the order of the assembly.
   std::vector<CrackStart> places(const BlockStress& stress, const Wish& wish) const;

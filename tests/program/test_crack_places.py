@@ -58,6 +58,17 @@ def bent(seed, begin):
     return deck
 
 
+def two_spans(until):
+    """Two spans of 1 m, the left one loaded by 1 kN in a stage of its own, then the right one until it breaks."""
+    scene = {"regions": [{"name": "beam", "material": "concrete", "vertices": [[0, 0], [2000, 0], [2000, 200], [0, 200]]}],
+             "subdivision": {"type": "voronoi", "size": 40, "seed": 1}}
+    spans = [{"name": name, "loads": [{"type": "point_load", "over": [[x - 50, 200], [x + 50, 200]], "force": [0, -1000]}]}
+             for name, x in (("left span", 500), ("right span", 1500))]
+    spans[0] |= until
+    held = {name: {"over": [[x - 50, 0], [x + 50, 0]], "fix": fix} for name, x, fix in (("left", 50, "xy"), ("prop", 1000, "y"), ("right", 1950, "y"))}
+    return deck_of(scene, {"supports": held, "stages": spans})
+
+
 class Places(ProgramCase):
     def run_(self, deck):
         run = ddapath.run(deck, folder=self.folder / "run", overwrite=True)
@@ -107,6 +118,61 @@ class Places(ProgramCase):
             deck["cracks"], deck["path"] = [crack | more], {"stop": {"after_steps": 60}}
             self.assertEqual(self.run_(deck).crack_path()[:, 1].max() > 71, is_beyond)
 
+    def test_a_crack_that_waits_goes_where_the_stages_ask_for_it(self):
+        """Two spans, of which the left one is loaded a little before the right one: as if that little were a dead load, and not a
+        thirtieth of what the crack would bear that has waited in the left span."""
+        dead, first = (self.run_(two_spans(until)).summary["peak"] for until in ({}, {"until": {"load_factor": 1}}))
+        self.assertAlmostEqual(first["load"] / dead["load"], 1, delta=0.02)
+
+    def test_the_first_stage_may_ask_for_none(self):
+        """A bar that is pressed by 1 MPa and then pulled: its middle cracks when the pull has undone that, at ft + 1 MPa."""
+        bar = {"regions": [{"name": "beam", "material": "concrete", "vertices": [[0, 0], [200, 0], [200, 40], [0, 40]]}],
+               "boundaries": {"left": [[0, 0], [0, 40]], "right": [[200, 0], [200, 40]]},
+               "subdivision": {"type": "voronoi", "blocks": 120, "seed": 1}}
+        pressed, pulled = ({"name": name, "loads": [{"type": "edge_traction", "boundary": "right", "traction": [sign, 0]}]}
+                           for name, sign in (("pressed", -1), ("pulled", 1)))
+        run = self.run_(deck_of(bar, {"supports": {"left": {"boundary": "left", "fix": "x"}, "foot": {"at": [0, 0], "fix": "y"}},
+                                      "stages": [pressed | {"until": {"load_factor": 1}}, pulled]}))
+        self.assertAlmostEqual(run.summary["peak"]["load_factor"], 4, delta=0.02)
+
+    def test_none_begins_on_an_edge_that_is_held_along_itself(self):
+        """A beam between clamps that cools evenly, E α T = 6 MPa: it cracks at half of that, and does not wait on a clamp."""
+        scene = {"regions": [{"name": "beam", "material": "concrete", "vertices": [[0, 0], [600, 0], [600, 100], [0, 100]]}],
+                 "boundaries": {"left": [[0, 0], [0, 100]], "right": [[600, 0], [600, 100]]},
+                 "subdivision": {"type": "voronoi", "size": 14, "seed": 1}}
+        for fix in ("x", "xy"):
+            deck = deck_of(scene, {"supports": {"left": {"boundary": "left", "fix": fix}, "right": {"boundary": "right", "fix": fix}},
+                                   "stages": [{"loads": [{"type": "initial_strain", "expansion": 1e-5, "temperature": -20}]}],
+                                   "gauges": {"s": {"type": "stress", "at": [300.3, 97], "component": "xx"}}})
+            if fix == "x":
+                deck["supports"]["foot"] = {"at": [0, 0], "fix": "y"}
+            deck["plane"], deck["path"] = "stress", {"stop": {"load_factor_above": 3}}
+            deck["materials"]["concrete"]["poisson_ratio"] = 0
+            run = self.run_(deck)
+            self.assertLess(run.curve.s.max(), 3.1, fix)
+            self.assertLess(run.curve.s.iloc[-1], 0.1, fix)
+
+    def test_one_may_begin_at_an_interface_where_cracks_end(self):
+        """A soft skin below, glued on: with it under `end_at` or not, the crack begins where beam and skin meet."""
+        scene = {"regions": [{"name": "skin", "material": "rubber", "vertices": [[0, -10], [400, -10], [400, 0], [0, 0]]},
+                             {"name": "beam", "material": "concrete", "vertices": [[0, 0], [400, 0], [400, 100], [0, 100]]}],
+                 "subdivision": {"type": "voronoi", "size": 12, "seed": 4}}
+        deck = deck_of(scene, {"supports": {"left": {"over": [[0, 0], [0, 100]], "fix": "xy"}, "right": {"over": [[400, 0], [400, 100]], "fix": "y"}},
+                               "stages": [{"loads": [{"type": "point_load", "over": [[190, 100], [210, 100]], "force": [0, -1000]}]}]})
+        deck["materials"]["rubber"] = {"type": "linear_elastic", "young_modulus": 10, "poisson_ratio": 0.2}
+        deck["interfaces"]["glue"] = {"between": ["rubber", "concrete"], "law": {"type": "bonded"}}
+        deck["cracks"][0]["end_at"] = ["glue"]
+        there = self.run_(deck)
+        del deck["cracks"][0]["end_at"]
+        self.assertAlmostEqual(there.summary["peak"]["load"] / self.run_(deck).summary["peak"]["load"], 1, delta=1e-9)
+        self.assertLess(there.crack_path()[:, 1].min(), 1e-9)
+
+    def test_a_law_without_strength_is_refused(self):
+        for law in ({"type": "bonded"}, {"type": "elastic", "normal_stiffness": 1e5, "shear_stiffness": 1e5}, {"type": "friction", "friction_angle": 35}):
+            deck = beam("slit", 200)
+            deck["interfaces"]["joints"]["law"] = law
+            with self.assertRaisesRegex(Exception, "need a law with a tensile strength"):
+                ddapath.run(deck, folder=self.folder / "run", overwrite=True)
 
 
 if __name__ == "__main__":

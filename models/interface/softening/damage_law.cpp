@@ -9,6 +9,7 @@ namespace {
 /// Share of κ within which a point stands on its surface: events are met as closely, and what has been
 /// flagged there as loading must load.
 constexpr double on_surface = 1e-10;
+constexpr double together = 1e-9;
 
 struct Memory {
   double kappa = 0;    ///< κ, largest equivalent trial opening reached so far [L]
@@ -264,6 +265,9 @@ History DamageLaw::accept(const Vec2& q, const History& h, double k) const {
   out.dissipated += spending(q, h, k).value;
   out.loading = at.kappa >= reached * (1 - on_surface);
   if (at.kappa > reached) next.kappa = at.kappa;
+  // Points that rupture together do so within the rounding of an equilibrium.
+  if (const double end = rupture_kappa(k); out.loading && next.kappa > end * (1 - together))
+    next.kappa = std::max(next.kappa, end);
   if (at.kappa > 0) next.mixity = at.mixity;
   if (m_ > 0) {
     const Friction held = friction(q, h);

@@ -245,18 +245,20 @@ void Simulation::prepare() {
     hindrance_ = "; " + locked.front();
 }
 
-/// By the elastic solutions under the dead loads and under the reference load.
-void Simulation::begin_cracks() {
-  const Loading& loading = equilibrium_->stages().back();
-  const std::size_t n = equilibrium_->num_unknowns();
-  std::vector<double> dead(n), live(n), nothing(n, 0.0);
+/// Stress of the structure without cracks under the dead loads of a stage, and by its reference load.
+BlockStress Simulation::elastic_stress(const Loading& loading) {
+  std::vector<double> dead(equilibrium_->num_unknowns()), live(dead.size());
   system_->linear().solve(loading.dead, dead);
   system_->linear().solve(loading.reference, live);
-  BlockStress stress{cracked_->stress(loading, dead, 0), cracked_->stress(loading, live, 1)};
-  const std::vector<Vec3> initial = cracked_->stress(loading, nothing, 0);
-  for (std::size_t b = 0; b < initial.size(); ++b) stress.live[b] -= initial[b];
+  return cracked_->growing(loading, {dead, 0}, {live, 1});
+}
+
+/// Where the first stage asks for a crack that does so; the path moves it to where one is asked for sooner.
+void Simulation::begin_cracks() {
+  std::vector<BlockStress> elastic{elastic_stress(equilibrium_->stages().back())};
+  for (const Loading& later : equilibrium_->later_stages()) elastic.push_back(elastic_stress(later));
   const std::vector<Cut> before = crack_geometry_->cuts();
-  front_->begin_where_asked(stress);
+  front_->begin_where_asked(elastic);
   walker_->follow([&] { return cracked_->remake(before); });
   walker_->begin_stage(equilibrium_->stages().size() - 1);
   look_up();

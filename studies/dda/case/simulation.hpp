@@ -22,6 +22,7 @@ class Simulation {
   const Equilibrium& equilibrium() const { return *equilibrium_; }
   /// Cracks through blocks; null without.
   const CrackFront* cracks() const { return front_.get(); }
+  const CrackedStructure* cracked() const { return cracked_.get(); }
   /// Cuts the blocks as they were cut in a run that goes on.
   void restore_cracks(const std::vector<Cut>& cuts, std::vector<CrackFront::Memory> memory);
   /// Told before a crack changes unknowns and points, and then how they follow from earlier ones.
@@ -96,6 +97,7 @@ class Simulation {
   void change_supports();
   /// Blocks that are large beside what the cohesive zone needs.
   void note_coarse_cracks();
+  BlockStress elastic_stress(const Loading& loading);
   void begin_cracks();
   Aims look_up();
 

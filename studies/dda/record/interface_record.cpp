@@ -17,8 +17,9 @@ struct Tally {
   void add(const InterfacePoint& point, const History& h, const Vec2& w) {
     dissipated += point.weight * h.dissipated;
     area += point.weight;
-    if (h.dissipated <= 0) return;
-    cracked_area += point.weight;
+    const bool is_cracked = h.dissipated > 0;
+    if (is_cracked) cracked_area += point.weight;
+    if (!is_cracked && std::isfinite(point.law->initial_kappa(point.stiffness))) return;  // intact; dry joints open at once
     if (w.x() > opening) {
       opening = w.x();
       widest = point.x;
@@ -31,8 +32,8 @@ struct Tally {
 
   Json json(const FirstCrack& first) const {
     Json out{{"dissipated_energy", dissipated}, {"cracked_share", area > 0 ? cracked_area / area : 0}};
-    if (first.step < 0) return out;
-    out["first_crack"] = {{"step", first.step}, {"at", json_of(first.at)}};
+    if (first.step >= 0) out["first_crack"] = {{"step", first.step}, {"at", json_of(first.at)}};
+    if (first.step < 0 && opening == 0 && sliding == 0) return out;
     out["widest"] = {{"opening", opening}, {"at", json_of(widest)}};
     out["farthest"] = {{"sliding", sliding}, {"at", json_of(farthest)}};
     return out;

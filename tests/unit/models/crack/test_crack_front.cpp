@@ -318,7 +318,7 @@ TEST(CrackFront, BeginsWhereStressAsksForIt) {
   const Assembly& assembly = beam.structure.assembly();
   const std::vector<Vec3> nothing(assembly.num_blocks(), Vec3::Zero());
   ASSERT_TRUE(beam.front->is_automatic());
-  beam.front->begin_where_asked({nothing, bent(assembly, 1, 17)});
+  beam.front->begin_where_asked({BlockStress{nothing, bent(assembly, 1, 17)}});
   ASSERT_EQ(beam.front->num_cracks(), 1u);
   const double h = beam.structure.cracks().block_size();
   EXPECT_NEAR(beam.front->tip(0).x(), 17, h);
@@ -344,7 +344,7 @@ TEST(CrackFront, BeginsAsManyTimesAsItMayAndApart) {
   });
   const Assembly& assembly = beam.structure.assembly();
   beam.front->begin_where_asked(
-      {std::vector<Vec3>(assembly.num_blocks(), Vec3::Zero()), bent(assembly, 1, 17)});
+      {BlockStress{std::vector<Vec3>(assembly.num_blocks(), Vec3::Zero()), bent(assembly, 1, 17)}});
   beam.front->grow(0);
   const auto second = beam.front->asked(bent(assembly, 0.2, 17));
   ASSERT_TRUE(second);
@@ -359,7 +359,7 @@ TEST(CrackFront, BeginsAsManyTimesAsItMayAndApart) {
 TEST(CrackFront, BeginsNowhereWithoutTension) {
   Fronts beam(voronoi, {});
   const std::vector<Vec3> nothing(beam.structure.assembly().num_blocks(), Vec3::Zero());
-  EXPECT_THROW(beam.front->begin_where_asked({nothing, nothing}), InputError);
+  EXPECT_THROW(beam.front->begin_where_asked({BlockStress{nothing, nothing}}), InputError);
 }
 
 TEST(CrackFront, RefusesABeginOffTheOutlines) {
