@@ -123,7 +123,7 @@ bool sets_out(PathState& path, double load) {
 
 /// Whether a mechanism has moved three times as far as where it set out, or last brought one of the goals nearer.
 bool goes_on_beside(PathState& path, const std::vector<Landing>& goals) {
-  constexpr double far = 3, nearer = 0.01, nothing = 1e-9;
+  constexpr double far = 3, nearer = 0.01, nothing = 1e-6;
   PathMemory& memory = path.memory;
   double share = 0;
   for (const Landing& goal : goals) share = std::max(share, share_of_way(path, goal));

@@ -34,8 +34,9 @@ double first_amount(const PathState& path) {
   constexpr double of_load = 0.02, of_opening = 0.1, of_way = 0.25;
   const double load_rate = std::abs(leaving.rate(path.load)),
                load = std::abs(path.load_of(path.walker.state()));
-  double amount = load > 0 && load_rate > 0 ? of_load * load / load_rate
-                  : load == 0               ? of_way * next_new_crack(path.walker)
+  const bool is_none = load <= path.smallest_load();
+  double amount = !is_none && load_rate > 0 ? of_load * load / load_rate
+                  : is_none                 ? of_way * next_new_crack(path.walker)
                                             : std::numeric_limits<double>::infinity();
   const System& system = path.walker.system();
   const auto laws = system.laws(path.walker.state());

@@ -132,8 +132,10 @@ Point noted(PathState& path, const Candidate& candidate, StepKind kind) {
     path.memory.cracked_to_peak += std::exchange(path.memory.cracked_since_peak, 0);
     out.is_highest = true;
   }
-  path.memory.largest_displacement =
-      std::max(path.memory.largest_displacement, std::abs(path.displacement_of(candidate.state)));
+  constexpr double none =
+      1e-12;  // of the size, as of symmetric structures that sideways loads have not moved yet
+  if (const double moved = std::abs(path.displacement_of(candidate.state)); moved > none * path.size)
+    path.memory.largest_displacement = std::max(path.memory.largest_displacement, moved);
   path.memory.farthest_way = std::max(path.memory.farthest_way, way_of_leg(path, candidate.state));
   path.memory.load_before = path.load_of(path.walker.state());
   return out;
@@ -161,6 +163,7 @@ Point keep(PathState& path, Candidate candidate, StepKind kind) {
     path.memory.dissipated_before = path.walker.here().dissipated;
   }
   path.walker.accept(std::move(candidate));
+  if (kind == StepKind::event && path.memory.direction == 0) path.walker.set_out();
   return arrived(path, std::move(out));
 }
 

@@ -24,6 +24,8 @@ void Walker::begin_stage(std::size_t stage) {
   leaving_ = starting_tangent(system_, here_.state);
 }
 
+void Walker::set_out() { leaving_ = starting_tangent(system_, here_.state); }
+
 Attempt Walker::attempt(ControlEquation& control, double step, const State& guess,
                         Thoroughness thoroughness) {
   constexpr int often = 10;  // with the steps whose fields are stored by default

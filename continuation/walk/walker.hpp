@@ -138,6 +138,8 @@ class Walker {
   }
   /// Starts the next stage at the present state with load factor 0.
   void begin_stage(std::size_t stage);
+  /// The path leaves as a stage begins: its load has not set out yet.
+  void set_out();
   /// Puts the walker on a stored equilibrium with the tangent by which it was about to leave: computed anew,
   /// with another base of the linear system, it would differ in its last digits.
   void restore(Candidate at, const Effort& effort, Tangent leaving);

@@ -33,6 +33,24 @@ def rocking(law):
         "gauges": {"u": {"type": "displacement", "at": [0, 2], "direction": [1, 0]}}}
 
 
+def swayed(joint, width, height, pressure, drift):
+    """A block under an even pressure, pushed at its top to and fro, and to again, each time as far; every push is held."""
+    top = [[0, height], [width, height]]
+    floor = [[-0.5, -0.3], [width + 0.5, -0.3]]
+    push = {name: {"name": name, "loads": [{"type": "point_load", "over": top, "force": [sign, 0]}], "until": {"drift": sign * drift}}
+            for name, sign in (("forth", 1), ("back", -1), ("again", 1))}
+    return {
+        "units": {"length": "m", "force": "N"}, "thickness": 1, "plane": "stress",
+        "scene": {"regions": [{"name": "ground", "material": "ground", "undivided": True, "vertices": [*floor, [width + 0.5, 0], [-0.5, 0]]},
+                              {"name": "block", "material": "rock", "undivided": True, "vertices": [[0, 0], [width, 0], *top[::-1]]}],
+                  "boundaries": {"floor": floor, "top": top}},
+        "materials": {name: {"type": "linear_elastic", "young_modulus": 5e9, "poisson_ratio": 0.2} for name in ("ground", "rock")},
+        "interfaces": {"joint": {"between": ["ground", "rock"], "points": "vertices"} | joint},
+        "supports": {"floor": {"boundary": "floor", "fix": "xy"}},
+        "stages": [{"name": "pressed", "loads": [{"type": "edge_traction", "boundary": "top", "traction": [0, -pressure]}]}, *push.values()],
+        "gauges": {"drift": {"type": "displacement", "over": top, "direction": [1, 0]}}}
+
+
 def couplet(law):
     """Two blocks on each other, sheared by 1 mm, held, pressed twice as much, sheared on and back (mm, N)."""
     press = {"type": "edge_traction", "boundary": "top", "traction": [0, -0.2]}
@@ -72,6 +90,51 @@ class PushedBack(unittest.TestCase):
                 run = self.run_of(rocking(law))
                 self.assertAlmostEqual(run.curve.load_factor.iloc[-1] / 200, 1, delta=1e-6)
                 self.assertLess(run.curve.u.iloc[-1], 0)
+
+    def test_a_block_on_a_long_tail_goes_to_and_fro(self):
+        """Behind its peak it turns about either corner at N b/2h, and slides either way at N tan φ: from one held push to the next it takes twice
+        that, whatever is left of its joint."""
+        law = {"type": "exponential_softening", "tensile_strength": 3e5, "cohesion": 4.5e5, "friction_angle": 39, "fracture_energy": 60}
+        sliding = law | {"cohesion": 2e5, "friction_angle": 20, "shear_fracture_energy": 60}
+        for treatment in ("consistent", "penalty", "lagrange"):
+            for shape, joint, size, force in (("turns", law, (1, 1, 1e5, 0.006), 1e5), ("slides", sliding, (2, 0.3, 5e4, 0.02), 2e5 * math.tan(math.radians(20)))):
+                with self.subTest(shape, treatment=treatment):
+                    run = self.run_of(swayed({"law": joint, "treatment": treatment}, *size))
+                    self.assertAlmostEqual(run.curve.load_factor.iloc[-1] / force, 1, delta=1e-6)
+
+    def test_a_warmed_stack_is_driven_either_way(self):
+        """Its joint has cracked evenly as it warmed: the drive starts from nothing, and the force is the same to either side."""
+        law = {"type": "exponential_softening", "tensile_strength": 2e5, "fracture_energy": 50, "cohesion": 3e5, "friction_angle": 30}
+        peaks = []
+        for way in (1, -1):
+            deck = swayed({"law": law}, 1, 0.8, 1.2e5, 0.004)
+            drive = {"type": "prescribed_displacement", "over": [[0, 0.8], [1, 0.8]], "direction": [way, 0], "displacement": 0.004, "name": "H"}
+            warmth = {"type": "initial_strain", "expansion": 1e-5, "temperature": 40, "materials": ["rock"]}
+            deck["stages"][1:] = [{"name": "warmed", "loads": [warmth], "until": {"load_factor": 1}}, {"name": "driven", "loads": [drive]}]
+            deck["path"] = {"stop": {"load_factor_above": 1, "load_below": 0}}
+            run = self.run_of(deck)
+            peaks.append(run.summary["peak"]["load"])
+            self.assertLess(len(run.curve), 300)
+        self.assertAlmostEqual(peaks[1] / peaks[0], 1, delta=1e-6)
+
+    def test_an_anchor_that_is_needed_cannot_be_let_go(self):
+        """A block that slides on 35° with φ = 25°: nothing of what its anchor bears can be taken away."""
+        along, up = [math.cos(math.radians(35)), math.sin(math.radians(35))], [-math.sin(math.radians(35)), math.cos(math.radians(35))]
+        at = lambda s, n: [s * along[0] + n * up[0], s * along[1] + n * up[1]]
+        deck = {"units": {"length": "m", "force": "N"}, "thickness": 1, "plane": "stress",
+                "scene": {"regions": [{"name": "rock", "material": "rock", "undivided": True, "vertices": [at(-1, -1), at(4, -1), at(4, 0), at(-1, 0)]},
+                                      {"name": "block", "material": "block", "undivided": True, "vertices": [at(1, 0), at(2, 0), at(2, 0.5), at(1, 0.5)]}],
+                          "boundaries": {"below": [at(-1, -1), at(4, -1)], "up": [at(2, 0), at(2, 0.5)]}},
+                "materials": {name: {"type": "linear_elastic", "young_modulus": 1e10, "poisson_ratio": 0.2} for name in ("rock", "block")},
+                "interfaces": {"joint": {"between": ["rock", "block"], "law": {"type": "friction", "friction_angle": 25}, "points": "vertices"}},
+                "supports": {"below": {"boundary": "below", "fix": "xy"}, "anchor": {"boundary": "up", "direction": along, "stiffness": 1e8}},
+                "stages": [{"name": "weight", "loads": [{"type": "body_force", "materials": ["block"], "force": [0, -24000]}]},
+                           {"name": "off", "loads": [{"type": "support_removal", "support": "anchor"}], "until": {"load_factor": 1}}],
+                "gauges": {"d": {"type": "displacement", "at": at(1, 0.5), "direction": [-along[0], -along[1]]}}}
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        with self.assertRaisesRegex(ddapath.StoppedEarly, "slides as a mechanism at a load factor of 0"):
+            ddapath.run(deck, folder=Path(scratch.name) / "run")
 
     def test_what_has_been_released_and_slid_slides_back(self):
         """A block of 40 kN under λ times 4 kN: held at μ N it slides back under twice that."""

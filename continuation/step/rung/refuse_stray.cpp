@@ -16,12 +16,13 @@ bool moves_astray(const PathState& path, const State& reached, const State& ahea
   return largest > 0 && moved > far * std::max(largest, std::abs(path.displacement_of(reached)));
 }
 
-/// Under no load yet, to one of the other sign: a pile that any push shakes down moves alike in both.
+/// Under no load yet, to one against the way in which it grows: a pile that any push shakes down moves alike in both.
 bool sets_out_astray(const PathState& path, const State& reached, const State& ahead) {
-  constexpr double rounding = 1e-3;  // of the load that counts as none
-  const double load = reached.value(path.load);
-  return path.memory.direction == 0 && ahead.value(path.load) * load < 0 &&
-         std::abs(load) > rounding * path.smallest_load();
+  constexpr double tolerance = 0.1;  // of the load that counts as none: the path's, without that margin
+  const double here = path.walker.state().value(path.load), load = reached.value(path.load),
+               growing = ahead.value(path.load) - here;
+  return path.memory.direction == 0 && std::abs(here) <= path.smallest_load() && growing * load < 0 &&
+         std::abs(load) > tolerance * path.smallest_load();
 }
 
 /// By more than half of what a step may change the load by, where cracks grow as long as there is a load. An arc in the direction of
