@@ -55,14 +55,15 @@ def dump(tree):
     return yaml.dump(plain(tree), Dumper=_Dumper, sort_keys=False, default_flow_style=None, width=100, allow_unicode=True)
 
 
-def lines(tree, precise=7):
-    """YAML text to be read by people: a region, a material, an interface a line; numbers to so many decimals."""
+def lines(tree, precise=7, schema=""):
+    """YAML text to be read by people: a region, a material, an interface a line; numbers to so many decimals. With the place of a JSON
+    schema its first line tells editors of it."""
     def line(indent, begin, value):
         flow = yaml.dump([_rounded(plain(value), precise)], Dumper=_Dumper, sort_keys=False, default_flow_style=True,
                          width=float("inf"), allow_unicode=True)
         return f"{' ' * indent}{begin} {flow.strip()[1:-1]}"
 
-    out = []
+    out = [f"# yaml-language-server: $schema={schema}"] if schema else []
     for key, value in tree.items():
         if not isinstance(value, dict) or key in ("units", "path"):
             out.append(line(0, f"{key}:", value))

@@ -53,4 +53,4 @@ def write(folder):
     (folder / "earthquake.csv").write_text(text_of_record(earthquake, TIMES), encoding="utf-8")
     (folder / "pulse.csv").write_text(PULSE, encoding="utf-8")
     for name, make in DECKS.items():
-        (folder / f"{name}.yaml").write_text(lines(make()), encoding="utf-8")
+        (folder / f"{name}.yaml").write_text(lines(make(), schema="../../deck.schema.json"), encoding="utf-8")

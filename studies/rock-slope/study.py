@@ -71,7 +71,7 @@ def table_of_slope(row):
 def toppled(run, output):
     """A deck two degrees below the limit, and where its columns are after 8 s."""
     deck = columns.deck(36.0, time=8, frame_every=0.1)
-    (output / "columns.yaml").write_text(decks.lines(deck), encoding="utf-8")
+    (output / "columns.yaml").write_text(decks.lines(deck, schema="../../deck.schema.json"), encoding="utf-8")
     done = run("toppled", deck)
     shutil.copy(done.folder / "motion" / "end.svg", output / "columns.svg")
 

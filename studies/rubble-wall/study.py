@@ -88,7 +88,7 @@ def main():
     asked = study.arguments(study.parser(__doc__), HERE)
     picture.draw(asked.output / "wall.jpg", STONES, SHAPE, SEED)
     scene = wall_of(asked.output / "wall.jpg")
-    (asked.output / "wall.yaml").write_text(decks.lines(deck_of(scene)), encoding="utf-8")
+    (asked.output / "wall.yaml").write_text(decks.lines(deck_of(scene), schema="../../deck.schema.json"), encoding="utf-8")
     blocks = {region["name"]: region["vertices"] for region in scene["regions"]}
     with tempfile.TemporaryDirectory(prefix="ddapath-") as scratch:
         run, rows = study.Runs(scratch), []
