@@ -132,8 +132,7 @@ Point noted(PathState& path, const Candidate& candidate, StepKind kind) {
     path.memory.cracked_to_peak += std::exchange(path.memory.cracked_since_peak, 0);
     out.is_highest = true;
   }
-  constexpr double none =
-      1e-12;  // of the size, as of symmetric structures that sideways loads have not moved yet
+  constexpr double none = 1e-12;  // of the size, as of what is symmetric before a load from the side
   if (const double moved = std::abs(path.displacement_of(candidate.state)); moved > none * path.size)
     path.memory.largest_displacement = std::max(path.memory.largest_displacement, moved);
   path.memory.farthest_way = std::max(path.memory.farthest_way, way_of_leg(path, candidate.state));

@@ -234,6 +234,8 @@ class Command(unittest.TestCase):
             said = self.verify(run, Path(scratch) / "none")
             self.assertEqual(said.returncode, 2)
             self.assertIn("there is no such folder", said.stderr)
+            summary.unlink()
+            self.assertIn("all checks hold so far; the run is not finished", self.verify(run).stdout)
 
     def test_a_sweep_is_answered_in_words_of_the_command(self):
         with tempfile.TemporaryDirectory() as scratch:

@@ -32,7 +32,9 @@ def report(folder, file):
         print(f"{folder}: cannot be verified: {error or type(error).__name__}", file=sys.stderr)
         return WRONG_INPUT
     refused = [finding.check for finding in findings if not finding.holds]
-    print(f"{folder}: {'refused: ' + ', '.join(refused) if refused else 'all checks hold'}", file=file)
+    is_finished = not any("not finished" in finding.place for finding in findings if not finding.is_made)
+    held = "all checks hold" if is_finished else "all checks hold so far; the run is not finished"
+    print(f"{folder}: {'refused: ' + ', '.join(refused) if refused else held}", file=file)
     print(table([["", "check", "worst", "bound", "where"], *map(row, findings)]), file=file)
     return REFUSED if refused else HELD
 
