@@ -71,7 +71,9 @@ bool is_coarse(const PathState& path, const Candidate& candidate) {
   const double fine = share * path.parameters.step.accuracy;
   if (!only_touches(path, candidate)) return loses_work(path, candidate, fine * std::abs(candidate.work));
   const double of_live = std::abs(path.load_of(candidate.state) * path.displacement_of(candidate.state));
-  return loses_work(path, candidate, std::max(fine * of_live, of_sliding * work));
+  const double moved = path.displacement_of(candidate.state) - path.displacement_of(path.walker.state());
+  const double of_none = path.smallest_load() * std::abs(moved);  // what a load does that counts as none
+  return loses_work(path, candidate, std::max({fine * of_live, of_sliding * work, of_none}));
 }
 
 std::optional<Stopped> unsoundness(const PathState& path, const Candidate& candidate) {

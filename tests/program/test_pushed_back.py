@@ -96,7 +96,7 @@ class PushedBack(unittest.TestCase):
         that, whatever is left of its joint."""
         law = {"type": "exponential_softening", "tensile_strength": 3e5, "cohesion": 4.5e5, "friction_angle": 39, "fracture_energy": 60}
         sliding = law | {"cohesion": 2e5, "friction_angle": 20, "shear_fracture_energy": 60}
-        for treatment in ("consistent", "penalty", "lagrange"):
+        for treatment in ("consistent", "penalty", "lagrange", "augmented_lagrangian"):
             for shape, joint, size, force in (("turns", law, (1, 1, 1e5, 0.006), 1e5), ("slides", sliding, (2, 0.3, 5e4, 0.02), 2e5 * math.tan(math.radians(20)))):
                 with self.subTest(shape, treatment=treatment):
                     run = self.run_of(swayed({"law": joint, "treatment": treatment}, *size))
@@ -116,6 +116,14 @@ class PushedBack(unittest.TestCase):
             peaks.append(run.summary["peak"]["load"])
             self.assertLess(len(run.curve), 300)
         self.assertAlmostEqual(peaks[1] / peaks[0], 1, delta=1e-6)
+
+    def test_a_cooled_block_slides_to_and_fro(self):
+        """Cracked as it cooled, it slides either way at N tan φ; what its balance leaves of the energy under next to no load is no error."""
+        law = {"type": "linear_softening", "tensile_strength": 3e5, "cohesion": 4.5e5, "friction_angle": 20, "fracture_energy": 60}
+        deck = swayed({"law": law, "points": "gauss"}, 1, 0.3, 1e5, 0.006)
+        cold = {"type": "initial_strain", "expansion": 1e-5, "temperature": -20, "materials": ["rock"]}
+        deck["stages"].insert(1, {"name": "cooled", "loads": [cold], "until": {"load_factor": 1}})
+        self.assertAlmostEqual(self.run_of(deck).curve.load_factor.iloc[-1] / (2e5 * math.tan(math.radians(20))), 1, delta=1e-6)
 
     def test_an_anchor_that_is_needed_cannot_be_let_go(self):
         """A block that slides on 35° with φ = 25°: nothing of what its anchor bears can be taken away."""
