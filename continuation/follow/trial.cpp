@@ -162,7 +162,8 @@ Point keep(PathState& path, Candidate candidate, StepKind kind) {
     path.memory.dissipated_before = path.walker.here().dissipated;
   }
   path.walker.accept(std::move(candidate));
-  if (kind == StepKind::event && path.memory.direction == 0) path.walker.set_out();
+  const bool is_under_none = path.memory.direction == 0 && path.parameters.load_gauge.empty();
+  if (kind == StepKind::event && is_under_none) path.walker.set_out();
   return arrived(path, std::move(out));
 }
 
