@@ -78,6 +78,28 @@ bool can_meet(const Body& body, const Equilibrium& equilibrium, const MotionPara
   return moves && leaders.size() > 1;
 }
 
+/// Gravity acts beside the loads, of which the weight may be one.
+void note_weight_twice(const Body& body, const Equilibrium& equilibrium, const MotionParameters& parameters,
+                       Notices& notices) {
+  constexpr double much = 0.5;
+  const Vec2& gravity = parameters.gravity;
+  if (gravity.isZero(0) || equilibrium.stages().empty()) return;
+  const std::vector<double>& dead = equilibrium.stages().back().dead;
+  double borne = 0, weight = 0;  // along gravity
+  for (std::size_t b = 0; b < body.assembly.num_blocks(); ++b) {
+    const BlockId block{b};
+    if (is_held(body, parameters, body.block(block).region)) continue;
+    borne += Eigen::Map<const Vec2>(dead.data() + block_unknowns * b).dot(gravity);
+    weight += body.material(block).density() * body.volume(block) * gravity.squaredNorm();
+  }
+  if (!(borne > much * weight)) return;
+  notices.push_back(
+      fmt::format("motion.gravity: acts beside the loads that the path holds, which press what moves along "
+                  "it with {:.3g} "
+                  "times its weight already; leave it out where the weight is a load",
+                  borne / weight));
+}
+
 /// What damps no vibration damps those of contacts neither.
 void note_ringing_contacts(const Body& body, const Equilibrium& equilibrium,
                            const MotionParameters& parameters, Notices& notices) {
@@ -98,6 +120,7 @@ std::vector<std::string> motion_notices(const Body& body, const Equilibrium& equ
   note_ringing_contacts(body, equilibrium, parameters, out);
   note_bonded_regions(body, equilibrium, parameters, out);
   note_own_friction(body, equilibrium, parameters, out);
+  note_weight_twice(body, equilibrium, parameters, out);
   return out;
 }
 

@@ -178,6 +178,13 @@ class Then(Scratch):
         self.assertAlmostEqual(way / (0.5 * 0.2 * 0.5 * 9.81 * 0.5**2), 1, delta=0.01)
         self.assertEqual(self.refused(self.folder), [])
 
+    def test_a_weight_that_acts_twice_is_told(self):
+        """As a load of the path, which is kept, and as gravity."""
+        for gravity in (0, -9.81):
+            deck = pushed_block(motion={"held": ["ground"], "gravity": [0, gravity], "time": 0.01})
+            notices = ddapath.run(deck, folder=self.folder, overwrite=True).summary["notices"]
+            self.assertEqual(any("with 1 times its weight already" in notice for notice in notices), gravity != 0, notices)
+
     def test_needs_no_section_and_may_leave_one(self):
         path = {"stop": {"gauges": {"x": 0.01}}, "then": "motion"}
         run = ddapath.run(pushed_block(path=path), {"motion.held": ["ground"], "motion.loads": "drop"}, folder=self.folder)
