@@ -122,7 +122,8 @@ Point noted(PathState& path, const Candidate& candidate, StepKind kind) {
       std::max(path.memory.largest_force, load_on(path.walker.system(), candidate.state));
   const bool is_loaded = std::abs(load) > path.smallest_load();
   const double change = load - path.walker.state().value(path.load);
-  if (path.memory.direction == 0 && is_loaded && kind != StepKind::growth)
+  const bool is_told = is_loaded && std::abs(change) > path.smallest_load();  // by more than rounding
+  if (path.memory.direction == 0 && is_told && kind != StepKind::growth)
     path.memory.direction = change > 0 ? 1 : -1;
   path.memory.cracked_since_peak += cracking_energy(path.walker, candidate);
   constexpr double same = 1e-9;  // the first point of a plateau is the highest, whatever rounding adds
@@ -162,7 +163,8 @@ Point keep(PathState& path, Candidate candidate, StepKind kind) {
     path.memory.dissipated_before = path.walker.here().dissipated;
   }
   path.walker.accept(std::move(candidate));
-  const bool is_under_none = path.memory.direction == 0 && path.parameters.load_gauge.empty();
+  const bool is_under_none = path.parameters.load_gauge.empty() &&
+                             std::abs(path.walker.state().value(path.load)) <= path.smallest_load();
   if (kind == StepKind::event && is_under_none) path.walker.set_out();
   return arrived(path, std::move(out));
 }

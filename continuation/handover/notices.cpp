@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <set>
 
 #include "continuation/handover/regions.hpp"
+#include "framework/base/disjoint_sets.hpp"
 
 namespace dda {
 namespace {
@@ -60,22 +60,17 @@ void note_own_friction(const Body& body, const Equilibrium& equilibrium, const M
 
 /// Whether blocks move that no chain of joints which hold for ever connects.
 bool can_meet(const Body& body, const Equilibrium& equilibrium, const MotionParameters& parameters) {
-  std::vector<std::size_t> leader(body.assembly.num_blocks());
-  std::iota(leader.begin(), leader.end(), std::size_t{0});
-  const auto leader_of = [&leader](std::size_t block) {
-    while (leader[block] != block) block = leader[block] = leader[leader[block]];
-    return block;
-  };
+  DisjointSets joined(body.assembly.num_blocks());
   for (std::size_t p = 0; p < equilibrium.num_points(); ++p)
     if (const InterfacePoint& point = equilibrium.point(p); !point.law->can_crack() && !point.is_separate())
-      leader[leader_of(point.first.value())] = leader_of(point.second.value());
+      joined.merge(point.first.value(), point.second.value());
   bool moves = false;
-  std::set<std::size_t> leaders;
-  for (std::size_t b = 0; b < leader.size(); ++b) {
-    leaders.insert(leader_of(b));
+  std::set<std::size_t> groups;
+  for (std::size_t b = 0; b < joined.size(); ++b) {
+    groups.insert(joined.representative(b));
     moves = moves || !is_held(body, parameters, body.assembly.blocks[b].region);
   }
-  return moves && leaders.size() > 1;
+  return moves && groups.size() > 1;
 }
 
 /// Gravity acts beside the loads, of which the weight may be one.

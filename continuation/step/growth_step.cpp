@@ -58,6 +58,12 @@ std::optional<Candidate> settled(PathState& path, double far) {
   return {};
 }
 
+/// Cuts at the beginning that have stayed.
+std::ptrdiff_t num_same(const std::vector<Cut>& before, const std::vector<Cut>& cuts) {
+  return std::ranges::mismatch(before, cuts, [](const Cut& a, const Cut& b) { return a.is_at(b); }).in2 -
+         cuts.begin();
+}
+
 /// ½ Σ W t·P⁻¹t of the closed segment ahead of a crack: what its cuts store, which without them the rest gives back.
 /// `cuts` are those that the equilibrium has.
 double energy_ahead(const PathState& path, int crack, const std::vector<Cut>& cuts) {
@@ -76,8 +82,7 @@ double energy_ahead(const PathState& path, int crack, const std::vector<Cut>& cu
 double energy_of_opened_bonds(const PathState& path, const std::vector<Cut>& before) {
   const Equilibrium& equilibrium = path.walker.system().equilibrium();
   const std::vector<Cut>& cuts = path.cracks->structure.front().geometry().cuts();
-  const auto first_new =
-      std::ranges::mismatch(before, cuts, [](const Cut& a, const Cut& b) { return a.is_at(b); }).in2;
+  const auto first_new = cuts.begin() + num_same(before, cuts);
   const std::vector<double>& d = path.walker.state().d.all();
   double out = 0;
   for (std::size_t p = equilibrium.num_active(); p < equilibrium.num_points(); ++p) {
@@ -87,6 +92,27 @@ double energy_of_opened_bonds(const PathState& path, const std::vector<Cut>& bef
     out += point.weight / 2 * q.dot(point.trial_stiffness().cwiseProduct(q));
   }
   return out;
+}
+
+/// ½ Σ W (t·P⁻¹t − τ·P⁻¹τ) of new cuts, τ the part of their traction t that strains bring: what a cut stores of initial
+/// stress, which a load of strains gives to it as it grows, and has not given to one that has not been there.
+double energy_of_initial_stress(const PathState& path, const std::vector<Cut>& before) {
+  const System& system = path.walker.system();
+  const std::vector<Cut>& cuts = path.cracks->structure.front().geometry().cuts();
+  const std::vector<double>& d = path.walker.state().d.all();
+  const auto laws = system.laws(path.walker.state());
+  double out = 0;
+  for (std::size_t p = 0; p < laws.opening.size(); ++p) {
+    const InterfacePoint& point = system.equilibrium().point(p);
+    if (!point.cut || static_cast<std::ptrdiff_t>(*point.cut) < num_same(before, cuts)) continue;
+    Vec2 of_strains = Vec2::Zero();
+    point.for_each_stress([&](BlockId node, const Mat26& rows) {
+      of_strains += rows * Eigen::Map<const Vec6>(d.data() + block_unknowns * node.value());
+    });
+    const auto energy = [&](const Vec2& t) { return t.dot(t.cwiseQuotient(point.trial_stiffness())); };
+    out += point.weight / 2 * (energy(laws.traction[p]) - energy(of_strains));
+  }
+  return std::max(out, 0.0);
 }
 
 std::string place(const Vec2& x) { return fmt::format("({:.6g}, {:.6g})", x.x(), x.y()); }
@@ -158,7 +184,7 @@ std::optional<Point> growth_step(PathState& path, int crack) {
   front.grow(crack);
   double bearable = energy_of_opened_bonds(path, cuts);  // a closed cut makes nothing stiffer
   follow_cuts(path, cuts);
-  bearable += 2 * energy_ahead(path, crack, front.geometry().cuts());  // of initial stress, which a cut stores as well
+  bearable += energy_of_initial_stress(path, cuts);
   path.report("grown", front.end_of(crack).empty()
                            ? fmt::format("crack {} has grown to {}", crack, place(front.tip(crack)))
                            : fmt::format("crack {} ends at {}: {}", crack, place(front.tip(crack)),

@@ -126,6 +126,8 @@ class CrackFront {
   bool begins_at(int crack, const Vec2& x) const { return !has_grown(crack) && x == at(crack).tip; }
   /// Cracks of an entry, without those that have come to an end close to where they have begun.
   std::int64_t num_begun(std::size_t entry) const;
+  /// Whether a crack stands, but for the size of blocks, at a place.
+  bool is_near(int crack, const Vec2& x) const;
   /// The crack of an entry that has not grown, without which its places are looked for.
   std::optional<int> ready(std::size_t entry, const std::set<int>& spent_on) const;
   /// The first of some places at which a crack can be cut.

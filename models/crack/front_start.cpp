@@ -5,6 +5,16 @@
 #include "models/crack/front.hpp"
 
 namespace dda {
+namespace {
+
+constexpr double near = 2;  // in block sizes: the same place
+
+/// As if all of a stress came with the load.
+BlockStress growing_from_none(const std::vector<Vec3>& stress) {
+  return {std::vector<Vec3>(stress.size(), Vec3::Zero()), stress};
+}
+
+}  // namespace
 
 bool CrackFront::is_automatic() const {
   return std::ranges::any_of(model_.cracks, &CrackParameters::is_automatic);
@@ -44,10 +54,14 @@ void CrackFront::begin_where_asked(const std::vector<BlockStress>& elastic) {
 
 std::optional<CrackFront::Asked> CrackFront::asked(const std::vector<Vec3>& stress,
                                                    const std::set<int>& spent_on) {
-  const BlockStress all{std::vector<Vec3>(stress.size(), Vec3::Zero()), stress};
+  const BlockStress all = growing_from_none(stress);
   for (std::size_t e = 0; e < model_.cracks.size(); ++e)
     if (auto out = model_.cracks[e].is_automatic() ? asked_of(e, all, spent_on) : std::nullopt) return out;
   return {};
+}
+
+bool CrackFront::is_near(int crack, const Vec2& x) const {
+  return (x - at(crack).tip).norm() <= near * geometry_.block_size();
 }
 
 std::optional<int> CrackFront::ready(std::size_t entry, const std::set<int>& spent_on) const {
@@ -74,7 +88,7 @@ std::int64_t CrackFront::num_begun(std::size_t entry) const {
 }
 
 std::optional<CrackFront::Asked> CrackFront::left_out(const std::vector<Vec3>& stress) const {
-  const BlockStress all{std::vector<Vec3>(stress.size(), Vec3::Zero()), stress};
+  const BlockStress all = growing_from_none(stress);
   std::optional<Asked> out;
   for (std::size_t e = 0; e < model_.cracks.size(); ++e) {
     if (!model_.cracks[e].is_automatic()) continue;
@@ -101,29 +115,26 @@ std::optional<CrackFront::Asked> CrackFront::first_to_cut(std::size_t entry,
 
 std::optional<CrackFront::Asked> CrackFront::asked_of(std::size_t entry, const BlockStress& stress,
                                                       const std::set<int>& spent_on) {
-  constexpr double enough = 0.9, block_sizes = 2;
+  constexpr double enough = 0.9;
   CrackStarts::Wish wish = wish_of(entry);
   wish.except = ready(entry, spent_on);
   if (num_begun(entry) >= model_.cracks[entry].most.value_or(1) && !wish.except) return {};
   const auto places = CrackStarts(geometry_, body_).places(stress, wish);
   const auto last = std::ranges::upper_bound(places, 1 / enough, {}, &CrackStart::load_factor);
-  const double near = block_sizes * geometry_.block_size();
-  const auto out = first_to_cut(entry, {places.begin(), last}, wish.except);
-  if (out && wish.except && (out->start.at - at(*wish.except).tip).norm() <= near) return {};
-  return out;
+  if (last != places.begin() && wish.except && is_near(*wish.except, places.front().at)) return {};
+  return first_to_cut(entry, {places.begin(), last}, wish.except);
 }
 
 std::optional<CrackFront::Asked> CrackFront::asked_sooner(const BlockStress& growing) {
-  constexpr double sooner = 0.99, block_sizes = 2;
-  const double near = block_sizes * geometry_.block_size();
+  constexpr double sooner = 0.99;
   for (std::size_t e = 0; e < model_.cracks.size(); ++e) {
     const std::optional<int> crack = model_.cracks[e].is_automatic() ? ready(e, {}) : std::nullopt;
     if (!crack) continue;
     CrackStarts::Wish wish = wish_of(e);
     wish.except = crack;
     const auto places = CrackStarts(geometry_, body_).places(growing, wish);
-    const auto here = std::ranges::find_if(
-        places, [&](const CrackStart& place) { return (place.at - at(*crack).tip).norm() <= near; });
+    const auto here =
+        std::ranges::find_if(places, [&](const CrackStart& place) { return is_near(*crack, place.at); });
     const auto last = here == places.end() ? here
                                            : std::ranges::lower_bound(places, sooner * here->load_factor, {},
                                                                       &CrackStart::load_factor);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "continuation/follow/mechanism.hpp"
 #include "continuation/follow/trial.hpp"
 #include "continuation/step/rung/rungs.hpp"
 
@@ -18,11 +19,10 @@ bool moves_astray(const PathState& path, const State& reached, const State& ahea
 
 /// Under no load yet, to one against the way in which it grows: a pile that any push shakes down moves alike in both.
 bool sets_out_astray(const PathState& path, const State& reached, const State& ahead) {
-  constexpr double tolerance = 0.1;  // of the load that counts as none: the path's, without that margin
   const double here = path.walker.state().value(path.load), load = reached.value(path.load),
                growing = ahead.value(path.load) - here;
   return path.memory.direction == 0 && std::abs(here) <= path.smallest_load() && growing * load < 0 &&
-         std::abs(load) > tolerance * path.smallest_load();
+         std::abs(load) > standing_load(path, 0);
 }
 
 /// By more than half of what a step may change the load by, where cracks grow as long as there is a load. An arc in the direction of

@@ -121,12 +121,10 @@ def normal_law(steps):
     if unknown := of_plugins(steps):
         return not_made("contact and normal law", unknown)
 
-    most = max((np.abs(step.borne).max(initial=0.0) for step in steps), default=0.0)
-
     def value(step, interface, chosen):
         t, q = step.borne[chosen, 0], step.seen[chosen, 0]
         error = interface.law.normal_error(t, q, step.law_state(chosen, interface)) - step.noise[chosen]
-        scale = np.abs(t) + 0.01 * np.abs(step.borne[chosen]).max(initial=0.0) + 1e-6 * most  # of what has parted rounding is left
+        scale = np.abs(t) + 0.01 * np.abs(step.borne[chosen]).max(initial=0.0)
         return over(np.maximum(error, 0), scale)
     return worst_of("contact and normal law", per_interface(steps, value), LAW)
 
