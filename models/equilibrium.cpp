@@ -101,13 +101,19 @@ bool are_same(const BlockMatrix& a, const BlockMatrix& b, std::size_t num_rows) 
          });
 }
 
+Mat6 stiffness_of_gradient(const Body& body, BlockId id) {
+  const Moments& moments = body.block(id).moments;
+  return body.thickness * gradient_stiffness(body.material(id).stiffness(), moments.second, moments.area);
+}
+
 }  // namespace
 
 void add_stress_energy(BlockMatrix& matrix, const InterfacePoint& point) {
   add_stress_energy(matrix, point, 1);
 }
 
-Equilibrium::Equilibrium(const Body& body, const ModelParameters& model, StageHistory history)
+Equilibrium::Equilibrium(const Body& body, const ModelParameters& model, StageHistory history,
+                         std::optional<InterfaceSet> points)
     : num_blocks_(body.assembly.num_blocks()),
       num_jumps_(body.num_jumps()),
       num_cuts_(body.cracks ? body.cracks->cuts().size() : 0),
@@ -115,12 +121,9 @@ Equilibrium::Equilibrium(const Body& body, const ModelParameters& model, StageHi
       history_(std::move(history)),
       num_dead_stages_(model.num_dead_stages()) {
   Findings findings;
-  for (const BlockId id : body.second_order.blocks) {
-    const Moments& moments = body.block(id).moments;
-    gradients_.push_back({id, body.thickness * gradient_stiffness(body.material(id).stiffness(),
-                                                                  moments.second, moments.area)});
-  }
-  set_ = make_interface_points(body, model, findings);
+  for (const BlockId id : body.second_order.blocks)
+    gradients_.push_back({id, stiffness_of_gradient(body, id)});
+  set_ = points ? *std::move(points) : make_interface_points(body, model, findings);
   num_unknown_multipliers_ = 2 * static_cast<std::size_t>(std::ranges::count(set_.points, Multiplier::unknown,
                                                                              &InterfacePoint::multiplier));
   const std::size_t num_before = findings.size();
@@ -149,7 +152,14 @@ Equilibrium::Equilibrium(const Body& body, const ModelParameters& model, StageHi
 }
 
 bool Equilibrium::remake(const Body& body, const ModelParameters& model) {
-  Equilibrium made(body, model, history_);
+  std::optional<InterfaceSet> points;
+  if (num_unknown_multipliers_ == 0) {
+    Findings findings;
+    remake_interface_points(body, model, findings, set_);
+    findings.throw_if_any();
+    points = std::move(set_);
+  }
+  Equilibrium made(body, model, history_, std::move(points));
   const bool is_same = are_same(intact_, made.intact_, num_block_nodes());
   std::ranges::move(made.stages_, stages_.begin());
   made.stages_ = std::move(stages_);

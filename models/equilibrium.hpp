@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "models/body/block_matrix.hpp"
@@ -97,7 +98,8 @@ struct SupportChange {
 /// K0.
 class Equilibrium {
  public:
-  Equilibrium(const Body& body, const ModelParameters& model, StageHistory history = {});
+  Equilibrium(const Body& body, const ModelParameters& model, StageHistory history = {})
+      : Equilibrium(body, model, std::move(history), {}) {}
   /// Made anew for the cuts that the body has now. References to it and to its stages stay good, those to points,
   /// springs and laws do not. Whether K0 of the blocks is still the same, but for rounding.
   bool remake(const Body& body, const ModelParameters& model);
@@ -216,6 +218,9 @@ class Equilibrium {
   double held_stiffness() const { return held_stiffness_; }
 
  private:
+  /// With points that are made already.
+  Equilibrium(const Body& body, const ModelParameters& model, StageHistory history,
+              std::optional<InterfaceSet> points);
   /// Those that change in the stage that is followed, or have been due before; but for the first, whose change is made.
   std::span<const ChangingSpring> due(const std::vector<ChangingSpring>& springs, std::size_t num_done) const;
   /// The springs of supports that are there once so many have been put in and taken away.

@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <map>
+#include <numeric>
+#include <optional>
+#include <span>
+#include <tuple>
 
 #include "models/body/motion.hpp"
 #include "models/interface/scaled_law.hpp"
@@ -14,6 +17,7 @@
 #include "models/jump_rows.hpp"
 #include "models/kinematics/second_order.hpp"
 #include "models/locked_joints.hpp"
+#include "models/point_rule.hpp"
 #include "models/treatment/mirrored.hpp"
 #include "models/treatment/trace_constant.hpp"
 
@@ -26,53 +30,19 @@ constexpr double comfortable_margin = 1.5;
 /// Below this the trial law has no usable softening branch left.
 constexpr double smallest_margin = 1.02;
 
-/// Shares of a side and weights of its points.
-using Quadrature = std::vector<std::pair<double, double>>;
-
-Quadrature two_gauss_points() {
-  const double g = 0.5 / std::sqrt(3.0);
-  return {{0.5 - g, 0.5}, {0.5 + g, 0.5}};
-}
-
-Quadrature three_gauss_points() {
-  const double g = 0.5 * std::sqrt(0.6);
-  return {{0.5 - g, 5.0 / 18}, {0.5, 8.0 / 18}, {0.5 + g, 5.0 / 18}};
-}
-
-/// What stands on a side of blocks of first order.
-Quadrature quadrature(PointRule rule) {
-  switch (rule) {
-    case PointRule::vertices:
-      return {{0.0, 0.5}, {1.0, 0.5}};
-    case PointRule::midpoint:
-      return {{0.5, 1.0}};
-    case PointRule::gauss:
-    case PointRule::gauss_2:
-      break;
-  }
-  return two_gauss_points();
-}
-
-/// Whether the points of a rule bear blocks of second order. Its two ends overrate |σn|² threefold, its middle leaves a
-/// mechanism.
-bool integrates_linear_stress(PointRule rule) {
-  return rule == PointRule::gauss || rule == PointRule::gauss_2;
-}
-
 /// Finds the interface of a side and makes its points.
 class PointMaker {
  public:
   PointMaker(const Body& body, const ModelParameters& model, Findings& findings)
-      : body_(body), findings_(findings), book_(body, model, findings) {
-    for (std::size_t i = 0; i < body.assembly.num_blocks(); ++i) faces_.push_back(face(BlockId{i}));
-  }
+      : body_(body), findings_(findings), book_(body, model, findings), faces_(body.assembly.num_blocks()) {}
 
-  InterfaceSet make() {
+  /// Of some sides, in their order, and of all cuts.
+  InterfaceSet make(std::span<const std::size_t> of) {
     InterfaceSet out;
     const auto& sides = body_.assembly.sides;
     constexpr std::size_t of_side = 2;
-    out.points.reserve(of_side * sides.size());
-    for (std::size_t s = 0; s < sides.size(); ++s) add_side(s, book_.of_side(sides[s]), out);
+    out.points.reserve(of_side * of.size());
+    for (const std::size_t s : of) add_side(s, book_.of_side(sides[s]), out);
     add_cuts(out);
     const auto middle =
         std::ranges::stable_partition(out.points, [](const auto& p) { return p.is_active(); });
@@ -115,28 +85,30 @@ class PointMaker {
     return std::make_shared<const WaterFilledLaw>(std::move(law), pressure, *interface.water->opening);
   }
 
-  BlockFace face(BlockId id) const {
+  const BlockFace& face_of(BlockId id) {
+    std::optional<BlockFace>& out = faces_[id.value()];
+    if (out) return *out;
     const Mat3 c = body_.material(id).stiffness();
     const double trace = body_.gradient_of(id) ? second_order_trace_constant(body_.block(id), c)
                                                : trace_constant(body_.block(id), c);
-    return {c, trace, body_.material(id).modulus()};
+    return out.emplace(c, trace, body_.material(id).modulus());
   }
 
   /// The points of an interface on a side of these blocks.
-  Quadrature points_of(Interface& interface, const Side& side) const {
+  PointsOfSide points_of(Interface& interface, const Side& side) const {
     if (!body_.gradient_of(side.first) && !body_.gradient_of(side.second))
-      return quadrature(interface.points);
+      return points_of_side(interface.points);
     interface.misses_linear_stress |= !integrates_linear_stress(interface.second_order_points);
     return interface.second_order_points == PointRule::gauss_2 ? two_gauss_points() : three_gauss_points();
   }
 
-  SideFaces faces_of(const Side& side) const {
+  SideFaces faces_of(const Side& side) {
     const Vec2 edge = side.end - side.start;
     const Vec2 normal = Vec2(edge.y(), -edge.x()) / edge.norm(),
                &first = body_.block(side.first).moments.centroid;
     const double distance = side.is_mirror() ? 2 * std::abs(normal.dot(side.start - first))
                                              : (body_.block(side.second).moments.centroid - first).norm();
-    return {faces_[side.first.value()], faces_[side.second.value()], distance, edge.norm(), normal};
+    return {face_of(side.first), face_of(side.second), distance, edge.norm(), normal};
   }
 
   /// Of each point of a straight line.
@@ -245,7 +217,7 @@ class PointMaker {
     const PointLine line{cut.start, cut.end, cut.normal(),
                          points_of(interface, {cut.block, cut.block, cut.start, cut.end, {}})};
     std::vector<Local> laws = laws_along(interface, line);
-    const BlockFace& of_block = faces_[cut.block.value()];
+    const BlockFace& of_block = face_of(cut.block);
     const double size = std::sqrt(body_.block(cut.block).moments.area);
     const SideFaces faces{of_block, of_block, size, cut.length(), cut.normal()};
     const double k = cut_stiffness(index, through, laws, faces);
@@ -381,16 +353,46 @@ class PointMaker {
   const Body& body_;
   Findings& findings_;
   InterfaceBook book_;
-  std::vector<BlockFace> faces_;
+  std::vector<std::optional<BlockFace>> faces_;  ///< of blocks that have been asked for
 };
+
+/// The order in which the points of a set stand.
+bool comes_before(const InterfacePoint& a, const InterfacePoint& b) {
+  const auto place = [](const InterfacePoint& p) {
+    return std::tuple(!p.is_active(), p.cut.has_value(), p.cut.value_or(p.side));
+  };
+  return place(a) < place(b);
+}
 
 }  // namespace
 
 InterfaceSet make_interface_points(const Body& body, const ModelParameters& model, Findings& findings) {
-  InterfaceSet out = PointMaker(body, model, findings).make();
+  std::vector<std::size_t> all(body.assembly.sides.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  InterfaceSet out = PointMaker(body, model, findings).make(all);
+  if (body.cracks) out.touched = body.cracks->touched_sides();
   out.locked = locked_joints(body, out);
   std::ranges::copy(out.locked, std::back_inserter(out.notices));
   return out;
+}
+
+void remake_interface_points(const Body& body, const ModelParameters& model, Findings& findings,
+                             InterfaceSet& set) {
+  std::vector<std::size_t> touched, changed;
+  if (body.cracks) touched = body.cracks->touched_sides();
+  std::ranges::set_union(touched, set.touched, std::back_inserter(changed));
+  InterfaceSet made = PointMaker(body, model, findings).make(changed);
+  if (!findings.empty()) return;
+  std::erase_if(set.points, [&](const InterfacePoint& p) {
+    return p.cut.has_value() || std::ranges::binary_search(changed, p.side);
+  });
+  const auto middle = set.points.insert(set.points.end(), std::make_move_iterator(made.points.begin()),
+                                        std::make_move_iterator(made.points.end()));
+  std::inplace_merge(set.points.begin(), middle, set.points.end(), comes_before);
+  set.num_active = static_cast<std::size_t>(
+      std::ranges::partition_point(set.points, &InterfacePoint::is_active) - set.points.begin());
+  std::ranges::move(made.laws, std::back_inserter(set.laws));
+  set.touched = std::move(touched);
 }
 
 }  // namespace dda

@@ -105,6 +105,7 @@ struct InterfaceSet {
   std::vector<std::string> locked;  ///< why those with multipliers lock that do, see models/locked_joints.hpp
   std::vector<std::shared_ptr<const InterfaceLaw>> laws;
   std::vector<InterfacePoint> points;
+  std::vector<std::size_t> touched;  ///< sides that cuts divide or that a cut block has, in their order
   std::size_t num_active = 0;
   std::size_t num_nodes = 0;         ///< of unknown multipliers, one per side
   bool has_fields = false;           ///< some interface varies in space
@@ -127,5 +128,10 @@ struct InterfaceSet {
 /// has points of its own; points that remember something stay (models/jump_rows.hpp). Points of
 /// cuts come behind those of sides, in the order of the cuts, so that more cuts add points at the end of each group.
 InterfaceSet make_interface_points(const Body& body, const ModelParameters& model, Findings& findings);
+
+/// Makes a set that has no unknown multipliers the one for the cuts that there are now, bit for bit but for its notices,
+/// which stay: only sides that cuts touch, or have touched, get other points. Left as it is where there are findings.
+void remake_interface_points(const Body& body, const ModelParameters& model, Findings& findings,
+                             InterfaceSet& set);
 
 }  // namespace dda

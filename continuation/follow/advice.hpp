@@ -8,6 +8,11 @@
 
 namespace dda {
 
+/// Why a path ends whose points have no consistent rates.
+inline constexpr const char* without_rates =
+    "the path ends here: no rates were found that keep the equilibrium, whichever points crack, unload, "
+    "slide and hold; the structure would go on dynamically";
+
 /// What helps where steps fail or lead nowhere: the end of the message of a path that stops for want of one.
 inline std::string what_to_try(const Equilibrium& equilibrium) {
   const char* points =

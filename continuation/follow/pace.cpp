@@ -10,13 +10,13 @@
 namespace dda {
 namespace {
 
-/// What changes of the load are measured by: its largest so far, and where dead loads have cracked the
+/// What changes of the load are measured by: its largest so far, to either side, and where dead loads have cracked the
 /// structure before there is any, a hundredth of the forces that act.
 double load_size(const PathState& path) {
   constexpr double hardly = 0.01;
   const bool is_of_loads = path.parameters.load_gauge.empty();
-  return std::max(path.memory.peak_load,
-                  is_of_loads ? path.as_load(hardly * path.memory.largest_force) : 0.0);
+  return std::max({path.memory.peak_load, std::abs(path.load_of(path.walker.state())),
+                   is_of_loads ? path.as_load(hardly * path.memory.largest_force) : 0.0});
 }
 
 }  // namespace

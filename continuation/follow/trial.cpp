@@ -122,7 +122,9 @@ Point noted(PathState& path, const Candidate& candidate, StepKind kind) {
       std::max(path.memory.largest_force, load_on(path.walker.system(), candidate.state));
   const bool is_loaded = std::abs(load) > path.smallest_load();
   const double change = load - path.walker.state().value(path.load);
-  const bool is_told = is_loaded && std::abs(change) > path.smallest_load();  // by more than rounding
+  constexpr double hardly = 1e-6;  // of the load: rounding of springs that drive under a thrust
+  const bool is_told =
+      is_loaded && std::abs(change) > std::max(path.smallest_load(), hardly * std::abs(load));
   if (path.memory.direction == 0 && is_told && kind != StepKind::growth)
     path.memory.direction = change > 0 ? 1 : -1;
   path.memory.cracked_since_peak += cracking_energy(path.walker, candidate);

@@ -109,7 +109,7 @@ const std::vector<double>& LinearSystem::solution_of(Kept& kept) {
   const auto scope = timings_->measure("solutions");
   kept.solution = kept.right;
   if (is_none(kept.right)) return kept.solution;
-  solve_with_base(kept.solution);
+  solve_load_with_base(kept.solution);
   std::vector<double> rest(n());  // refined once: iterates that are put together from it cannot be
   multiply(base_, kept.solution, rest);
   for (std::size_t i = 0; i < rest.size(); ++i) rest[i] = kept.right[i] - rest[i];

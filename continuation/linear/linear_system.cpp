@@ -133,6 +133,12 @@ void LinearSystem::solve_with_base(std::span<double> x) {
   ++num_solves_;
 }
 
+void LinearSystem::solve_load_with_base(std::span<double> x) {
+  if (general_) return solve_with_base(x);
+  solver_.solve_again(x);
+  ++num_solves_;
+}
+
 bool LinearSystem::start_from(std::span<const Mat2> base) {
   const bool is_new = !std::ranges::equal(base, base_);
   const bool is_good = !is_new || restore(base);

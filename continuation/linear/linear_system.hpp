@@ -189,6 +189,8 @@ class LinearSystem {
   std::size_t num_columns(std::span<const Mat2> tangents,
                           const std::function<bool(const Mat2&, std::size_t)>& needs) const;
   void solve_with_base(std::span<double> x);
+  /// The same for a load, whose solution is asked for again as cracks grow.
+  void solve_load_with_base(std::span<double> x);
   /// Factorises K_base and forgets all columns.
   bool factor_base();
   /// Columns beyond which a new base is cheaper, if it needs half of them at most.

@@ -149,7 +149,7 @@ Motion::Try Motion::try_step() {
   if (!out.found.converged()) return out;
   book(out);
   if (creates_energy(out))
-    out.found.failure = fmt::format("the step would create an energy of {:.3g}", -out.entry.numerical);
+    out.found.failure = fmt::format("the step would create an energy of {:.3g}", -out.entry.lost());
   return out;
 }
 
@@ -199,11 +199,14 @@ bool Motion::crack(const MotionStep& step) {
   return has_parted;
 }
 
-/// Keeps the forces that hold bodies.
-void Motion::hold_by(const Eigen::VectorXd& forces) {
+/// Keeps the forces that hold bodies, and those of contacts.
+void Motion::keep_forces(const Eigen::VectorXd& all, const Eigen::VectorXd& of_contacts) {
   m_.holding.assign(now_.size(), Vec6::Zero());
-  for (std::size_t b = 0; b < now_.size(); ++b)
-    if (scene_.bodies[b].is_held) m_.holding[b] = of_body(forces, b);
+  m_.meeting.clear();
+  for (std::size_t b = 0; b < now_.size(); ++b) {
+    if (scene_.bodies[b].is_held) m_.holding[b] = of_body(all, b);
+    m_.meeting.emplace_back(of_body(of_contacts, b));
+  }
 }
 
 /// Commits a step.
@@ -219,11 +222,12 @@ void Motion::accept(Try step) {
   m_.ledger.fracture += entry.fracture;
   for (std::size_t i = 0; i < entry.fracture_of.size(); ++i) m_.ledger.fracture_of[i] += entry.fracture_of[i];
   m_.ledger.damping += entry.damping;
+  m_.ledger.impact += entry.impact;
   m_.ledger.numerical += entry.numerical;
   m_.ledger.error += entry.error;
   m_.ledger.kinetic = entry.kinetic;
   m_.ledger.stored = entry.stored;
-  hold_by(step.found.forces);
+  keep_forces(step.found.forces, step.found.meeting);
   m_.courses = std::move(step.courses);
   now_ = std::move(step.found.poses);
   m_.time += m_.dt.now;

@@ -39,6 +39,7 @@ struct MotionMemory {
   MotionLedger ledger;
   double time = 0, most_kinetic = 0;
   std::vector<Vec6> holding;      ///< forces on what is held, by body [F, F L]
+  std::vector<Vec6> meeting;      ///< the part of contacts of the forces on each body [F, F L]
   std::vector<RigidMotion> owed;  ///< what they have not had the energy for, by body; empty when nothing is
   int iterations = 0, rejected = 0, easy = 0, still = 0;
   bool is_released = true;  ///< all that is spent
@@ -100,6 +101,7 @@ class Motion {
   std::vector<AsOne> as_one(const Try& step) const;
   void book(Try& step) const;
   void book_fracture(const Poses& reached, MotionLedger& out) const;
+  double done_by_contacts(std::size_t body, const Try& step, const BodyWork& work) const;
   StoredEnergies stored(const std::vector<BodyCourse>& at) const;
   bool creates_energy(const Try& tried) const;
   bool crack(const MotionStep& step);
@@ -108,7 +110,7 @@ class Motion {
   void calm(Try& step, const std::vector<std::size_t>& hit, const RigidGroups& groups) const;
   void push(Try& step, const std::vector<RigidMotion>& given);
   std::vector<MeetingSearch::Pair> held_together() const;
-  void hold_by(const Eigen::VectorXd& forces);
+  void keep_forces(const Eigen::VectorXd& all, const Eigen::VectorXd& of_contacts);
   void accept(Try step);
   void judge();
   void end_if_due();

@@ -52,7 +52,9 @@ void Motion::begin_energies() {
   potential_->set_damped({velocities(), natural_, 1});
   potential_->begin(before);
   const Eigen::VectorXd forces = potential_->gradient(now_);
-  hold_by(forces);
+  Eigen::VectorXd of_contacts = Eigen::VectorXd::Zero(forces.size());
+  potential_->add_meeting_forces(now_, of_contacts);
+  keep_forces(forces, of_contacts);
   for (std::size_t b = 0; b < now_.size(); ++b) {
     const MovingBody& body = scene_.bodies[b];
     if (body.is_held) continue;

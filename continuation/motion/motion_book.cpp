@@ -72,6 +72,14 @@ void Motion::book_fracture(const Poses& reached, MotionLedger& out) const {
   }
 }
 
+/// What contacts take from a body in a step [F L].
+double Motion::done_by_contacts(std::size_t body, const Try& step, const BodyWork& work) const {
+  const double end = course_.integrator->share_of_end();
+  const Pose& way = scene_.bodies[body].is_held ? Pose(end * work.rubbed) : work.way;
+  const double before = m_.meeting.empty() ? 0 : m_.meeting[body].dot(work.rubbed);
+  return of_body(step.found.meeting, body).dot(way) + (1 - end) * before;
+}
+
 /// Where the energy of a step has gone, and the courses it would lead to.
 void Motion::book(Try& step) const {
   const Poses& reached = step.found.poses;
@@ -86,6 +94,7 @@ void Motion::book(Try& step) const {
     step.courses.push_back(course_.integrator->arrive(of));
     const BodyWork work = course_.integrator->work(body.block, of);
     beyond[b] = work.rubbed - (reached[b] - now_[b]);
+    out.impact += done_by_contacts(b, step, work);
     const auto forces = of_body(step.found.forces, b);
     if (body.is_held) {
       const double driven = (end * forces + (1 - end) * m_.holding[b]).dot(work.rubbed);
@@ -106,8 +115,10 @@ void Motion::book(Try& step) const {
   out.damping = potential_->spent_by_damping(reached);
   out.stored = stored(step.courses);
   out.stored.impacts = m_.ledger.stored.impacts;
-  out.numerical = inner - of_start - (out.stored.sum() - m_.ledger.stored.sum()) - out.friction -
-                  out.fracture - out.damping + (m_.ledger.kinetic - step.flown);
+  const StoredEnergies& before = m_.ledger.stored;
+  out.impact -= out.stored.of_contacts() - before.of_contacts() + out.friction;
+  out.numerical = inner - of_start - (out.stored.sum() - before.sum()) - out.friction - out.fracture -
+                  out.damping + (m_.ledger.kinetic - step.flown) - out.impact;
   out.error = out.external - inner + of_start - (out.kinetic - step.flown);
 }
 
@@ -126,7 +137,7 @@ bool Motion::creates_energy(const Try& tried) const {
   const double all = m_.ledger.kinetic + step.kinetic + std::abs(m_.ledger.stored.sum()) +
                      std::abs(step.stored.sum()) + std::abs(step.external);
   const double ahead = step.fracture + step.damping;  // booked up to half a step before that work
-  const double made = -step.numerical - given - ahead - bearable * all - hardly * m_.most_kinetic;
+  const double made = -step.lost() - given - ahead - bearable * all - hardly * m_.most_kinetic;
   if (made <= 0 || m_.dt.now >= m_.dt.before || m_.dt.begins) return made > 0;
   // A shorter step than the last one begins nearer to its end than to its middle, of which the energies are.
   double since_middle = solver_->stored(m_.courses).sum() + m_.ledger.stored.impacts -

@@ -49,13 +49,18 @@ void Motion::bounce(Try& step) {
   m_.owed.clear();
   if (!given.empty()) push(step, given);
   const bool is_over = !scene_.meeting.restitution || (hit.empty() && m_.owed.empty());
-  hold(step, is_over ? 0 : std::max(0.0, step.entry.stored.impacts + step.entry.numerical));
+  hold(step, is_over ? 0 : std::max(0.0, step.entry.stored.impacts + step.entry.lost()));
 }
 
-/// What impacts under way have taken is spent when they are over, less what they have given back.
+/// What impacts under way have taken is spent when they are over, less what they have given back. That may be of what the
+/// vibrations of bodies in them have lost.
 void Motion::hold(Try& step, double energy) {
-  step.entry.numerical -= energy - step.entry.stored.impacts;
-  step.entry.stored.impacts = energy;
+  MotionLedger& out = step.entry;
+  out.impact -= energy - out.stored.impacts;
+  out.stored.impacts = energy;
+  const double more = std::clamp(-out.impact, 0.0, std::max(0.0, out.numerical));
+  out.impact += more;
+  out.numerical -= more;
 }
 
 /// Impacts leave no vibration of the bodies that are in them: a strain begins its way back at rest.
@@ -73,7 +78,7 @@ void Motion::calm(Try& step, const std::vector<std::size_t>& hit, const RigidGro
   }
   out.stored = stored(step.courses);
   out.stored.impacts = m_.ledger.stored.impacts;
-  out.numerical -= out.kinetic + out.stored.sum() - before;
+  out.impact -= out.kinetic + out.stored.sum() - before;
 }
 
 /// Motions more of all bodies, as far as the energy allows that the impacts have taken; the rest is owed for as long as they
@@ -88,7 +93,7 @@ void Motion::push(Try& step, const std::vector<RigidMotion>& given) {
     linear += change.dot(block.times_mass(step.courses[b].velocity));
     square += kinetic_energy(block, change);
   }
-  const double most = std::max(0.0, step.entry.stored.impacts + step.entry.numerical);
+  const double most = std::max(0.0, step.entry.stored.impacts + step.entry.lost());
   double share = 1;
   if (linear + square > most)
     share = (std::sqrt(linear * linear + 4 * square * most) - linear) / (2 * square);
@@ -103,7 +108,7 @@ void Motion::push(Try& step, const std::vector<RigidMotion>& given) {
         step.courses[b], {share * given[b].velocity, share * given[b].spin}, m_.dt.now);
     kinetic += kinetic_energy(scene_.bodies[b].block, step.courses[b].velocity);
   }
-  step.entry.numerical -= kinetic - step.entry.kinetic;
+  step.entry.impact -= kinetic - step.entry.kinetic;
   step.entry.kinetic = kinetic;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "continuation/follow/advice.hpp"
 #include "continuation/follow/landings.hpp"
 #include "continuation/follow/mechanism.hpp"
 #include "continuation/follow/pace.hpp"
@@ -47,6 +48,7 @@ std::optional<Point> first_slip(PathState& path, double change) {
 /// proportion to the load from the first of it is nothing, since no load is another one than its parts. What slides goes on:
 /// as a mechanism where it takes next to none of what the load has grown by with the displacement so far.
 std::optional<Point> linear_for_good(PathState& path) {
+  if (!path.walker.leaving().keeps_equilibrium) return path.stop_early(Stop::dynamic, without_rates);
   const bool has_begun = path.walker.state().load_factor != 0;
   if (path.memory.has_slid && hardly_resists_at_once(path))
     return path.end_with_structure(
@@ -64,19 +66,20 @@ std::optional<Point> linear_for_good(PathState& path) {
 
 /// How far the first of steps that slide goes, `change` being the distance of the next contact change. What moves on as a
 /// mechanism, as what rocks back under another load than has opened it, takes next to no load: there it is a part of the way to that
-/// change, or a little of the structure's size.
+/// change, or a little of the structure's size where that is less.
 double first_sliding_amount(const PathState& path, const Move& move, double change) {
   constexpr double part = 0.25, little = 1e-3, slip = 1e-5;
   if (move.kind == StepKind::opening && path.memory.moves_beside_load) return slip * path.size / move.rate;
   const bool is_loaded = path.walker.here().stored > 0;
   const Tangent& leaving = path.walker.leaving();
   double amount = is_loaded && std::isfinite(change) ? part * change : 1 / std::abs(leaving.load_factor);
-  if (path.memory.has_slid && is_loaded)
+  const bool has_load = std::abs(path.load_of(path.walker.state())) > path.smallest_load();
+  if (path.memory.has_slid && is_loaded && has_load)
     amount = part * std::abs(path.walker.state().load_factor / leaving.load_factor);
   amount = std::max(amount, sliding_amount(path));
   const double moved = std::abs(path.displacement_rate(leaving));
   if (moved * amount <= little * path.size) return amount;
-  return std::isfinite(change) ? part * change : little * path.size / moved;
+  return std::min(part * change, little * path.size / moved);
 }
 
 }  // namespace

@@ -185,7 +185,8 @@ class RateProblem {
       set(ray->goes_on);
       Way found{tangent()};
       if (found.tangent.d.empty()) continue;
-      if (may_snap_back_ && snaps_back(found.tangent, *ray)) reverse(found.tangent);
+      if ((may_snap_back_ && snaps_back(found.tangent, *ray)) || rises_backwards(found.tangent, *ray))
+        reverse(found.tangent);
       if (!is_settled(found.tangent) || !goes_beyond(found.tangent)) continue;
       found.leads_back = leads_back(system_, found.tangent, heading_);
       if (best && !is_better(found, *best, arriving)) continue;
@@ -202,6 +203,15 @@ class RateProblem {
     const bool none = std::ranges::count(ray.goes_on, true) == 0;
     if (found.dissipates || heading_ || none || is_settled(found)) return false;
     if (std::abs(live_power(system_, state_, found).of_forces) > far * elastic_power_) return false;
+    reverse(found);
+    return is_settled(found);
+  }
+
+  /// Whether joints slide on only the other way round, and the load rises there: what it works on goes back, as where friction
+  /// steeper than its plane lets go.
+  bool rises_backwards(Tangent found, const RateRay& ray) const {
+    const bool none = std::ranges::count(ray.goes_on, true) == 0;
+    if (found.dissipates || heading_ || none || found.load_factor >= 0 || is_settled(found)) return false;
     reverse(found);
     return is_settled(found);
   }

@@ -225,6 +225,13 @@ bool CrackGeometry::is_touched(std::size_t side) const {
   return on_sides_.contains(side) || divided_.contains(at.first) || divided_.contains(at.second);
 }
 
+std::vector<std::size_t> CrackGeometry::touched_sides() const {
+  std::vector<std::size_t> out;
+  for (std::size_t s = 0; s < assembly_.sides.size() && !empty(); ++s)
+    if (is_touched(s)) out.push_back(s);
+  return out;
+}
+
 /// Ends of the pieces, in their order; marks closer to each other than the tolerance are one.
 std::vector<Vec2> CrackGeometry::stations(const Marks& marks, std::size_t side, const Vec2& start,
                                           const Vec2& end) const {

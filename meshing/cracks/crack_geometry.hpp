@@ -107,6 +107,8 @@ class CrackGeometry {
   std::vector<std::pair<Vec2, Vec2>> pieces_of_cut(const Cut& cut) const;
   /// Whether a side is divided, opened, or moved by a jump.
   bool is_touched(std::size_t side) const;
+  /// Sides of which that is so, in their order.
+  std::vector<std::size_t> touched_sides() const;
   /// In their order along it, one where it is not divided.
   std::vector<SidePiece> pieces_of_side(std::size_t side) const;
   std::vector<BoundaryPiece> pieces_of_boundary(std::size_t boundary_side) const;

@@ -55,7 +55,7 @@ def books(done):
     """What the energy book of a run misses, and what its steps have created, over the most it has held at once or released."""
     curve, motion = done.motion.curve, done.summary["motion"]
     held = max(curve["kinetic_energy"].max(), (curve["external_work"].cummax()).max(), 1e-300)
-    damped = np.concatenate([[0], curve["impact_and_damping"]])
+    damped = np.concatenate([[0], curve["impact"] + curve["numerical_damping"]])
     created = (np.maximum.accumulate(damped) - damped).max()
     return {"missed": float(np.abs(curve["energy_error"]).max() / held), "created": float(created / held),
             "steps": motion["steps"], "rejected": motion["rejected_steps"], "solves": motion["iterations"],

@@ -34,7 +34,7 @@ class Meeting(unittest.TestCase):
         run = ddapath.run(deck, folder=self.folder, overwrite=True)
         self.assertEqual(run.summary["status"], "goal_reached", run.summary["reason"])
         curve, hit = run.motion.curve, (2 * 0.7 / 9.81) ** 0.5
-        scale = curve[["external_work", "kinetic_energy", "impact_and_damping"]].abs().to_numpy().max()
+        scale = curve[["external_work", "kinetic_energy", "impact", "numerical_damping"]].abs().to_numpy().max()
         self.assertLess(curve.energy_error.abs().max() / scale, 1e-6)
         after = curve[curve.time > hit + 0.02]
         highest = after.y.idxmax()
@@ -87,7 +87,7 @@ class Meeting(unittest.TestCase):
         self.assertEqual([str(finding) for finding in verify(self.folder) if not finding.holds], [])
         curve = ddapath.read_run(self.folder).motion.curve.copy()
         later = curve.index >= len(curve) // 2
-        curve.loc[later, "impact_and_damping"] -= 0.03 * motion_checks.scale_of(curve)
+        curve.loc[later, "impact"] -= 0.03 * motion_checks.scale_of(curve)
         self.assertFalse(motion_checks.impact_gives_nothing_back(curve, motion_checks.GIVEN_BACK).holds)
 
     def test_regions_bonded_without_an_interface_are_told(self):

@@ -24,8 +24,9 @@ class CutStructure {
   struct Wish {
     std::string subdivision = "{type: voronoi, blocks: 60}";
     double alpha = 0.6;
-    double stiffness = 100;  ///< of cuts
-    std::string more = "";   ///< of the deck
+    double stiffness = 100;     ///< of cuts
+    std::string more = "";      ///< of the deck
+    std::string of_joint = "";  ///< beside its law
     std::string supports = "{soft: {at: [0, 0], fix: xy}, side: {at: [0, 10], fix: x}}";
     double support_stiffness = 1e-13;
   };
@@ -84,7 +85,8 @@ class CutStructure {
            "interfaces:\n"
            "  joint: {between: [stone, stone], treatment: {type: consistent, alpha: " +
            std::to_string(wish.alpha) +
-           "}, law: {type: linear_softening, tensile_strength: 0.01, fracture_energy: 0.01}}\n"
+           "}, law: {type: linear_softening, tensile_strength: 0.01, fracture_energy: 0.01}" + wish.of_joint +
+           "}\n"
            "weak_springs: 0\nsupport_stiffness: " +
            fmt::format("{}", wish.support_stiffness) + "\nsupports: " + wish.supports + "\n" + wish.more +
            (wish.more.find("stages:") == std::string::npos

@@ -8,6 +8,7 @@ namespace dda {
 bool BorderedSolver::factor(const BlockMatrix& a) {
   if (!inner_->factor(a)) return false;
   border_.begin(*inner_, a.num_rows());
+  known_.clear();
   return true;
 }
 
@@ -24,6 +25,24 @@ void BorderedSolver::solve(std::span<double> x, int columns) {
     std::copy_n(of_inner.begin() + std::ptrdiff_t(c * inner), inner, column.begin());
     border_.correct(column);
   }
+}
+
+void BorderedSolver::solve_again(std::span<double> x) {
+  if (border_.num_nodes() == 0) return inner_->solve(x, 1);
+  const std::vector<double>& of_inner = known(x.first(block_unknowns * border_.num_inner())).solution;
+  std::ranges::copy(of_inner, x.begin());
+  border_.correct(x);
+}
+
+const BorderedSolver::Known& BorderedSolver::known(std::span<const double> right) {
+  const auto found =
+      std::ranges::find_if(known_, [&](const Known& one) { return std::ranges::equal(one.right, right); });
+  if (found != known_.end()) return *found;
+  constexpr std::size_t most = 2;
+  if (known_.size() == most) known_.erase(known_.begin());
+  Known& out = known_.emplace_back(Known{{right.begin(), right.end()}, {right.begin(), right.end()}});
+  inner_->solve(out.solution, 1);
+  return out;
 }
 
 int BorderedSolver::num_negative_pivots() const {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "continuation/linear/direct/border.hpp"
 #include "continuation/linear/direct/direct_solver.hpp"
@@ -24,6 +26,8 @@ class BorderedSolver final : public DirectSolver {
   const Border& border() const { return border_; }
 
   void solve(std::span<double> x, int columns) override;
+  /// The same for one of the few right-hand sides that come again each time the border has grown: A⁻¹ b is kept.
+  void solve_again(std::span<double> x);
   double factor_bytes(const BlockMatrix& a) override { return inner_->factor_bytes(a); }
   double factor_flops() const override { return inner_->factor_flops(); }
   int num_negative_pivots() const override;
@@ -31,8 +35,14 @@ class BorderedSolver final : public DirectSolver {
   const HalfSolver* halves() const override { return inner_->halves(); }
 
  private:
+  struct Known {
+    std::vector<double> right, solution;  ///< b and A⁻¹ b
+  };
+  const Known& known(std::span<const double> right);
+
   std::unique_ptr<DirectSolver> inner_;
   Border border_;
+  std::vector<Known> known_;
 };
 
 }  // namespace dda

@@ -103,6 +103,11 @@ Potential::Vector Potential::gradient(const Poses& at) const {
     of_body(out, bond.second) += forces[1];
   }
   if (damping_) damping_->add_forces(at, out);
+  add_meeting_forces(at, out);
+  return out;
+}
+
+void Potential::add_meeting_forces(const Poses& at, Vector& out) const {
   const auto push = [&](const Meeting& meeting, const Vec2& direction, double force) {
     const auto rows = rows_along(meeting, direction);
     of_body(out, meeting.key.body) += force * rows[0];
@@ -113,7 +118,6 @@ Potential::Vector Potential::gradient(const Poses& at) const {
   });
   for (const Slider& slider : sliders_)
     push(slider.meeting, slider.tangent(), slider.force(slider.reached(start_, at)));
-  return out;
 }
 
 Response Potential::bond_response(std::size_t i, const Vec2& opening) const {

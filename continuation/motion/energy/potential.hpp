@@ -17,6 +17,7 @@ struct StoredEnergies {
   double strain = 0, springs = 0, bonds = 0, contact = 0, friction = 0;
   double impacts = 0;  ///< taken by impacts under way, which may still give it back
 
+  double of_contacts() const { return contact + friction; }
   double sum() const { return strain + springs + bonds + contact + friction + impacts; }
 };
 
@@ -67,6 +68,8 @@ class Potential {
 
   /// ∂Π/∂z; of held bodies what it takes to hold them.
   Vector gradient(const Poses& at) const;
+  /// Adds the part of contacts and sliders of it.
+  void add_meeting_forces(const Poses& at, Vector& out) const;
   /// How joints that soften enter the curvature: by their tangent, or by their secant, which is never negative.
   enum class Softening { tangent, secant };
   /// The lower triangle of ∂²Π/∂z² + c M of what moves, and the forces on it where held bodies go ways: none when these

@@ -127,7 +127,7 @@ void OpenCloseStep::begin(const StepStart& start, const Inertia& inertia) {
 
 MotionStep OpenCloseStep::solve(const StepStart& start, const Inertia& inertia) {
   begin(start, inertia);
-  MotionStep out{.poses = start_, .forces = {}, .contacts = {}, .failure = {}};
+  MotionStep out{.poses = start_, .forces = {}, .meeting = {}, .contacts = {}, .failure = {}};
   for (int pass = 0;; ++pass) {
     if (pass == rules_.most_passes) {
       out.failure = fmt::format("contacts go on to open and close after {} passes", pass);
@@ -239,7 +239,8 @@ std::string OpenCloseStep::balance(const Inertia& inertia, int& iterations) {
 
 /// Forces, and what contacts keep and have spent.
 void OpenCloseStep::tell(MotionStep& out) const {
-  out.forces = first_order_.forces(ways_) + contact_forces();
+  out.meeting = contact_forces();
+  out.forces = first_order_.forces(ways_) + out.meeting;
   for (const OpenCloseContact& contact : contacts_) {
     if (contact.state == ContactState::open) continue;
     ++out.num_meetings;

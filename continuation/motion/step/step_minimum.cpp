@@ -31,7 +31,7 @@ MotionStep StepMinimum::solve(const StepStart& from, const Inertia& inertia) {
   scale_ = force_scale(scene_, start, inertia);
   potential_.begin(start);
   potential_.set_sliders({});
-  MotionStep out{.poses = start, .forces = {}, .contacts = {}, .failure = {}};
+  MotionStep out{.poses = start, .forces = {}, .meeting = {}, .contacts = {}, .failure = {}};
   FrictionBounds bounds;
   for (int pass = 0; out.converged(); ++pass) {
     Rubbing rubbing{sliders_at(out.poses, from.sliders, pass == 0), potential_.rubbing(out.poses)};
@@ -64,6 +64,8 @@ MotionStep StepMinimum::solve(const StepStart& from, const Inertia& inertia) {
 /// Forces at the end, and what contacts and sliders keep and have spent.
 void StepMinimum::tell(const Poses& start, MotionStep& out) const {
   out.forces = potential_.gradient(out.poses);
+  out.meeting = Vector::Zero(out.forces.size());
+  potential_.add_meeting_forces(out.poses, out.meeting);
   for (const Slider& slider : potential_.sliders()) {
     const double u = slider.reached(start, out.poses);
     if (std::abs(u) > (1 + 1e-9) * std::abs(slider.kept(u)))

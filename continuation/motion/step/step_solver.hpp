@@ -37,8 +37,9 @@ struct Inertia {
 /// The end of a step, or why there is none.
 struct MotionStep {
   Poses poses;
-  Eigen::VectorXd forces;  ///< ∂Π/∂y at the end, by body; of held bodies what it takes to hold them
-  SliderMemory contacts;   ///< what those that are closed keep
+  Eigen::VectorXd forces;   ///< ∂Π/∂y at the end, by body; of held bodies what it takes to hold them
+  Eigen::VectorXd meeting;  ///< the part of contacts of them, friction included
+  SliderMemory contacts;    ///< what those that are closed keep
   std::vector<Slide> slides;
   std::size_t num_meetings = 0;
   int iterations = 0;

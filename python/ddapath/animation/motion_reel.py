@@ -10,7 +10,8 @@ from .outlines import Outlines, between, materials_of, names_of
 from .stage import PALETTE, YET_TO_COME, Blocks, fills, together
 
 ENERGIES = {"external_work": "external work", "kinetic_energy": "kinetic", "stored_energy": "stored", "friction": "friction",
-            "fracture": "fracture", "viscous_damping": "viscous damping", "impact_and_damping": "impact and damping"}
+            "fracture": "fracture", "viscous_damping": "viscous damping", "impact": "impact",
+            "numerical_damping": "numerical damping"}
 SECONDS = 8         # of film about, unless a speed is wished
 TRUE_IF = (3, 20)   # motions that last so long are shown as fast as they are [s]
 
@@ -86,10 +87,11 @@ class MotionReel:
         self._blocks.hold(self._outlines(self._steps[0]).polygons)
         time, units = self._curve["time"].to_numpy(), self._curve.attrs["units"]
         self._lines = []
-        for (column, name), colour in zip(ENERGIES.items(), PALETTE):
-            values = self._curve[column].to_numpy()
-            stage.book.plot(time, values, color=colour, linewidth=1, alpha=YET_TO_COME)
-            self._lines.append((stage.book.plot([], [], color=colour, linewidth=1.5, label=name)[0], values))
+        there = [(name, self._curve[column].to_numpy()) for column, name in ENERGIES.items() if self._curve[column].any()]
+        for i, (name, values) in enumerate(there):
+            look = {"color": PALETTE[i % len(PALETTE)], "linestyle": "-" if i < len(PALETTE) else "--"}
+            stage.book.plot(time, values, linewidth=1, alpha=YET_TO_COME, **look)
+            self._lines.append((stage.book.plot([], [], linewidth=1.5, label=name, **look)[0], values))
         self._now = stage.book.axvline(0, color="#808080", linewidth=0.8)
         stage.book.set_xlim(self._times[0], self._times[-1])
         stage.label(f"time [{units['time']}]", f"energy [{units['external_work']}]")

@@ -13,7 +13,7 @@ ROUNDING = 1e-9  # of the largest energy
 SOLVING = 1e-5   # of the largest energy: what steps may have been solved inexactly by
 GIVEN_BACK = 1e-2  # of the largest energy: what integration may add where bodies turn in free flight
 REST = 1e-6      # of the largest kinetic energy
-BOOKED = ("kinetic_energy", "stored_energy", "friction", "fracture", "viscous_damping", "impact_and_damping", "energy_error")
+BOOKED = ("kinetic_energy", "stored_energy", "friction", "fracture", "viscous_damping", "impact", "numerical_damping", "energy_error")
 SPENT = ("friction", "fracture", "viscous_damping")
 
 
@@ -42,8 +42,13 @@ def spent_never_falls(curve):
     return worst_of("motion: what is spent never falls", found, ROUNDING)
 
 
+def lost(curve):
+    """What impacts and integration have taken [FL]."""
+    return curve["impact"] + curve["numerical_damping"]
+
+
 def told_half_a_step_early(curve):
-    """What of the last change of the stored energy `impact_and_damping` may have been told too little, ± [FL].
+    """What of the last change of the stored energy impact and damping may have been told too little, ± [FL].
 
     Work and kinetic energy are those of the middle of a step, most of what is stored is that of its end: half a step ahead. How
     much of it that is no file tells; it is none of it to all of it, but for what impacts have taken.
@@ -55,7 +60,7 @@ def told_half_a_step_early(curve):
 def impact_gives_nothing_back(curve, bound):
     """Impact and damping take energy; where they fall by more than half a step of stored energy is, integration has made some,
     and all such falls together are bounded."""
-    taken, early = curve["impact_and_damping"].to_numpy(), told_half_a_step_early(curve)
+    taken, early = lost(curve).to_numpy(), told_half_a_step_early(curve)
     low, high = taken + early.clip(max=0), taken + early.clip(min=0)
     falls = (low[:-1] - high[1:]).clip(min=0)
     at = int(np.argmax(falls)) + 2 if len(falls) else 0

@@ -6,11 +6,11 @@ namespace dda::motion_column {
 
 std::vector<Column> all(const Units& units, const std::vector<std::string>& interfaces) {
   const std::string energy = label(dimension::energy, units);
-  std::vector<Column> out{{"step", ""},       {"time", "s"},       {"time_step", "s"}, {"iterations", ""},
-                          {"meetings", ""},   {"live_joints", ""}, {work, energy},     {kinetic, energy},
-                          {stored, energy},   {strain, energy},    {contact, energy},  {impact, energy},
-                          {friction, energy}, {fracture, energy},  {damping, energy},  {numerical, energy},
-                          {error, energy}};
+  std::vector<Column> out{{"step", ""},        {"time", "s"},       {"time_step", "s"}, {"iterations", ""},
+                          {"meetings", ""},    {"live_joints", ""}, {work, energy},     {kinetic, energy},
+                          {stored, energy},    {strain, energy},    {contact, energy},  {impacts, energy},
+                          {friction, energy},  {fracture, energy},  {damping, energy},  {impact, energy},
+                          {numerical, energy}, {error, energy}};
   for (const std::string& name : interfaces) out.push_back({std::string(fracture) + "_" + name, energy});
   return out;
 }

@@ -10,9 +10,9 @@ namespace dda::motion_column {
 
 inline constexpr const char *work = "external_work", *kinetic = "kinetic_energy", *stored = "stored_energy",
                             *strain = "strain_energy", *contact = "contact_energy",
-                            *impact = "impact_energy",  // parts of what is stored
+                            *impacts = "impact_energy",  // parts of what is stored
                                 *friction = "friction", *fracture = "fracture", *damping = "viscous_damping",
-                            *numerical = "impact_and_damping", *error = "energy_error";
+                            *impact = "impact", *numerical = "numerical_damping", *error = "energy_error";
 
 /// The columns of motion.csv but for the gauges, which stand behind them: those of the energy book, and what fracture has
 /// taken on every interface.

@@ -18,7 +18,8 @@ const MOTION_ENERGIES = {
   friction: "friction",
   fracture: "fracture",
   viscous_damping: "viscous damping",
-  impact_and_damping: "impact and damping",
+  impact: "impact",
+  numerical_damping: "numerical damping",
 };
 
 /** The section of a motion. */
@@ -53,7 +54,9 @@ class MotionFigures {
 
   energies() {
     const {table} = this.curve;
-    const lines = Object.entries(MOTION_ENERGIES).map(([column, name]) => ({name, values: table.numbers(column)}));
+    const lines = Object.entries(MOTION_ENERGIES)
+      .map(([column, name]) => ({name, values: table.numbers(column)}))
+      .filter(({values}) => values.some((value) => value !== 0));
     return new LinesFigure(this.curve, lines, {
       id: "motion-energies",
       name: this.name,

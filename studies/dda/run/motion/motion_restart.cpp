@@ -41,6 +41,7 @@ struct Scalars {
     visit("friction", ledger.friction);
     visit("fracture", ledger.fracture);
     visit("damping", ledger.damping);
+    visit("impact", ledger.impact);
     visit("numerical", ledger.numerical);
     visit("error", ledger.error);
     visit("stored_strain", ledger.stored.strain);
@@ -68,14 +69,25 @@ std::vector<RigidMotion> motions_of(const std::vector<double>& numbers) {
   return out;
 }
 
+void put_forces(const std::vector<Vec6>& forces, std::vector<double>& out) {
+  for (const Vec6& force : forces) out.insert(out.end(), force.begin(), force.end());
+}
+
+std::vector<Vec6> forces_of(const std::vector<double>& numbers) {
+  std::vector<Vec6> out;
+  for (std::size_t at = 0; at + of_pose <= numbers.size(); at += of_pose)
+    out.emplace_back(Eigen::Map<const Vec6>(numbers.data() + at));
+  return out;
+}
+
 void put_lists(const MotionMemory& m, RestartData& out) {
   std::vector<double>& courses = out.numbers["courses"];
   for (const BodyCourse& course : m.courses) out.numbers["growths"].push_back(course.growth);
   for (const BodyCourse& course : m.courses)
     for (const auto part : poses_of_course)
       courses.insert(courses.end(), (course.*part).begin(), (course.*part).end());
-  std::vector<double>& holding = out.numbers["holding"];
-  for (const Vec6& force : m.holding) holding.insert(holding.end(), force.begin(), force.end());
+  put_forces(m.holding, out.numbers["holding"]);
+  put_forces(m.meeting, out.numbers["meeting"]);
   std::vector<RigidMotion> steady;
   for (const BodyCourse& course : m.courses) steady.push_back(course.steady);
   put_motions(steady, out.numbers["steady"]);
@@ -114,9 +126,8 @@ void take_lists(const RestartData& data, MotionMemory& m) {
     }
     if (body < growths.size()) course.growth = growths[body];
   }
-  const std::vector<double> holding = list(data.numbers, "holding");
-  for (std::size_t at = 0; at + of_pose <= holding.size(); at += of_pose)
-    m.holding.push_back(Eigen::Map<const Vec6>(holding.data() + at));
+  m.holding = forces_of(list(data.numbers, "holding"));
+  m.meeting = forces_of(list(data.numbers, "meeting"));
   const std::vector<RigidMotion> steady = motions_of(list(data.numbers, "steady"));
   for (std::size_t body = 0; body < std::min(steady.size(), m.courses.size()); ++body)
     m.courses[body].steady = steady[body];

@@ -97,6 +97,7 @@ class MotionRecorder {
                                ledger.friction,
                                ledger.fracture,
                                ledger.damping,
+                               ledger.impact,
                                ledger.numerical,
                                ledger.error};
     for (std::size_t i = 0; i < moved_.interfaces().size(); ++i)
@@ -216,10 +217,10 @@ class MotionRecorder {
   /// What stored fields have beside them: gauges and energies.
   std::map<std::string, double> numbers() const {
     const MotionLedger& ledger = motion_.ledger();
-    std::map<std::string, double> out{{"time_of_motion", motion_.time()}, {work, ledger.external},
-                                      {kinetic, ledger.kinetic},          {stored, ledger.stored.sum()},
-                                      {friction, ledger.friction},        {fracture, ledger.fracture},
-                                      {damping, ledger.damping},          {numerical, ledger.numerical}};
+    std::map<std::string, double> out{
+        {"time_of_motion", motion_.time()}, {work, ledger.external},     {kinetic, ledger.kinetic},
+        {stored, ledger.stored.sum()},      {friction, ledger.friction}, {fracture, ledger.fracture},
+        {damping, ledger.damping},          {impact, ledger.impact},     {numerical, ledger.numerical}};
     for (const NamedGauge& gauge : moved_.gauges()) out.emplace(gauge.name, value(gauge.functional));
     return out;
   }
@@ -235,7 +236,7 @@ class MotionRecorder {
     const CsvTable table = read_csv(folder_ / "motion.csv");
     svg::Panel panel{.x_label = "time [s]",
                      .y_label = fmt::format("energy [{}]", label(dimension::energy, moved_.deck.units))};
-    for (const char* name : {work, kinetic, stored, friction, fracture, damping, numerical}) {
+    for (const char* name : {work, kinetic, stored, friction, fracture, damping, impact, numerical}) {
       std::string text = name;
       std::ranges::replace(text, '_', ' ');
       const std::vector<double> values = table.numbers(name);
@@ -303,6 +304,7 @@ nlohmann::ordered_json summary_of(const Motion& motion, const Ending& ending, in
           {friction, ledger.friction},
           {fracture, ledger.fracture},
           {damping, ledger.damping},
+          {impact, ledger.impact},
           {numerical, ledger.numerical},
           {error, ledger.error}};
 }

@@ -1,4 +1,4 @@
-// Damping and initial stress against closed forms.
+// Damping, losses and initial stress against closed forms.
 #include "unit/continuation/motion/blocks.hpp"
 
 namespace dda {
@@ -7,7 +7,7 @@ namespace {
 /// A vibration x(t) = x₀ exp(−ξ ω t) …, ξ = (a/ω + b ω)/2: what is left of its energy after some periods.
 void expect_energy_left(const MotionLedger& ledger, double energy, double exponent) {
   EXPECT_NEAR((ledger.kinetic + ledger.stored.sum()) / energy, std::exp(-2 * exponent), 2e-3);
-  const double lost = ledger.numerical + ledger.error;
+  const double lost = ledger.lost() + ledger.error;
   EXPECT_NEAR(lost / energy, 0, 1e-5);
   EXPECT_NEAR((ledger.kinetic + ledger.stored.sum() + ledger.damping + lost) / energy, 1, 1e-9);
 }
@@ -67,6 +67,25 @@ TEST(Damping, DampsFlightByMassAndNoRotationByStiffness) {
     EXPECT_NEAR(rigid_part(motion.poses()[0], motion.velocities()[0]).spin / (spin * left), 1,
                 2e-2 * rates.mass + 1e-4);
   }
+}
+
+/// What falls on the ground and stays there has lost its energy to the impact; what a spring swings, to the steps.
+TEST(Motion, TellsWhatImpactsTakeFromWhatTheStepsDo) {
+  constexpr double height = 0.5;
+  const MovingScene falls =
+      scene(0.5, {body(box(-5, -1, 9, 0), true), body(box(0, height, 1, 1 + height))}, {0, -gravity});
+  Motion fallen(falls, {}, undeformed(falls), at_rest(falls), {.time = 1, .stops_at_rest = false});
+  run(fallen);
+  EXPECT_NEAR(fallen.ledger().impact / (density * gravity * height), 1, 1e-2);
+  EXPECT_NEAR(fallen.ledger().numerical / (density * gravity * height), 0, 1e-2);
+  MovingScene swings = scene(0.5, {body(box(0, 0, 1, 1))}, {0, 0});
+  swings.springs.push_back({.rows = {{0, Pose::Unit(0)}}, .length = 0.5, .stiffness = density});
+  Poses velocities = at_rest(swings);
+  velocities[0][0] = 1;
+  Motion swung(swings, {}, undeformed(swings), velocities, {.time = 20, .stops_at_rest = false});
+  run(swung);
+  EXPECT_EQ(swung.ledger().impact, 0);
+  EXPECT_GT(swung.ledger().numerical, 0.01 * density);
 }
 
 /// A stress without strain turns with its block, and drives no motion where joints and neighbours bear it: a block under

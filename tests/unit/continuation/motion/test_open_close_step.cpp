@@ -113,7 +113,7 @@ TEST(Classic, BooksCloseWhereBodiesHit) {
   run(motion);
   const MotionLedger& ledger = motion.ledger();
   EXPECT_NEAR(
-      (ledger.kinetic + ledger.stored.sum() - stored + ledger.friction + ledger.numerical + ledger.error) /
+      (ledger.kinetic + ledger.stored.sum() - stored + ledger.friction + ledger.lost() + ledger.error) /
           ledger.external,
       1, 1e-12);
   EXPECT_LT(unbalanced(motion, ledger.external), 1e-9);
@@ -148,6 +148,7 @@ TEST(Classic, GoesOnWhereItStoodWithTheSameBits) {
   EXPECT_EQ(later.time(), whole.time());
   EXPECT_EQ(later.poses(), whole.poses());
   EXPECT_EQ(later.ledger().friction, whole.ledger().friction);
+  EXPECT_EQ(later.ledger().impact, whole.ledger().impact);
   EXPECT_EQ(later.ledger().numerical, whole.ledger().numerical);
 }
 
