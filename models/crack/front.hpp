@@ -72,7 +72,7 @@ class CrackFront {
   /// Where, before anything has cracked, one that stands ready is asked for sooner than where it stands, as the load grows:
   /// σ now and its rates.
   std::optional<Asked> asked_sooner(const BlockStress& growing);
-  /// The place where tension asks most for one, whether there may be more or not.
+  /// The place where tension asks most for one, whether there may be more or not, that no crack runs next to.
   std::optional<Asked> left_out(const std::vector<Vec3>& stress) const;
   /// Cuts its first segment; its number, or nothing where that cannot be cut.
   std::optional<int> start(const Asked& crack);

@@ -21,7 +21,7 @@ bool CrackFront::is_automatic() const {
 }
 
 CrackStarts::Wish CrackFront::wish_of(std::size_t entry) const {
-  constexpr double block_sizes = 4, of_zone = 0.3;
+  constexpr double of_zone = 0.3;
   const CrackParameters& p = model_.cracks[entry];
   CrackStarts::Wish out{.held = held_};
   double zone = 0;
@@ -31,7 +31,7 @@ CrackStarts::Wish CrackFront::wish_of(std::size_t entry) const {
     out.strength[region] = {resistance.strength, resistance.field ? &*resistance.field : nullptr};
     zone = std::max(zone, resistance.characteristic_length);
   }
-  out.apart = p.apart.value_or(std::max(block_sizes * geometry_.block_size(), of_zone * zone));
+  out.apart = p.apart.value_or(std::max(next_to_a_crack * geometry_.block_size(), of_zone * zone));
   return out;
 }
 
@@ -74,14 +74,13 @@ std::optional<int> CrackFront::ready(std::size_t entry, const std::set<int>& spe
 }
 
 std::int64_t CrackFront::num_begun(std::size_t entry) const {
-  constexpr double block_sizes = 4;
   std::int64_t out = 0;
   for (int crack = 0; crack < static_cast<int>(num_cracks()); ++crack) {
     if (at(crack).entry != entry) continue;
     const auto first = std::ranges::find(geometry_.cuts(), crack, &Cut::crack);
     const bool cuts_off_a_corner =
         !end_of(crack).empty() && first != geometry_.cuts().end() &&
-        (at(crack).tip - first->start).norm() < block_sizes * geometry_.block_size();
+        (at(crack).tip - first->start).norm() < next_to_a_crack * geometry_.block_size();
     if (!cuts_off_a_corner) ++out;
   }
   return out;
@@ -91,8 +90,9 @@ std::optional<CrackFront::Asked> CrackFront::left_out(const std::vector<Vec3>& s
   const BlockStress all = growing_from_none(stress);
   std::optional<Asked> out;
   for (std::size_t e = 0; e < model_.cracks.size(); ++e) {
-    if (!model_.cracks[e].is_automatic()) continue;
-    const auto places = CrackStarts(geometry_, body_).places(all, wish_of(e));
+    CrackStarts::Wish wish = wish_of(e);
+    wish.apart = next_to_a_crack * geometry_.block_size();
+    const auto places = CrackStarts(geometry_, body_).places(all, wish);
     if (!places.empty() && (!out || places.front().load_factor < out->start.load_factor))
       out = Asked{e, places.front(), std::nullopt};
   }

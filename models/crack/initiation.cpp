@@ -160,9 +160,19 @@ class Recovery {
   double radius_, tolerance_;
 };
 
+/// Whether a cut relieves a place: it is next to it, or close and a straight line leads there within the body, not across a
+/// hole or a notch.
 bool is_near_a_cut(const CrackGeometry& cracks, const CrackStarts::Wish& wish, const Vec2& x) {
+  const auto is_hidden = [&](const Vec2& from) {
+    return std::ranges::any_of(cracks.assembly().boundary, [&](const BoundarySide& side) {
+      return leads_through(side, x, from, cracks.tolerance());
+    });
+  };
+  const double close = next_to_a_crack * cracks.block_size();
   return std::ranges::any_of(cracks.cuts(), [&](const Cut& cut) {
-    return cut.crack != wish.except && distance(x, cut.start, cut.end) < wish.apart;
+    const double away = distance(x, cut.start, cut.end);
+    return cut.crack != wish.except && away < wish.apart &&
+           (away < close || !is_hidden((cut.start + cut.end) / 2));
   });
 }
 

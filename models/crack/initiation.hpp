@@ -11,6 +11,8 @@
 
 namespace dda {
 
+constexpr double next_to_a_crack = 4;  ///< in block sizes: what it relieves in any case
+
 /// A place at which stress asks for a crack.
 struct CrackStart {
   Vec2 at, direction;      ///< on the outline of a block, and into it
@@ -45,7 +47,7 @@ class CrackStarts {
 
   struct Wish {
     std::map<int, LocalStrength> strength;  ///< of the regions that may crack
-    double apart = 0;                       ///< least distance to any cut [L]
+    double apart = 0;                       ///< least distance to any cut, through the body [L]
     std::optional<int> except = {};         ///< a crack whose cuts do not count
     std::span<const BoundaryPoint> held =
         {};  ///< where supports hold the boundary along itself: nothing opens there

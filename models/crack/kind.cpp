@@ -26,12 +26,12 @@ Schema<CrackParameters> with_begin(Schema<CrackParameters> schema) {
       .integer(
           "most", &P::most,
           {.bounds = between(1, 1000), .text = "Of `begin: automatic`: the number of cracks; 1 without it."})
-      .number(
-          "apart", &P::apart,
-          {.dimension = dimension::length,
-           .bounds = at_least(0),
-           .text = "Of `begin: automatic`: least distance of a new crack to any other; without it 4 block "
-                   "sizes or 0.3 E Gf/ft², whichever is more."})
+      .number("apart", &P::apart,
+              {.dimension = dimension::length,
+               .bounds = at_least(0),
+               .text = "Of `begin: automatic`: least distance of a new crack to any other that a straight "
+                       "line through the body leads to; without it 4 block "
+                       "sizes or 0.3 E Gf/ft², whichever is more."})
       .check([](const P& p, const Position& where, Findings& findings) {
         if (!p.is_automatic() && (p.most || p.apart))
           findings.add(where, "`most` and `apart` are for `begin: automatic`");

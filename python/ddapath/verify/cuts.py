@@ -101,21 +101,24 @@ class Jumps:
         return out / (2 * weights[i]) * np.hypot(*(b - a)) / np.hypot(*along)
 
     def unknowns(self, of_parts, centroids):
-        """e of every jump from the motions of the parts about the centroids of their blocks, jumps × 6."""
-        out = np.zeros((len(self), 6))
+        """The motion of every cut block itself, 6 by block, and e of every jump, jumps × 6, from the motions of the parts about
+        the centroids of their blocks. Where cuts are opposed no part need go with its block alone."""
+        out, of_blocks = np.zeros((len(self), 6)), {}
         for block, parts in self.parts_of.items():
             own = [i for i in range(len(self)) if self.block[i] == block]
-            system, right = np.zeros((3 * len(parts), 3 * len(own))), np.zeros(3 * len(parts))
+            system, right = np.zeros((3 * len(parts), 3 + 3 * len(own))), of_parts[parts, :3].ravel()
             for k, part in enumerate(parts):
-                right[3 * k:3 * k + 3] = of_parts[part, :3] - of_parts[parts[0], :3]
-                for j, i in enumerate(own):
+                system[3 * k:3 * k + 3, :3] = np.eye(3)
+                for j, i in enumerate(own, start=1):
                     if self.first + i not in self.moves[part]:
                         continue
                     here = self.rows(self.first + i, centroids[block])
                     system[3 * k:3 * k + 2, 3 * j:3 * j + 3] = here[:, :3]
                     system[3 * k + 2, 3 * j + 2] = 1 / self.length[i]
-            out[own, :3] = np.linalg.lstsq(system, right, rcond=None)[0].reshape(-1, 3)
-        return out
+            found = np.linalg.lstsq(system, right, rcond=None)[0].reshape(-1, 3)
+            of_blocks[block] = np.concatenate([found[0], of_parts[parts[0], 3:]])
+            out[own, :3] = found[1:]
+        return of_blocks, out
 
 
 def tolerance_of(model):

@@ -38,7 +38,7 @@ def without_gradients(model, g, mesh, of, moved):
 
 
 def unknowns(model, fields):
-    """d of every block, of one that is cut by the part that moves with it, g of every gradient, and e of every jump."""
+    """d of every block, of one that is cut by how its parts move, g of every gradient, and e of every jump."""
     strain, g = fields.blocks[STRAIN].to_numpy(), model.gradients.unknowns(fields)
     moved = without_gradients(model, g, model.mesh, np.arange(model.mesh.num_blocks), fields.vertices[DISPLACEMENT].to_numpy())
     out = motions(model.mesh, moved, strain, model.centroids)
@@ -47,9 +47,10 @@ def unknowns(model, fields):
     block = fields.cut.block
     moved = without_gradients(model, g, fields.cut.parts, block, fields.part_vertices[DISPLACEMENT].to_numpy())
     of_parts = motions(fields.cut.parts, moved, strain[block], model.centroids[block])
-    for b, parts in model.jumps.parts_of.items():
-        out[b] = of_parts[parts[0]]
-    return np.concatenate([out, g, model.jumps.unknowns(of_parts, model.centroids)])
+    of_blocks, jumps = model.jumps.unknowns(of_parts, model.centroids)
+    for b, motion in of_blocks.items():
+        out[b] = motion
+    return np.concatenate([out, g, jumps])
 
 
 class Step:

@@ -3,21 +3,31 @@
 #include <fmt/format.h>
 
 namespace dda {
+namespace {
 
-std::string note_on_cracks_left_out(const Simulation& simulation) {
-  constexpr double beyond = 1.1;
-  const CrackedStructure* cracked = simulation.cracked();
-  if (!cracked) return {};
-  const State& end = simulation.walker().state();
+std::string note_at(const Simulation& simulation, const State& state, double beyond, const char* when) {
+  const CrackedStructure& cracked = *simulation.cracked();
   const auto place =
-      cracked->front().left_out(cracked->stress(simulation.loading(), end.d.all(), end.load_factor));
+      cracked.front().left_out(cracked.stress(simulation.loading(), state.d.all(), state.load_factor));
   if (!place || place->start.load_factor * beyond >= 1) return {};
   const Vec2& at = place->start.at;
   return fmt::format(
-      "tension at ({:.4g}, {:.4g}) is {:.3g} times the strength at the end, and no crack of `cracks` may "
-      "begin there: more "
-      "may by `most`, closer to each other by `apart`",
-      at.x(), at.y(), 1 / place->start.load_factor);
+      "tension at ({:.4g}, {:.4g}) is {:.3g} times the strength at the {}, and no crack of `cracks` may "
+      "begin there: {}",
+      at.x(), at.y(), 1 / place->start.load_factor, when,
+      simulation.deck().cracks[place->entry].is_automatic()
+          ? "more may by `most`, closer to each other by `apart`"
+          : "name the place by `begin`, too, or let them begin by themselves: `begin: automatic`");
+}
+
+}  // namespace
+
+std::string note_on_cracks_left_out(const Simulation& simulation, const State* peak) {
+  constexpr double at_end = 1.1, at_peak = 2;
+  if (!simulation.cracked()) return {};
+  std::string out = note_at(simulation, simulation.walker().state(), at_end, "end");
+  if (out.empty() && peak) out = note_at(simulation, *peak, at_peak, "peak");
+  return out;
 }
 
 }  // namespace dda

@@ -326,8 +326,9 @@ void RunRecorder::look_back() {
   for (const CoarseZone& zone : cracked_coarse_zones(simulation_))
     notices_.push_back(text(simulation_, zone));
   std::ranges::move(unlikely_numbers(simulation_), std::back_inserter(notices_));
-  for (std::string note : {note_on_turning_contacts(simulation_), note_on_large_movements(simulation_),
-                           note_on_cracks_left_out(simulation_)})
+  for (std::string note :
+       {note_on_turning_contacts(simulation_), note_on_large_movements(simulation_),
+        note_on_cracks_left_out(simulation_, memory_.peak_state ? &memory_.peak_state->state : nullptr)})
     if (!note.empty()) notices_.push_back(std::move(note));
   notices_.insert(notices_.end(), offered_.begin(), offered_.end());
   for (std::size_t i = known; i < notices_.size(); ++i) log_.warning("notice", {{"text", notices_[i]}});
