@@ -154,15 +154,18 @@ std::optional<Point> settle_down(PathState& path, double bearable, double far = 
   return point;
 }
 
+/// Where the load's displacement is held.
+std::optional<Point> stand_still(PathState& path, double bearable) {
+  auto next = standing_still(path);
+  return next ? jump_to(path, *std::move(next), StepKind::growth, bearable) : std::optional<Point>();
+}
+
 /// Where no equilibrium is near: the cut is made where the path stands, and a step goes on from there; or, where
 /// nothing leads on, as under a dead load that has passed strengths, the load's displacement is held.
 std::optional<Point> step_on(PathState& path, double bearable) {
   const std::string why = path.refusal;
   path.reject(to_string(StepKind::growth), why);
-  if (!path.walker.leaving().dissipates) {
-    auto next = standing_still(path);
-    return next ? jump_to(path, *std::move(next), StepKind::growth, bearable) : std::optional<Point>();
-  }
+  if (!path.walker.leaving().dissipates) return stand_still(path, bearable);
   const Move move = path.control->next(path.walker);
   const bool is_known = path.memory.step > 0 && path.memory.step_kind == move.kind;
   const double first =
@@ -192,6 +195,8 @@ std::optional<Point> growth_step(PathState& path, int crack) {
   auto point = settle_down(path, bearable);
   if (!point) point = step_on(path, bearable);
   if (!point) point = settle_down(path, bearable, anywhere);
+  if (!point)
+    point = stand_still(path, bearable);  // what lies ahead is far beyond its strength, as behind a dry joint
   if (point) return point;
   const std::vector<Cut> refused = front.geometry().cuts();
   front.restore(cuts, memory);

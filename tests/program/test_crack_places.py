@@ -3,6 +3,7 @@
     test_crack_places.py        with PYTHONPATH=python, and DDA naming the program
 """
 
+import math
 import unittest
 from pathlib import Path
 
@@ -34,6 +35,31 @@ def plate(loads, blocks=150):
              "boundaries": {"foot": [[0, 0], [100, 0]], "head": [[0, 100], [100, 100]]},
              "subdivision": {"type": "voronoi", "blocks": blocks, "seed": 1}}
     return deck_of(scene, {"supports": {"foot": {"boundary": "foot", "fix": "xy"}}, "stages": [{"loads": [loads]}]}) | {"thickness": 10}
+
+
+def holed(subdivision):
+    """200 × 200 mm with a hole of 60 mm, pulled between guided ends: both sides of the hole crack, 140 · 10 · 3 = 4200 N at most."""
+    rim = [[100 + 30 * math.cos(math.pi * i / 12), 100 + 30 * math.sin(math.pi * i / 12)] for i in range(24)]
+    scene = {"regions": [{"name": "beam", "material": "concrete", "vertices": [[0, 0], [200, 0], [200, 200], [0, 200]]}],
+             "holes": {"hole": rim}, "boundaries": {"foot": [[0, 0], [200, 0]], "head": [[0, 200], [200, 200]]}, "subdivision": subdivision}
+    deck = deck_of(scene, {
+        "supports": {"foot": {"boundary": "foot", "fix": "y"}, "middle": {"at": [100, 0], "fix": "x"}},
+        "stages": [{"loads": [{"type": "prescribed_displacement", "boundary": "head", "direction": [0, 1]}]}],
+        "cracks": [{"through_blocks": ["beam"], "begin": "automatic", "most": 2}]}) | {"thickness": 10}
+    deck["interfaces"]["joints"]["law"]["fracture_energy"] = 0.1
+    return deck
+
+
+def opposed():
+    """Two cracks that come from either side and end in one block."""
+    scene = {"regions": [{"name": "beam", "material": "concrete", "vertices": [[0, 0], [100, 0], [100, 100], [0, 100]]}],
+             "boundaries": {"foot": [[0, 0], [100, 0]], "head": [[0, 100], [100, 100]]},
+             "subdivision": {"type": "grid", "columns": 8, "rows": 5}}
+    return deck_of(scene, {
+        "supports": {"foot": {"boundary": "foot", "fix": "xy"}},
+        "stages": [{"loads": [{"type": "prescribed_displacement", "boundary": "head", "direction": [0, 1]}]}],
+        "cracks": [{"through_blocks": ["beam"], "begin": [{"at": [0, 52.5], "direction": [1, 0]}, {"at": [100, 47.5], "direction": [-1, 0]}]}],
+        "path": {"stop": {"load_below": 0.1}}}) | {"thickness": 10}
 
 
 def deck_of(scene, held):
@@ -166,6 +192,24 @@ class Places(ProgramCase):
         del deck["cracks"][0]["end_at"]
         self.assertAlmostEqual(there.summary["peak"]["load"] / self.run_(deck).summary["peak"]["load"], 1, delta=1e-9)
         self.assertLess(there.crack_path()[:, 1].min(), 1e-9)
+
+    def test_a_crack_relieves_nothing_across_a_hole(self):
+        """The other side of the hole cracks as soon as it is asked, whatever the blocks (it bore up to 12 times as much)."""
+        peaks = [self.run_(holed(subdivision)).summary["peak"]["load"]
+                 for subdivision in ({"type": "voronoi", "size": 8, "seed": 2}, {"type": "voronoi", "size": 8, "seed": 1})]
+        for peak in peaks:
+            self.assertLess(abs(peak / 3915 - 1), 0.01)
+
+    def test_tension_that_no_crack_may_take_is_told(self):
+        """A crack begun where a beam is pressed; below it is pulled."""
+        deck = beam("none", 150)
+        deck["scene"]["regions"][0]["vertices"] = [[-205, 0], [205, 0], [205, 100], [-205, 100]]
+        deck["cracks"][0]["begin"] = [{"at": [60, 100], "direction": [0, -1]}]
+        notices = self.run_(deck).summary["notices"]
+        self.assertTrue(any("times the strength" in notice and "`begin: automatic`" in notice for notice in notices), notices)
+
+    def test_what_two_cracks_leave_of_a_block_is_verified(self):
+        self.assertEqual(self.run_(opposed()).summary["status"], "goal_reached")
 
     def test_a_law_without_strength_is_refused(self):
         for law in ({"type": "bonded"}, {"type": "elastic", "normal_stiffness": 1e5, "shear_stiffness": 1e5}, {"type": "friction", "friction_angle": 35}):
