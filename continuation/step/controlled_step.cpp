@@ -38,13 +38,6 @@ std::optional<Candidate> tried(PathState& path, Stride& stride, Thoroughness tho
   return try_step(path, stride.move, stride.amount, thoroughness);
 }
 
-/// Whether a contact changes within the stride, but not within the shorter one that would come next: steps would halve the
-/// way to it for ever.
-bool stops_short_of_contact(const PathState& path, const Stride& stride) {
-  const double change = next_contact_change(path.walker);
-  return change < stride.amount && change >= path.parameters.step.cut * stride.amount;
-}
-
 /// A try that found no next point: where the load ends or the path turns before its end, there.
 Outcome after_failure(PathState& path, Stride& stride, bool is_cut) {
   if (path.load_of(path.walker.ahead(stride.amount / path.parameters.step.cut)) <= 0)
@@ -53,7 +46,7 @@ Outcome after_failure(PathState& path, Stride& stride, bool is_cut) {
     if (auto point = slide_beside_load(path)) return {std::move(point)};
   const bool is_again = stride.cuts++ > 0;
   if (auto point = land_on_turn(path, stride, is_cut || is_again)) return {std::move(point)};
-  if (is_again || stops_short_of_contact(path, stride))
+  if (is_again)
     if (auto point = land_on_contact_change(path, stride.amount, stride.move.kind)) return {std::move(point)};
   stride.amount *= path.parameters.step.cut;
   return {};

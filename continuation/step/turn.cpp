@@ -58,22 +58,18 @@ std::optional<Point> land_on_turn(PathState& path, const Stride& stride, bool on
 }
 
 std::optional<Point> land_on_contact_change(PathState& path, double amount, StepKind kind) {
-  const bool may_turn =
-      kind == StepKind::arc_length || kind == StepKind::displacement || path.control->held_in_release();
+  const bool may_turn = kind == StepKind::arc_length || path.control->held_in_release();
   if (!path.walker.leaving().dissipates && !may_turn) return {};
   if (!path.walker.system().has_contacts()) return {};
   const auto change = find_contact_change(path.walker);
   if (!change || change->amount >= amount || change->amount < hardly * amount) return {};
-  const Move move = contact_move(path.walker, *change);
-  auto candidate = try_step(path, move, change->beyond);
-  const bool is_beyond = candidate.has_value();
-  if (!is_beyond) candidate = try_step(path, move, change->amount);  // where the opening, too, turns round
+  const auto candidate = try_step(path, contact_move(path.walker, *change), change->beyond);
   if (!candidate || !is_next(path, *candidate)) return {};
   if (path.cracks && share_to_strength(path, *candidate) < 1)
     return land_on_strength(path, *candidate, StepKind::corner);
   const BeyondChange passed{change->point, change->across};
   Point point = keep(path, *candidate, StepKind::corner);
-  if (is_beyond) path.walker.leave_beyond(passed);
+  path.walker.leave_beyond(passed);
   return point;
 }
 
