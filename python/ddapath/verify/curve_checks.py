@@ -189,14 +189,15 @@ def of_factor(reason, curve, deck):
     factor, before = curve["load_factor"].iloc[-1], curve["load_factor"].iloc[-2 if len(curve) > 1 else -1]
     scale = max(abs(factor), 1e-9 * largest_of_all, 1e-300)
     error = max(abs(factor - float(found[1])) / scale - PRINTED, 0)
-    if "mechanism" in reason and len(curve) > 1:
-        largest = np.abs(curve["load"]).max()
+    largest = np.abs(curve["load"]).max()
+    is_none = largest <= tolerated_force(curve, deck)
+    if "mechanism" in reason and is_none:
+        error = abs(float(found[1]))
+    elif "mechanism" in reason and len(curve) > 1:
         change = abs(curve["load"].iloc[-1] - curve["load"].iloc[-2]) / max(largest, 1e-300)
         if "within 0.1 %" in reason:
             change *= GOAL / 1e-3
-        change = max(change - tolerated_force(curve, deck) / max(largest, 1e-300), 0)
-        is_none = largest <= tolerated_force(curve, deck)
-        error = abs(float(found[1])) if is_none else max(error, change)
+        error = max(error, change - tolerated_force(curve, deck) / max(largest, 1e-300))
     return error, f"load factor {factor:.9g}, before {before:.9g}"
 
 
