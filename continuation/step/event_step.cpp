@@ -28,6 +28,15 @@ std::optional<Point> approach(PathState& path, double amount) {
   return {};
 }
 
+/// No event was found. Where the structure could not even get there elastically, only weak springs holding it, that is why, whatever
+/// Newton's method says of it by rounding.
+std::optional<Point> end_before_event(PathState& path, double amount, const std::string& why) {
+  Candidate ahead = path.walker.here();
+  ahead.state = path.walker.ahead(amount);
+  if (const auto unsound = unsoundness(path, ahead)) return path.stop_early(unsound->stop, unsound->text);
+  return end_without_equilibrium(path, Stop::next_initiation, "the next initiation was not found: " + why);
+}
+
 /// The end of a path along which nothing limits the load, at the full one.
 std::optional<Point> full_load(PathState& path) {
   if (path.walker.system().is_damaged())
@@ -71,7 +80,7 @@ std::optional<Point> event_step(PathState& path) {
     if (can_slide(path)) return sliding_step(path);
     if (may_jump && !jumps_first)
       if (auto point = jump_step(path)) return point;
-    return end_without_equilibrium(path, Stop::next_initiation, "the next initiation was not found: " + why);
+    return end_before_event(path, amount, why);
   }
   if (is_coarse(path, *candidate)) {
     if (auto point = can_slide(path) ? sliding_step(path) : approach(path, amount)) return point;

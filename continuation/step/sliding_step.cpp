@@ -68,11 +68,14 @@ std::optional<Point> linear_for_good(PathState& path) {
 /// mechanism, as what rocks back under another load than has opened it, takes next to no load: there it is a part of the way to that
 /// change, or a little of the structure's size where that is less.
 double first_sliding_amount(const PathState& path, const Move& move, double change) {
-  constexpr double part = 0.25, little = 1e-3, slip = 1e-5;
+  constexpr double part = 0.25, little = 1e-3, slip = 1e-5, hardly = 0.002;
   if (move.kind == StepKind::opening && path.memory.moves_beside_load) return slip * path.size / move.rate;
   const bool is_loaded = path.walker.here().stored > 0;
   const Tangent& leaving = path.walker.leaving();
   double amount = is_loaded && std::isfinite(change) ? part * change : 1 / std::abs(leaving.load_factor);
+  if (path.memory.has_slid && is_loaded)  // a stage that begins: by a little of the forces that act
+    amount = std::min(
+        amount, part * hardly * path.as_load(path.memory.largest_force) / std::abs(leaving.rate(path.load)));
   const bool has_load = std::abs(path.load_of(path.walker.state())) > path.smallest_load();
   if (path.memory.has_slid && is_loaded && has_load)
     amount = part * std::abs(path.walker.state().load_factor / leaving.load_factor);
