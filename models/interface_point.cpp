@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <tuple>
+#include <unordered_set>
 
 #include "models/body/motion.hpp"
 #include "models/interface/scaled_law.hpp"
@@ -39,10 +40,8 @@ class PointMaker {
   /// Of some sides, in their order, and of all cuts.
   InterfaceSet make(std::span<const std::size_t> of) {
     InterfaceSet out;
-    const auto& sides = body_.assembly.sides;
-    constexpr std::size_t of_side = 2;
-    out.points.reserve(of_side * of.size());
-    for (const std::size_t s : of) add_side(s, book_.of_side(sides[s]), out);
+    out.points.reserve(2 * of.size());  // mostly two on a side
+    for (const std::size_t s : of) add_side(s, book_.of_side(body_.assembly.sides[s]), out);
     add_cuts(out);
     const auto middle =
         std::ranges::stable_partition(out.points, [](const auto& p) { return p.is_active(); });
@@ -392,6 +391,9 @@ void remake_interface_points(const Body& body, const ModelParameters& model, Fin
   set.num_active = static_cast<std::size_t>(
       std::ranges::partition_point(set.points, &InterfacePoint::is_active) - set.points.begin());
   std::ranges::move(made.laws, std::back_inserter(set.laws));
+  std::unordered_set<const InterfaceLaw*> used;
+  for (const InterfacePoint& point : set.points) used.insert(point.law);
+  std::erase_if(set.laws, [&](const auto& law) { return !used.contains(law.get()); });
   set.touched = std::move(touched);
 }
 

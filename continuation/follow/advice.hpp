@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "models/equilibrium.hpp"
+#include "models/equilibrium/equilibrium.hpp"
 
 namespace dda {
 

@@ -13,7 +13,7 @@
 #include "continuation/bodies/joined.hpp"
 #include "continuation/handover/regions.hpp"
 #include "meshing/contact/outline.hpp"
-#include "models/loading.hpp"
+#include "models/equilibrium/loading.hpp"
 
 namespace dda {
 namespace {

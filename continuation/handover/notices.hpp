@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "continuation/handover/motion_parameters.hpp"
-#include "models/equilibrium.hpp"
+#include "models/equilibrium/equilibrium.hpp"
 
 namespace dda {
 

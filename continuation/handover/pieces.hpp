@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "meshing/cracks/parted.hpp"
-#include "models/equilibrium.hpp"
+#include "models/equilibrium/equilibrium.hpp"
 #include "models/parameters.hpp"
 
 namespace dda {

@@ -7,7 +7,7 @@
 
 #include "continuation/linear/cholesky/half_solver.hpp"
 #include "continuation/linear/dense/two_by_two.hpp"
-#include "models/equilibrium.hpp"
+#include "models/equilibrium/equilibrium.hpp"
 
 namespace dda {
 

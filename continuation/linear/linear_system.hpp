@@ -14,7 +14,7 @@
 #include "continuation/linear/update_columns.hpp"
 #include "framework/messages/timings.hpp"
 #include "models/crack/growth.hpp"
-#include "models/equilibrium.hpp"
+#include "models/equilibrium/equilibrium.hpp"
 
 namespace dda {
 

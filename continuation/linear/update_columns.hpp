@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "models/body/functional.hpp"
-#include "models/equilibrium.hpp"
+#include "models/equilibrium/equilibrium.hpp"
 
 namespace dda {
 

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "continuation/linear/direct/direct_solver.hpp"
-#include "models/equilibrium.hpp"
+#include "models/equilibrium/equilibrium.hpp"
 
 namespace dda {
 

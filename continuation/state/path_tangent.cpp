@@ -5,7 +5,7 @@
 
 #include "continuation/state/residual_stiffness.hpp"
 #include "continuation/state/system.hpp"
-#include "models/stiffness_parts.hpp"
+#include "models/equilibrium/stiffness_parts.hpp"
 
 namespace dda {
 namespace {

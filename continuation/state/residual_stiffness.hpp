@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "models/equilibrium.hpp"
+#include "models/equilibrium/equilibrium.hpp"
 
 namespace dda {
 

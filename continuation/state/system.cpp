@@ -9,7 +9,7 @@
 #include "continuation/state/at_once.hpp"
 #include "continuation/state/least_memory.hpp"
 #include "framework/base/threads.hpp"
-#include "models/stiffness_parts.hpp"
+#include "models/equilibrium/stiffness_parts.hpp"
 
 namespace dda {
 

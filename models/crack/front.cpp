@@ -8,8 +8,8 @@
 #include <numbers>
 #include <utility>
 
+#include "models/equilibrium/support.hpp"
 #include "models/interface_book.hpp"
-#include "models/support.hpp"
 
 namespace dda {
 namespace {

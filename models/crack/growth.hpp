@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "models/crack/front.hpp"
-#include "models/equilibrium.hpp"
+#include "models/equilibrium/equilibrium.hpp"
 
 namespace dda {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "meshing/scene/scene.hpp"
-#include "models/equilibrium.hpp"
+#include "models/equilibrium/equilibrium.hpp"
 #include "models/parameters.hpp"
 #include "support/random.hpp"
 #include "support/sample.hpp"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "continuation/path/path.hpp"
-#include "models/equilibrium.hpp"
+#include "models/equilibrium/equilibrium.hpp"
 #include "studies/dda/case/deck.hpp"
 
 namespace dda::verification {

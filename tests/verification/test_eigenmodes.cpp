@@ -10,7 +10,7 @@
 #include "continuation/stability/krylov_schur.hpp"
 #include "continuation/stability/stiffness_modes.hpp"
 #include "models/body/mass.hpp"
-#include "models/stiffness_parts.hpp"
+#include "models/equilibrium/stiffness_parts.hpp"
 #include "verification/support.hpp"
 
 namespace dda::verification {

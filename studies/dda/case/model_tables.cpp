@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "models/equilibrium/loading.hpp"
 #include "models/load/eigenstress.hpp"
-#include "models/loading.hpp"
 
 namespace dda {
 namespace {

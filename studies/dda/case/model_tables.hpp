@@ -4,7 +4,7 @@
 
 #include "framework/files/run/results.hpp"
 #include "models/body/body.hpp"
-#include "models/equilibrium.hpp"
+#include "models/equilibrium/equilibrium.hpp"
 #include "models/parameters.hpp"
 
 namespace dda {

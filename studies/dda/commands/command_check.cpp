@@ -4,7 +4,7 @@
 #include <map>
 
 #include "continuation/handover/regions.hpp"
-#include "models/loading.hpp"
+#include "models/equilibrium/loading.hpp"
 #include "studies/dda/case/predicted_memory.hpp"
 #include "studies/dda/case/written_deck.hpp"
 #include "studies/dda/commands/commands.hpp"

@@ -10,8 +10,8 @@
 #include "framework/figure/drawing.hpp"
 #include "framework/figure/style.hpp"
 #include "framework/files/whole_file.hpp"
+#include "models/equilibrium/loading.hpp"
 #include "models/load/eigenstress.hpp"
-#include "models/loading.hpp"
 #include "studies/dda/figures/material_colours.hpp"
 #include "studies/dda/figures/pictures.hpp"
 

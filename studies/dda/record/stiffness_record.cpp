@@ -4,7 +4,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "models/stiffness_parts.hpp"
+#include "models/equilibrium/stiffness_parts.hpp"
 
 namespace dda {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "models/equilibrium.hpp"
+#include "models/equilibrium/equilibrium.hpp"
 
 namespace dda {
 

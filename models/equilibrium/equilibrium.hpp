@@ -10,8 +10,8 @@
 
 #include "models/body/block_matrix.hpp"
 #include "models/body/functional.hpp"
+#include "models/equilibrium/support.hpp"
 #include "models/interface_point.hpp"
-#include "models/support.hpp"
 
 namespace dda {
 

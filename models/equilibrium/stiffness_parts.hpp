@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <span>
 
-#include "models/equilibrium.hpp"
+#include "models/equilibrium/equilibrium.hpp"
 
 namespace dda {
 

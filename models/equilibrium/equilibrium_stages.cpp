@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cassert>
 
-#include "models/equilibrium.hpp"
-#include "models/loading.hpp"
+#include "models/equilibrium/equilibrium.hpp"
+#include "models/equilibrium/loading.hpp"
 
 namespace dda {
 

@@ -1,4 +1,4 @@
-#include "models/loading.hpp"
+#include "models/equilibrium/loading.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>

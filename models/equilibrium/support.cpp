@@ -1,4 +1,4 @@
-#include "models/support.hpp"
+#include "models/equilibrium/support.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "models/equilibrium.hpp"
+#include "models/equilibrium/equilibrium.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "framework/base/threads.hpp"
+#include "models/equilibrium/loading.hpp"
 #include "models/kinematics/second_order.hpp"
-#include "models/loading.hpp"
 
 namespace dda {
 namespace {

@@ -1,4 +1,4 @@
-#include "models/stiffness_parts.hpp"
+#include "models/equilibrium/stiffness_parts.hpp"
 
 #include <functional>
 #include <map>
