@@ -27,7 +27,7 @@ struct Bond {
   int interface = -1;                  ///< by its number in the deck; −1 for none with a name
   Vec2 multiplier = Vec2::Zero();      ///< m, which stays [L]
   Vec2 initial_stress = Vec2::Zero();  ///< τ₀ [F/L²]
-  bool is_end = false;                 ///< it joins nothing: it bears pressure, at an end of a side
+  bool is_end = false;                 ///< it joins nothing: it bears pressure, as at an end of a side
 
   Vec2 trial_stiffness() const {
     const double beta = law->shear_weight();

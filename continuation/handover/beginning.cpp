@@ -3,7 +3,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
+#include "continuation/bodies/joined.hpp"
+#include "continuation/handover/finite_poses.hpp"
 #include "continuation/handover/side_ends.hpp"
 #include "continuation/motion/motion.hpp"
 #include "framework/base/errors.hpp"
@@ -40,12 +43,19 @@ Beginning begin_motion(const Pieces& pieces, const PathEnd& end, const MotionPar
   Handover& start = out.handover;
   const double pull = pull_on(start.scene, start.velocities);
   out.time = time_of(start.scene, parameters, pull);
-  Handover path = end.is_of_path ? as_on_path(pieces, end, parameters) : start;
-  const SideEnds ends = ends_of_sides(pieces, end.equilibrium, path);
-  for (Handover* of : {&path, &start})
-    of->bonds.insert(of->bonds.end(), ends.of_joints.begin(), ends.of_joints.end());
   const double dt = parameters.step * pace_of(start.scene, pull);
-  if (!end.is_of_path || !std::isfinite(dt)) return out;
+  const bool is_loaded = end.is_of_path && std::isfinite(dt);
+  Handover path = end.is_of_path ? as_on_path(pieces, end, parameters) : start;
+  if (is_loaded) path.poses = start.poses = finite_poses(pieces, end, path, dt);
+  const SideEnds ends = ends_of_sides(pieces, end.equilibrium, path);
+  for (Handover* of : {&path, &start}) {
+    drop_spent(*of, ends.overlapping);
+    of->bonds.insert(of->bonds.end(), ends.of_joints.begin(), ends.of_joints.end());
+  }
+  std::ranges::copy_if(ends.of_contacts, std::back_inserter(start.bonds), [&](const Bond& bond) {
+    return std::ranges::binary_search(ends.overlapping, pair_of(bond));
+  });
+  if (!is_loaded) return out;
   path.bonds.insert(path.bonds.end(), ends.of_contacts.begin(), ends.of_contacts.end());
   out.equilibrium = find_equilibrium(path.scene, path.bonds, path.poses, dt);
   start.poses = out.equilibrium.poses;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <set>
@@ -37,7 +38,6 @@ class Maker {
     out_.velocities.assign(out_.poses.size(), Pose::Zero());
     for (const VelocityParameters& thrown : parameters_.velocities) add_velocity(thrown);
     out_.scene.around = blocks_around_vertices();
-    drop_spent();
     return std::move(out_);
   }
 
@@ -227,20 +227,11 @@ class Maker {
     return out;
   }
 
-  /// What has cracked through bears pressure where something else still holds the bodies; where nothing does, they meet.
-  void drop_spent() {
-    const std::vector<MeetingSearch::Pair> joined = joined_by(out_.bonds, out_.scene.around);
-    std::erase_if(out_.bonds, [&](const Bond& bond) {
-      return bond.is_spent() && !std::ranges::binary_search(joined, pair_of(bond));
-    });
-  }
-
   void add_bonds() {
     const Equilibrium& equilibrium = end_.equilibrium;
     for (std::size_t p = 0; p < equilibrium.num_points(); ++p) {
       const InterfacePoint& point = equilibrium.point(p);
       const History history = p < equilibrium.num_active() ? end_.history[p] : History{};
-      if (point.is_separate()) continue;
       const auto [first, second] = pieces_.beside(point);
       if (out_.scene.bodies[first].is_held && out_.scene.bodies[second].is_held) continue;
       Bond bond;
@@ -259,7 +250,8 @@ class Maker {
       bond.multiplier = multiplier_of(point, p);
       bond.initial_stress = initial_traction(point);
       if (pieces_.is_cut(point.first) || pieces_.is_cut(point.second)) fix_stress(point, bond);
-      out_.bonds.push_back(bond);
+      bond.is_end = point.is_separate();
+      (bond.is_end ? out_.touching : out_.bonds).push_back(bond);
     }
   }
 
@@ -349,6 +341,16 @@ class Maker {
 
 Handover hand_over(const Pieces& pieces, const PathEnd& end, const MotionParameters& parameters) {
   return Maker(pieces, end, parameters).make();
+}
+
+void drop_spent(Handover& from, const std::vector<MeetingSearch::Pair>& kept) {
+  const std::vector<MeetingSearch::Pair> joined = joined_by(from.bonds, from.scene.around);
+  std::erase_if(from.bonds, [&](const Bond& bond) {
+    return bond.is_spent() && !std::ranges::binary_search(joined, pair_of(bond)) &&
+           !std::ranges::binary_search(kept, pair_of(bond));
+  });
+  std::ranges::copy_if(from.touching, std::back_inserter(from.bonds),
+                       [&](const Bond& bond) { return std::ranges::binary_search(kept, pair_of(bond)); });
 }
 
 }  // namespace dda

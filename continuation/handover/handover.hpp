@@ -3,6 +3,7 @@
 #include <span>
 
 #include "continuation/bodies/bonds.hpp"
+#include "continuation/bodies/meetings.hpp"
 #include "continuation/handover/motion_parameters.hpp"
 #include "continuation/handover/pieces.hpp"
 #include "continuation/state/system.hpp"
@@ -19,6 +20,7 @@ namespace dda {
 struct Handover {
   MovingScene scene;
   std::vector<Bond> bonds;
+  std::vector<Bond> touching;  ///< of joints that hold nothing: bodies meet there
   Poses poses, velocities;
   bool is_pushed = false;
   double offset = 0;  ///< s [L]
@@ -41,5 +43,9 @@ struct PathEnd {
 
 /// Throws InputError where a crack has left a part that is too narrow for any core.
 Handover hand_over(const Pieces& pieces, const PathEnd& end, const MotionParameters& parameters);
+
+/// What has cracked through, or only touches, bears pressure where something else still holds the bodies, or where a pair is
+/// kept, in order; elsewhere bodies meet, and bonds of which nothing is left are dropped.
+void drop_spent(Handover& from, const std::vector<MeetingSearch::Pair>& kept);
 
 }  // namespace dda

@@ -85,7 +85,7 @@ Bond end_at(const Vec2& x, const PointsOfSide& points, const Body& body) {
 }  // namespace
 
 SideEnds ends_of_sides(const Pieces& pieces, const Equilibrium& whole, const Handover& from) {
-  constexpr double further = 1.0 / 20, most = 3.0 / 4;  // of the offset
+  constexpr double little = 1.0 / 20;  // of the offset
   const std::vector<MeetingSearch::Pair> joined = joined_by(from.bonds, from.scene.around);
   SideEnds out;
   for (const auto& [index, points] : points_by_side(pieces, whole)) {
@@ -94,15 +94,17 @@ SideEnds ends_of_sides(const Pieces& pieces, const Equilibrium& whole, const Han
     for (const Vec2& x : {side.start, side.end}) {
       Bond bond = end_at(x, points, pieces.body());
       if (from.scene.bodies[bond.first].is_held && from.scene.bodies[bond.second].is_held) continue;
-      if (!std::ranges::binary_search(joined, pair_of(bond))) {
-        out.of_contacts.push_back(bond);
-        continue;
-      }
       const double opening = state_of(bond, frame_of(bond, from.poses), from.poses).opening.x();
-      bond.multiplier.x() = std::min(std::max(0.0, -opening) + further * from.offset, most * from.offset);
-      out.of_joints.push_back(bond);
+      const bool holds = std::ranges::binary_search(joined, pair_of(bond));
+      bond.multiplier.x() = std::max(0.0, -opening) + (holds ? little * from.offset : 0);
+      (holds ? out.of_joints : out.of_contacts).push_back(bond);
+      if (!holds && -opening > little * from.offset) out.overlapping.push_back(pair_of(bond));
     }
   }
+  std::ranges::sort(out.overlapping);
+  out.overlapping.erase(std::ranges::unique(out.overlapping).begin(), out.overlapping.end());
+  for (Bond& bond : out.of_contacts)
+    if (!std::ranges::binary_search(out.overlapping, pair_of(bond))) bond.multiplier.setZero();
   return out;
 }
 

@@ -8,6 +8,7 @@
 #include <limits>
 #include <numeric>
 
+#include "continuation/bodies/joined.hpp"
 #include "continuation/motion/motion_try.hpp"
 #include "continuation/motion/step/open_close_step.hpp"
 #include "continuation/motion/step/step_minimum.hpp"
@@ -38,6 +39,9 @@ Motion::Motion(const MovingScene& scene, std::vector<Bond> bonds, Poses poses, P
       m_.ledger.fracture_of.resize(number);
   m_.bonds.resize(bonds_.size());
   std::iota(m_.bonds.begin(), m_.bonds.end(), std::size_t{0});
+  for (const Bond& bond : bonds_) m_.joined.push_back(pair_of(bond));
+  std::ranges::sort(m_.joined);
+  m_.joined.erase(std::ranges::unique(m_.joined).begin(), m_.joined.end());
   search_ = std::make_unique<MeetingSearch>(scene_, m_.joined);
   release();
   begin_energies();

@@ -12,20 +12,20 @@ using Pairs = std::vector<MeetingSearch::Pair>;
 
 }  // namespace
 
-/// Whether the sides of a spent bond face each other no more.
+/// Whether the sides of a bond that holds nothing face each other no more.
 bool Motion::has_left(const Bond& bond) const {
   constexpr double turn = 0.2, way = 0.1;
-  if (!bond.is_spent()) return false;
+  if (!bond.is_spent() && !bond.is_end) return false;
   const Vec2 jump = place_of(now_[bond.second], bond.at_second) - place_of(now_[bond.first], bond.at_first);
   const double size = std::min(scene_.bodies[bond.first].size, scene_.bodies[bond.second].size);
   return turn_of(bond, now_) > turn || jump.norm() > way * size;
 }
 
-/// Pairs that bear on each other by what is left of their joints, but for the ends of their sides; in order.
+/// Pairs that bear on each other by what is left of their joints; in order.
 std::vector<MeetingSearch::Pair> Motion::bearing_pairs() const {
   Pairs out;
   for (const Bond& bond : bonds_)
-    if (!bond.is_end && !has_left(bond)) out.push_back(pair_of(bond));
+    if (!has_left(bond)) out.push_back(pair_of(bond));
   std::ranges::sort(out);
   return out;
 }
@@ -34,7 +34,7 @@ std::vector<MeetingSearch::Pair> Motion::bearing_pairs() const {
 /// little overlap at a corner that this sets nothing free.
 bool Motion::may_meet(const MeetingSearch::Pair& pair,
                       const std::vector<MeetingSearch::Pair>& bearing) const {
-  constexpr double overlap = 1.0 / 16;  // of the reach 2s
+  constexpr double overlap = 1.0 / 64;  // of the reach 2s
   return search_->are_apart(pair, now_, scene_.meeting.reach) ||
          (!std::ranges::binary_search(bearing, pair) &&
           search_->are_apart(pair, now_, (1 - overlap) * scene_.meeting.reach));

@@ -106,22 +106,32 @@ def no_margin(polygon):
     return np.ones(len(polygon))
 
 
-def deepest(polygons, margin=stand_back):
-    """The deepest corner of any block in another, over a margin, by default what its core stands back, and the two blocks."""
+def depths(polygons, margin=stand_back):
+    """How deep the deepest corner of each block is in another, over a margin, by default what its core stands back: {(i, j): depth}."""
     low, high = (np.array([f(p, axis=0) for p in polygons]) for f in (np.min, np.max))
-    worst = (0.0, "everywhere")
+    out = {}
     for i, polygon in enumerate(polygons):
         near = np.flatnonzero(((low <= high[i]) & (high >= low[i])).all(axis=1))
         for j in near[near != i]:
-            depth = (depths_inside(polygon, polygons[j]) / margin(polygon)).max()
-            worst = max(worst, (float(depth), f"block {i} in block {j}"))
-    return worst
+            out[i, int(j)] = float((depths_inside(polygon, polygons[j]) / margin(polygon)).max())
+    return out
 
 
-def nothing_crosses(motion, offset):
-    """No corner is deeper in another block than the margins s by which cores are smaller let it be."""
-    found = [(depth / offset, f"step {step}, {place}")
-             for step in motion.steps for depth, place in [deepest(outlines(motion.fields(step)))]]
+def deepest(found):
+    """The deepest of them and its two blocks."""
+    return max(((depth, f"block {i} in block {j}") for (i, j), depth in found.items()), default=(0.0, "everywhere"))
+
+
+def nothing_crosses(motion, offset, is_of_path):
+    """No corner is deeper in another block than the margins s by which cores are smaller let it be. Joints of a path that have
+    turned about points inside their sides overlap at their corners: these go no deeper than the margin more."""
+    found, left = [], {}
+    for step in motion.steps:
+        here = {pair: depth / offset for pair, depth in depths(outlines(motion.fields(step))).items()}
+        if step == motion.steps[0] and is_of_path:
+            left = {tuple(sorted(pair)): depth for pair, depth in sorted(here.items(), key=lambda item: item[1]) if depth > 1}
+        depth, place = deepest({pair: depth - left.get(tuple(sorted(pair)), 0) for pair, depth in here.items()})
+        found.append((depth, f"step {step}, {place}"))
     return worst_of("motion: nothing crosses", found, 1 + ROUNDING)
 
 
@@ -129,7 +139,7 @@ def overlaps(motion):
     """How deep the deepest corner is in another block, in sizes of the smallest block."""
     size = np.sqrt(motion.fields(motion.steps[0]).mesh.areas.min())
     found = [(depth / size, f"step {step}, {place}")
-             for step in motion.steps for depth, place in [deepest(outlines(motion.fields(step)), no_margin)]]
+             for step in motion.steps for depth, place in [deepest(depths(outlines(motion.fields(step)), no_margin))]]
     return worst_of("motion: overlap by penalties, not bounded", found, math.inf)
 
 
@@ -151,4 +161,4 @@ def all_checks(run):
     if len(curve):
         out += [*books(curve), spent_never_falls(curve), impact_gives_nothing_back(curve, math.inf if has_penalties_alone(run) else GIVEN_BACK),
                 *rest(curve, summary)]
-    return [*out, overlaps(motion) if has_penalties_alone(run) else nothing_crosses(motion, offset_of(run))]
+    return [*out, overlaps(motion) if has_penalties_alone(run) else nothing_crosses(motion, offset_of(run), bool(run.deck.get("stages")))]
