@@ -79,6 +79,23 @@ struct Ending {
   std::optional<Stop> stop = {};  ///< of one that has stopped early, where it is known
 };
 
+/// What loads have done since the start, and what of it neither storage nor dissipation accounts for; jumps are left out
+/// of the latter [FL].
+struct Balance {
+  double work = 0;
+  double largest_work = 0;  ///< the largest |work| so far, with which the imbalance is compared
+  double imbalance = 0;     ///< Σ (work − storage − dissipation) of steps
+  double unaccounted = 0;   ///< and of their sizes
+
+  template <class Self, class Visit>
+  static void visit(Self& self, Visit& visit) {
+    visit("balance.work", self.work);
+    visit("balance.largest_work", self.largest_work);
+    visit("balance.imbalance", self.imbalance);
+    visit("balance.unaccounted", self.unaccounted);
+  }
+};
+
 /// What the path remembers beside the walker; a restart brings it back.
 struct PathMemory {
   double peak_load = 0;               ///< largest load so far, in the direction of the first loading
@@ -88,14 +105,13 @@ struct PathMemory {
   double largest_displacement = 0;
   double jump_energy = 0;
   double last_quantum = 0;   ///< energy dissipated by the last good step
-  double unaccounted = 0;    ///< Σ |work − storage − dissipation| of the single steps [FL]
   double control = 0;        ///< what the control remembers
   int leg = 0;               ///< which leg is being followed
   int leg_start = 0;         ///< accepted steps before it
   int surplus = 0;           ///< negative eigenvalues with which a branch may be left (Candidate::surplus)
   double leg_peak = 0;       ///< largest load since the leg began
   double largest_force = 0;  ///< Σ |force| of loads and driven springs, largest so far [F]
-  double imbalance = 0;      ///< work − storage − dissipation, jumps left out [FL]
+  Balance balance;
   std::map<std::string, Travel> travels;  ///< of all gauges, and of the load as `load`
   int idle_looks = 0;                     ///< looks for a hidden peak, one after another, that found none
   int idle_turn_looks = 0;                ///< and for hidden turns of gauges
@@ -107,6 +123,7 @@ struct PathMemory {
   bool is_mechanism = false;      ///< the load has stayed while the structure moved
   double mechanism_way = 0;       ///< displacement of the load when it began or last brought a goal nearer
   double mechanism_load = 0;      ///< and the load
+  double beside_way = 0;          ///< how far joints have moved since it began while that displacement stayed
   double mechanism_share = 0;     ///< and how near the goal was
   double standing_way = 0;  ///< displacement of the load since when it has hardly changed; 0 where it is none
   double standing_load = 0;    ///< and the load then
@@ -142,14 +159,12 @@ struct PathMemory {
     visit("largest_displacement", self.largest_displacement);
     visit("jump_energy", self.jump_energy);
     visit("last_quantum", self.last_quantum);
-    visit("unaccounted", self.unaccounted);
     visit("control", self.control);
     visit("leg", self.leg);
     visit("leg_start", self.leg_start);
     visit("surplus", self.surplus);
     visit("leg_peak", self.leg_peak);
     visit("largest_force", self.largest_force);
-    visit("imbalance", self.imbalance);
     visit("idle_looks", self.idle_looks);
     visit("idle_turn_looks", self.idle_turn_looks);
     visit("has_slid", self.has_slid);
@@ -165,6 +180,7 @@ struct PathMemory {
     visit("reloaded_share", self.reloaded_share);
     visit("mechanism_way", self.mechanism_way);
     visit("mechanism_load", self.mechanism_load);
+    visit("beside_way", self.beside_way);
     visit("mechanism_share", self.mechanism_share);
     visit("standing_way", self.standing_way);
     visit("standing_load", self.standing_load);
@@ -173,6 +189,7 @@ struct PathMemory {
     visit("plateau_load", self.plateau_load);
     visit("dissipated_before", self.dissipated_before);
     Standstill::visit(self.standstill, visit);
+    Balance::visit(self.balance, visit);
   }
 };
 

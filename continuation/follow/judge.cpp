@@ -33,10 +33,12 @@ double tolerated_work(System& system, const Candidate& at, const std::vector<dou
   return work;
 }
 
-/// Why the sum of what the steps leave unaccounted for is too much with this one; "" when it is not.
+/// Why the sum of what the steps leave unaccounted for is too much with this one, beside the most that loads have done; ""
+/// when it is not.
 std::string energy_objection(const PathState& path, const Candidate& candidate) {
-  const double missing = std::abs(path.memory.imbalance + missing_work(path, candidate));
-  double energy = 0;  // that of both ends: of an unloaded one the rounding of the other may be all there is
+  const double missing = std::abs(path.memory.balance.imbalance + missing_work(path, candidate));
+  // Of an unloaded end the rounding of the other may be all there is.
+  double energy = path.memory.balance.largest_work;
   for (const Candidate* at : {&path.walker.here(), &candidate})
     energy = std::max({energy, std::abs(at->work), std::abs(at->stored), std::abs(at->dissipated)});
   if (missing <= path.parameters.stop.energy_error * energy) return {};

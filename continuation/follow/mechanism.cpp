@@ -65,10 +65,11 @@ bool is_same(const PathState& path, double load, double before) {
   return std::abs(load - before) <= std::max(same * std::abs(load), path.smallest_load());
 }
 
-/// Displacement of the load, at least what the shortening of stiff supports may be [L].
+/// Displacement of the load, or how far joints have moved beside it, at least what the shortening of stiff supports may be [L].
 double way_of_mechanism(const PathState& path) {
   constexpr double gap = 1e-6;  // of the structure's size
-  return std::max(std::abs(path.displacement_of(path.walker.state())), gap * path.size);
+  return std::max(
+      {std::abs(path.displacement_of(path.walker.state())), path.memory.beside_way, gap * path.size});
 }
 
 /// How far the load has moved the structure before a step; strains, which may hardly move what is held, by what they have
@@ -115,6 +116,7 @@ bool stays(PathState& path, double load, const State& before) {
 bool sets_out(PathState& path, double load) {
   PathMemory& memory = path.memory;
   if (memory.mechanism_way > 0 && is_same(path, load, memory.mechanism_load)) return false;
+  memory.beside_way = 0;
   memory.mechanism_way = way_of_mechanism(path);
   memory.mechanism_load = load;
   memory.mechanism_share = 0;
@@ -209,19 +211,36 @@ double standing_load(const PathState& path, double load) {
 
 double way_beside_load(const PathState& path, const State& from, const State& to) {
   constexpr double far = 100, gap = 1e-6;  // the latter of the structure's size
-  constexpr double same = 1e-4;            // what residual stiffness makes of a long way
+  constexpr double same = 1e-4;            // of the load
   const System& system = path.walker.system();
-  const double load = path.load_of(to), standing = std::max(same * std::abs(load), standing_load(path, load));
-  if (!system.has_contacts() || std::abs(load - path.load_of(from)) > standing) return 0;
+  if (!system.has_contacts()) return 0;
   const std::vector<Vec2> before = system.laws(from).opening, after = system.laws(to).opening;
+  std::vector<Vec2> way(after.size());
   double moved = 0;
-  for (std::size_t p = 0; p < after.size(); ++p)
-    if ((after[p] - before[p]).norm() > moved &&
-        system.equilibrium().point(p).law->contact(system.history()[p],
-                                                   system.equilibrium().point(p).stiffness))
-      moved = (after[p] - before[p]).norm();
+  for (std::size_t p = 0; p < after.size(); ++p) {
+    const InterfacePoint& point = system.equilibrium().point(p);
+    way[p] = after[p] - before[p];
+    if (way[p].norm() > moved && point.law->contact(system.history()[p], point.stiffness))
+      moved = way[p].norm();
+  }
   const double along = std::abs(path.displacement_of(to) - path.displacement_of(from));
-  return moved > std::max(far * along, gap * path.size) ? moved : 0;
+  if (moved <= std::max(far * along, gap * path.size)) return 0;
+  const double load = path.load_of(to), change = std::abs(load - path.load_of(from)),
+               of_weak_springs = far * residual_power(system.equilibrium(), way) / moved;
+  return change <= std::max({same * std::abs(load), standing_load(path, load), of_weak_springs}) ? moved : 0;
+}
+
+bool goes_beside_load(const PathState& path) {
+  constexpr double far = 100;
+  if (path.memory.moves_beside_load) return true;
+  const Tangent& leaving = path.walker.leaving();
+  const System& system = path.walker.system();
+  if (!system.has_contacts()) return false;
+  double fastest = 0;
+  for (const Vec2& rate : leaving.opening) fastest = std::max(fastest, rate.norm());
+  return fastest > far * std::abs(path.displacement_rate(leaving)) &&
+         std::abs(leaving.rate(path.load)) * fastest <=
+             far * residual_power(system.equilibrium(), leaving.opening);
 }
 
 std::string too_far_beside_load(const PathState& path, const Candidate& candidate) {
@@ -292,7 +311,9 @@ bool is_free_beyond(const PathState& path) {
 
 void note_mechanism(PathState& path, Point& point, const Departure& before) {
   const double load = path.load_of(path.walker.state());
-  path.memory.moves_beside_load = way_beside_load(path, before.state, path.walker.state()) > 0;
+  const double beside = way_beside_load(path, before.state, path.walker.state());
+  path.memory.moves_beside_load = beside > 0;
+  path.memory.beside_way += beside;
   const bool is_same_load = std::abs(load - path.load_of(before.state)) <= standing_load(path, load);
   const bool is_free = stays(path, load, before.state) || (path.memory.moves_beside_load && is_same_load),
              is_drift = drifts(path, load);

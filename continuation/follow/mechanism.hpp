@@ -50,6 +50,10 @@ bool bears_load(PathState& path, double within = 10);
 /// these move on as well: what slides under other loads, as a weight on a slope that is lifted, moves beside the load.
 double way_beside_load(const PathState& path, const State& from, const State& to);
 
+/// Whether the last step has moved so, or the next one will: joints move far more than the load does, and but for weak springs
+/// the load stays.
+bool goes_beside_load(const PathState& path);
+
 /// Why a step that moves joints far beside the load is too long; "" when it is not, and where that is what is prescribed.
 std::string too_far_beside_load(const PathState& path, const Candidate& candidate);
 

@@ -138,6 +138,9 @@ Point noted(PathState& path, const Candidate& candidate, StepKind kind) {
   constexpr double none = 1e-12;  // of the size, as of what is symmetric before a load from the side
   if (const double moved = std::abs(path.displacement_of(candidate.state)); moved > none * path.size)
     path.memory.largest_displacement = std::max(path.memory.largest_displacement, moved);
+  Balance& balance = path.memory.balance;
+  balance.work += candidate.work - path.walker.here().work;
+  balance.largest_work = std::max(balance.largest_work, std::abs(balance.work));
   path.memory.farthest_way = std::max(path.memory.farthest_way, way_of_leg(path, candidate.state));
   path.memory.load_before = path.load_of(path.walker.state());
   return out;
@@ -156,8 +159,8 @@ Point arrived(PathState& path, Point point) {
 
 Point keep(PathState& path, Candidate candidate, StepKind kind) {
   Point out = noted(path, candidate, kind);
-  path.memory.unaccounted += std::abs(missing_work(path, candidate));
-  path.memory.imbalance += missing_work(path, candidate);
+  path.memory.balance.unaccounted += std::abs(missing_work(path, candidate));
+  path.memory.balance.imbalance += missing_work(path, candidate);
   if (const double quantum = candidate.dissipated - path.walker.here().dissipated; quantum > 0)
     path.memory.last_quantum = quantum;
   if (path.parameters.step.predictor == Predictor::secant) {

@@ -28,7 +28,7 @@ Move sliding_move(PathState& path) {
   Move own = path.control->next(path.walker);
   const bool serves = !own.to_event && own.kind != StepKind::dissipation && own.rate != 0;
   if (serves) return own;
-  return path.memory.moves_beside_load ? fastest_opening(path) : displacement_move(path);
+  return goes_beside_load(path) ? fastest_opening(path) : displacement_move(path);
 }
 
 /// Exactly to where the first joint begins to slide, or opens or closes.
@@ -69,7 +69,7 @@ std::optional<Point> linear_for_good(PathState& path) {
 /// change, or a little of the structure's size where that is less.
 double first_sliding_amount(const PathState& path, const Move& move, double change) {
   constexpr double part = 0.25, little = 1e-3, slip = 1e-5, hardly = 0.002;
-  if (move.kind == StepKind::opening && path.memory.moves_beside_load) return slip * path.size / move.rate;
+  if (move.kind == StepKind::opening && goes_beside_load(path)) return slip * path.size / move.rate;
   const bool is_loaded = path.walker.here().stored > 0;
   const Tangent& leaving = path.walker.leaving();
   double amount = is_loaded && std::isfinite(change) ? part * change : 1 / std::abs(leaving.load_factor);

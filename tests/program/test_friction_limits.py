@@ -81,6 +81,20 @@ def cool(_):
             "loads": [{"type": "initial_strain", "regions": ["block"], "expansion": 1e-5, "temperature": -40}]}
 
 
+def lift(pushed):
+    """A kN at the middle of the upper face."""
+    (x, low), (_, high) = pushed(0.5, 0)["over"]
+    return {"name": "lift", "loads": [{"type": "point_load", "at": [x, high], "force": [0, 1000]}]}
+
+
+def held_and_lifted(share):
+    """The block, pushed by a share of what it bears, that is held, and lifted."""
+    deck = slid([lift])
+    push = {"type": "point_load", "over": [[0, 0], [0, 0.4]], "force": [share * 8000 * math.tan(math.radians(15)), 0]}
+    deck["stages"][1] = {"name": "push", "loads": [push]}
+    return deck
+
+
 def wedged():
     """A block of 13 kN in a notch of two rocks, lifted off its seat, pressed into it, and again."""
     left, right = [[0, 0], [1.5, 0], [1.5, 0.3], [1, 1], [0, 1]], [[1.5, 0], [3, 0], [3, 1], [2, 1], [1.5, 0.3]]
@@ -127,6 +141,24 @@ class FrictionLimits(ProgramCase):
         tops = [self.run_(slid([cool], unit)).curve["top"].iloc[-1] / UNITS[unit][0] for unit in UNITS]
         self.assertLess(max(tops) / min(tops) - 1, 1e-3)
         self.assertLess(abs(tops[0] / 0.002 - 1), 0.5)
+
+    def test_what_is_held_by_friction_and_lifted_slides_beside_its_load(self):
+        """At 8 kN (1 - share): the lift does no work on what slides level, of which nothing is wanted, or that it rises."""
+        for points in ("vertices", "gauss"):
+            for treatment in ("consistent", "penalty", "lagrange", "augmented_lagrangian"):
+                for share, wanted in ((0.5, None), (0.5, 0.01), (0.999, 0.01), (1, None), (1, 0.01), (None, 0.01)):
+                    with self.subTest(points=points, treatment=treatment, share=share, wanted=wanted):
+                        deck = held_and_lifted(share) if share else slid([lift])
+                        deck["interfaces"]["foot"] |= {"points": points, "treatment": treatment}
+                        deck["gauges"]["rise"] = {"type": "displacement", "at": [0.5, 0.4], "direction": [0, 1]}
+                        if wanted:
+                            deck["path"] = {"stop": {"gauges": {"rise": wanted}}}
+                        run = ddapath.run(deck, folder=self.folder / "run", overwrite=True, check=False)
+                        self.assertRegex(run.summary["reason"], "slides as a mechanism|joints slide on")
+                        self.assertEqual(run.summary["status"], "stopped_early" if wanted else "goal_reached")
+                        self.assertAlmostEqual(run.curve.load.iloc[-1] / 8000, 1 - (share or 1), delta=1e-8)
+                        self.assertLess(run.curve.top.abs().max(), 0.02)
+                        self.assertEqual([finding.check for finding in verify(run.folder) if not finding.holds], [])
 
     def test_loads_beyond_those_of_the_other_way_are_followed_in_few_steps(self):
         """Of 13 kN on the way up and thousands on the way down: steps are sized by both."""

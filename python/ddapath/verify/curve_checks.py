@@ -110,7 +110,7 @@ def summary_agrees(run):
     else:
         pairs += [("peak step", peak["step"], len(curve) - 1)]
     found = [(mismatch(a, b), name) for name, a, b in pairs]
-    work = abs(last["external_work"] - curve["external_work"][0])
+    work = np.abs(curve["external_work"] - curve["external_work"][0]).max()
     own = abs(unaccounted(curve, log)[-1]) / work if work > 0 else 0.0
     found.append((max(abs(summary["energy_balance_error"] - own) - 1e-9, 0) if own < 1e6 else 0.0, "energy_balance_error"))
     return worst_of("summary.json agrees with curve.csv", found, SUMMARY)

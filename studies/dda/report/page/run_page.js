@@ -43,7 +43,7 @@ class RunPage {
     const iterations = (s.newton_iterations ?? 0) + (s.reduced_iterations ?? 0);
     if (s.steps > 0) card("iterations per step", formatNumber(iterations / s.steps, 2), `${iterations} in all`);
     if (s.energy_balance_error !== undefined)
-      card("energy balance error", formatNumber(s.energy_balance_error, 2), "of the work, at the end");
+      card("energy balance error", formatNumber(s.energy_balance_error, 2), "of the most work, at the end");
     if (s.blocks !== undefined) card("blocks", String(s.blocks), s.unknowns ? `${s.unknowns} unknowns` : null);
     if (s.crackable_points !== undefined)
       card("points that may crack", String(s.crackable_points), `of ${s.interface_points}`);

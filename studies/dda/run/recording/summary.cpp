@@ -96,11 +96,12 @@ int exit_code_of(const Ending& ending) {
   return ending.kind == Ending::Kind::interrupted ? 130 : 3;
 }
 
-double energy_balance_error(const Measurement& start, const Measurement& end, double jump_energy) {
-  const double work = end.work - start.work;
-  if (work == 0) return 0;
+double energy_balance_error(const Measurement& start, const Measurement& end, double jump_energy,
+                            double largest_work) {
+  const double work = end.work - start.work, most = std::max(std::abs(work), largest_work);
+  if (most == 0) return 0;
   const double stored = end.stored - start.stored, dissipated = end.dissipated - start.dissipated;
-  return std::abs(work - stored - dissipated - jump_energy) / std::abs(work);
+  return std::abs(work - stored - dissipated - jump_energy) / most;
 }
 
 Json peak_of(const RunMemory& memory, const Measures& measures) {
@@ -203,9 +204,10 @@ Json summarise(const Simulation& simulation, const RunMemory& memory, const Meas
   const ListedEvents events = listed_events(memory.events, memory.start, end, measures.names());
   out["events"] = events.listed;
   if (!events.small.is_null()) out["small_extrema"] = events.small;
-  out["energy_balance_error"] = energy_balance_error(memory.start, end, jump_energy);
-  out["energy_balance_scatter"] =
-      end.work == 0 ? 0.0 : simulation.path().memory().unaccounted / std::abs(end.work);
+  const Balance& balance = simulation.path().memory().balance;
+  const double most = std::max(std::abs(end.work), balance.largest_work);
+  out["energy_balance_error"] = energy_balance_error(memory.start, end, jump_energy, balance.largest_work);
+  out["energy_balance_scatter"] = most == 0 ? 0.0 : balance.unaccounted / most;
   out["jump_energy"] = jump_energy;
   out["units"] = units_of(simulation.deck().units);
   out["threads"] = num_threads();

@@ -21,9 +21,10 @@ std::string what_now(const Ending& ending);
 /// 0 goal_reached, 3 stopped_early, 130 interrupted.
 int exit_code_of(const Ending& ending);
 
-/// Work that neither stored nor dissipated energy nor a booked jump accounts for, relative to the work of the
-/// path.
-double energy_balance_error(const Measurement& start, const Measurement& end, double jump_energy);
+/// Work that neither stored nor dissipated energy nor a booked jump accounts for, relative to the largest that loads have
+/// done on the way.
+double energy_balance_error(const Measurement& start, const Measurement& end, double jump_energy,
+                            double largest_work);
 
 /// Step, load factor, load and gauges of the largest load.
 nlohmann::ordered_json peak_of(const RunMemory& memory, const Measures& measures);
