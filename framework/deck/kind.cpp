@@ -122,9 +122,13 @@ bool is_list(const Node& node, std::size_t at_least, const Reading& reading) {
 }
 
 bool is_map_of(const Node& node, std::size_t at_least, const Reading& reading) {
-  if (node.is_map()) return has_enough(node.entries.size(), at_least, node, reading);
-  expected("a map from names to values", node, reading);
-  return false;
+  if (!node.is_map()) {
+    expected("a map from names to values", node, reading);
+    return false;
+  }
+  for (const NodeEntry& entry : node.entries)
+    if (entry.key.empty()) add_finding(entry.where, reading, "expected a name, found none");
+  return has_enough(node.entries.size(), at_least, node, reading);
 }
 
 std::string entry_context(const std::string& parameter, const std::string& key) {

@@ -1,5 +1,7 @@
 #include "python/core/follower.hpp"
 
+#include <stdexcept>
+
 #include "continuation/state/history_guard.hpp"
 #include "framework/deck/document/node.hpp"
 #include "studies/dda/record/failure_indicator.hpp"
@@ -45,11 +47,28 @@ Follower::Follower(const GivenDeck& deck) : followed_(made(deck)) {
   run().simulation().stepper().break_off_when(heeds_signals);
 }
 
+Follower::Turn::Turn(const Follower& of) : of_(of) {
+  std::thread::id nobody;
+  is_first_ = of_.computes_.compare_exchange_strong(nobody, std::this_thread::get_id());
+  of_.require_turn();
+}
+
+Follower::Turn::~Turn() {
+  if (is_first_) of_.computes_ = std::thread::id{};
+}
+
+void Follower::require_turn() const {
+  const std::thread::id who = computes_;
+  if (who != std::thread::id{} && who != std::this_thread::get_id())
+    throw std::runtime_error("another thread follows this path at the moment: a path is for one at a time");
+}
+
 std::shared_ptr<AcceptedPoint> Follower::point_here(Point point) const {
   return std::make_shared<AcceptedPoint>(followed_, std::move(point));
 }
 
 void Follower::begin(const std::optional<RunOptions>& recorded) {
+  const Turn turn(*this);
   const py::gil_scoped_release unlocked;
   if (recorded)
     run().begin(*recorded);
@@ -62,6 +81,7 @@ void Follower::begin(const std::optional<RunOptions>& recorded) {
 }
 
 std::shared_ptr<AcceptedPoint> Follower::next() {
+  const Turn turn(*this);
   const py::gil_scoped_release unlocked;
   here_->settle();
   try {
@@ -79,6 +99,7 @@ std::shared_ptr<AcceptedPoint> Follower::next() {
 
 std::string Follower::conclude() {
   if (!run().is_recorded() || is_concluded_) return "";
+  const Turn turn(*this);
   const py::gil_scoped_release unlocked;
   is_concluded_ = true;
   return run().conclude().folder.string();
@@ -99,6 +120,7 @@ void Follower::go_on_with(const std::string& yaml) {
   auto stage = stage_kind().read(given, {findings, ".", "stage", "stage"});
   findings.throw_if_any();
   stage->where = given.where;
+  const Turn turn(*this);
   const py::gil_scoped_release unlocked;
   run().go_on_with(*std::move(stage));
 }
@@ -115,6 +137,7 @@ void Follower::set_next_step(double size) {
 }
 
 BlockRows Follower::stiffness() const {
+  const Turn turn(*this);
   const py::gil_scoped_release unlocked;
   System& system = followed_->run().simulation().system();
   const Candidate& here = run().simulation().walker().here();
@@ -124,6 +147,7 @@ BlockRows Follower::stiffness() const {
 }
 
 StiffnessModes Follower::modes(int count, EigenvalueMass mass) {
+  const Turn turn(*this);
   const py::gil_scoped_release unlocked;
   Simulation& simulation = run().simulation();
   if (count < 1 || static_cast<std::size_t>(count) > simulation.equilibrium().num_unknowns())
@@ -140,6 +164,7 @@ StiffnessModes Follower::modes(int count, EigenvalueMass mass) {
 }
 
 std::vector<double> Follower::residual() const {
+  const Turn turn(*this);
   const py::gil_scoped_release unlocked;
   const System& system = run().simulation().system();
   const State& state = run().simulation().walker().state();

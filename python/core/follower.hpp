@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <optional>
+#include <thread>
 
 #include "continuation/stability/stiffness_modes.hpp"
 #include "python/core/followed.hpp"
@@ -16,8 +17,8 @@ struct GivenDeck {
   bool is_dictionary = false;  ///< places in messages are then the keys, not lines of the text
 };
 
-/// Follows a path for a loop in Python. Every function but the constructor is called by one thread at a time, with the
-/// interpreter's lock, which it lets go of while it computes.
+/// Follows a path for a loop in Python. Every function but the constructor is called with the interpreter's lock, which it lets go
+/// of while it computes; another thread that calls one meanwhile is refused by std::runtime_error.
 class Follower {
  public:
   explicit Follower(const GivenDeck& deck);
@@ -50,16 +51,37 @@ class Follower {
   std::vector<double> load_vector() const;
   const std::vector<double>& reference_load() const;
 
-  SteppedRun& run() { return followed_->run(); }
-  const SteppedRun& run() const { return followed_->run(); }
+  SteppedRun& run() {
+    require_turn();
+    return followed_->run();
+  }
+  const SteppedRun& run() const {
+    require_turn();
+    return followed_->run();
+  }
   const Followed& followed() const { return *followed_; }
 
  private:
+  /// While there is one, other threads are refused.
+  class Turn {
+   public:
+    explicit Turn(const Follower& of);
+    ~Turn();
+    Turn(const Turn&) = delete;
+    Turn& operator=(const Turn&) = delete;
+
+   private:
+    const Follower& of_;
+    bool is_first_ = false;  ///< of this thread
+  };
+
+  void require_turn() const;
   std::shared_ptr<AcceptedPoint> point_here(Point point) const;
 
   std::shared_ptr<Followed> followed_;
   std::shared_ptr<AcceptedPoint> here_;
   bool is_concluded_ = false;
+  mutable std::atomic<std::thread::id> computes_{std::thread::id{}};  ///< the thread that does; none
 };
 
 }  // namespace dda::python

@@ -165,7 +165,8 @@ def of_load(reason, curve, deck):
 def largest_travel(curve, deck):
     """By how much a gauge of displacements has moved at most [L]."""
     gauges = [name for name, gauge in deck.get("gauges", {}).items() if gauge.get("type") in ("displacement", "relative_displacement")]
-    return max((np.abs(curve[name] - curve[name][0]).max() for name in gauges if name in curve), default=0.0)
+    columns = [f"gauge_{name}" if f"gauge_{name}" in curve else name for name in gauges]  # where the name is another column's
+    return max((np.abs(curve[name] - curve[name][0]).max() for name in columns if name in curve), default=0.0)
 
 
 def tolerated_force(curve, deck):

@@ -8,6 +8,7 @@ EQUILIBRIUM = 1e-6  # of the forces on a block and a hundredth of those on the m
 CANCELLED = 1e-9    # of the largest force of initial stress on a block: what may be left where strain takes the stress away
 ENVELOPE = 1e-4     # of the limit
 LAW = 1e-4          # of the traction and a hundredth of the largest of the interface
+ROUNDED = 1e-9      # of the largest traction of the run: what unloading may leave by rounding
 REACTIONS = 1e-6    # of the largest sum of all loads and reactions and the force of initial stress on a block of the run
 MULTIPLIERS = 1e-6  # of the shortening of a block under the largest traction
 DAMAGE = 1e-9
@@ -121,10 +122,12 @@ def normal_law(steps):
     if unknown := of_plugins(steps):
         return not_made("contact and normal law", unknown)
 
+    least = ROUNDED * max((np.abs(step.borne).max(initial=0.0) for step in steps), default=0.0)
+
     def value(step, interface, chosen):
         t, q = step.borne[chosen, 0], step.seen[chosen, 0]
         error = interface.law.normal_error(t, q, step.law_state(chosen, interface)) - step.noise[chosen]
-        scale = np.abs(t) + 0.01 * np.abs(step.borne[chosen]).max(initial=0.0)
+        scale = np.abs(t) + 0.01 * np.abs(step.borne[chosen]).max(initial=0.0) + least
         return over(np.maximum(error, 0), scale)
     return worst_of("contact and normal law", per_interface(steps, value), LAW)
 

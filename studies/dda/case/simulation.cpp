@@ -160,11 +160,14 @@ void Simulation::require_loads() const {
   std::vector<const Loading*> loadings;
   for (const auto* part : {&equilibrium_->stages(), &equilibrium_->later_stages()})
     for (const Loading& loading : *part) loadings.push_back(&loading);
+  const std::size_t num_dead = equilibrium_->stages().size() - 1, num_held = stages.size() - loadings.size();
   Findings findings;
-  for (std::size_t s = 0; s < stages.size(); ++s)
-    if (is_zero(loadings[s]->reference) && is_zero(loadings[s]->reference_offset) && !takes_away(s))
-      findings.add(stages[s].where, "stage '" + loadings[s]->name +
+  for (std::size_t i = 0; i < loadings.size(); ++i) {
+    const std::size_t s = i < num_dead ? i : i + num_held;
+    if (is_zero(loadings[i]->reference) && is_zero(loadings[i]->reference_offset) && !takes_away(s))
+      findings.add(stages[s].where, "stage '" + loadings[i]->name +
                                         "' applies no load: its forces are zero or cancel each other");
+  }
   findings.throw_if_any();
 }
 

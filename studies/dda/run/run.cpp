@@ -53,6 +53,15 @@ void require_restart(const RunFolder& folder) {
                                folder.path().string(), has_begun ? " again" : ""));
 }
 
+/// A number of steps that has been passed is no goal.
+void require_steps_ahead(const Simulation& simulation, const fs::path& folder) {
+  const int wanted = simulation.deck().path.stop.after_steps, made = simulation.walker().effort().accepted;
+  if (wanted > 0 && wanted < made)
+    throw InputError(
+        Position{folder.string()},
+        fmt::format("path.stop.after_steps: {} steps are wanted, and the run has made {}", wanted, made));
+}
+
 /// The conclusions of a run that goes on are not those of the whole.
 void remove_conclusions(const RunFolder& folder) {
   for (const char* name : {"summary.json", "curve.svg", "deformed.svg", "detail.svg", "eigenvalues.svg",
@@ -90,6 +99,7 @@ RunResult resume_run(const fs::path& existing, const std::vector<std::string>& o
   guard.set_flag_first();
   RunMemory memory = restore(data, existing, simulation);
   memory.ended = take_ending(data, deck);
+  require_steps_ahead(simulation, existing);
   const bool in_place = options.folder.empty();
   const RunFolder folder = in_place ? source : new_folder(deck, options);
   if (!in_place) copy_run(existing, folder);

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "framework/files/run/record.hpp"
+#include "studies/dda/run/recording/same_structure.hpp"
 
 namespace dda {
 namespace {
@@ -252,32 +253,6 @@ std::vector<CrackFront::Memory> take_cracks(const RestartData& data, const fs::p
   return out;
 }
 
-/// What each law of the structure remembers, as the law declares it.
-std::vector<std::string> remembered(const Equilibrium& equilibrium) {
-  std::set<std::string> out;
-  for (const auto& law : equilibrium.interfaces().laws) {
-    std::string names;
-    for (const Remembered& one : law->memory()) names += one.name + " ";
-    out.insert(names);
-  }
-  return {out.begin(), out.end()};
-}
-
-void check_structure(const RestartData& data, const fs::path& folder, const Equilibrium& equilibrium) {
-  if (data.texts.at("memory_of_laws") != remembered(equilibrium))
-    throw InputError(Position{folder.string()},
-                     "the interfaces have laws that remember other things than those of the run did; only "
-                     "controls, stopping rules and records may change");
-  const std::size_t width = data.texts.at("here.history.members").size();
-  if (data.integers.at("unknowns").at(0) == std::int64_t(equilibrium.num_unknowns()) &&
-      data.numbers.at("here.history").size() == width * equilibrium.num_active())
-    return;
-  throw InputError(
-      Position{folder.string()},
-      "the structure has another number of blocks or interface points than the run had; only controls, "
-      "stopping rules and records may change");
-}
-
 /// Adds how many cuts there were when a base was factorised, and each time when its border had grown.
 void add_counts(const RestartData& data, const std::string& name, std::set<std::size_t>& counts) {
   for (const std::int64_t count : data.integers.at(name + ".grown")) counts.insert(std::size_t(count));
@@ -305,7 +280,7 @@ void restore_structure(const RestartData& data, const fs::path& folder, Simulati
   for (const std::size_t count : counts) {
     if (simulation.cracks())
       simulation.restore_cracks({cuts.begin(), cuts.begin() + std::ptrdiff_t(count)}, memory);
-    if (count == cuts.size()) check_structure(data, folder, simulation.equilibrium());
+    if (count == cuts.size()) require_same_points(data, folder, simulation.equilibrium());
     for (const auto& [name, linear] : linears)
       if (is_base_at(data, name, count))
         restore_base(data, name, *linear, simulation.equilibrium().num_active());
@@ -357,6 +332,7 @@ RestartData restart_data(const Simulation& simulation, const RunMemory& memory, 
 DeckFile deck_of(const RestartData& data, const fs::path& folder, const std::vector<std::string>& overrides) {
   DeckFile out =
       deck_from_text(data.texts.at("deck.effective").at(0), folder / "effective_deck.yaml", overrides);
+  if (!overrides.empty()) require_same_structure(data.texts.at("deck.effective").at(0), out.deck, folder);
   out.path = data.texts.at("deck.path").at(0);
   out.text = data.texts.at("deck.text").at(0);
   const auto& before = data.texts.at("deck.overrides");
