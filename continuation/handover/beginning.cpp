@@ -46,7 +46,7 @@ Beginning begin_motion(const Pieces& pieces, const PathEnd& end, const MotionPar
   const double dt = parameters.step * pace_of(start.scene, pull);
   const bool is_loaded = end.is_of_path && std::isfinite(dt);
   Handover path = end.is_of_path ? as_on_path(pieces, end, parameters) : start;
-  if (is_loaded) path.poses = start.poses = finite_poses(pieces, end, path, dt);
+  if (end.is_of_path) path.poses = start.poses = finite_poses(pieces, end, path);
   const SideEnds ends = ends_of_sides(pieces, end.equilibrium, path);
   for (Handover* of : {&path, &start}) {
     drop_spent(*of, ends.overlapping);

@@ -10,6 +10,7 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "continuation/bodies/joined.hpp"
 #include "continuation/handover/regions.hpp"
@@ -227,32 +228,45 @@ class Maker {
     return out;
   }
 
+  /// Of the points of the path; where blocks of second order are of first from here on, joints that cannot crack are those of
+  /// first order, since those of second hold such blocks more firmly than they can follow.
   void add_bonds() {
     const Equilibrium& equilibrium = end_.equilibrium;
-    for (std::size_t p = 0; p < equilibrium.num_points(); ++p) {
-      const InterfacePoint& point = equilibrium.point(p);
-      const History history = p < equilibrium.num_active() ? end_.history[p] : History{};
-      const auto [first, second] = pieces_.beside(point);
-      if (out_.scene.bodies[first].is_held && out_.scene.bodies[second].is_held) continue;
-      Bond bond;
-      bond.first = first;
-      bond.second = second;
-      bond.at_first = point.x - body_.block(BlockId{first}).moments.centroid;
-      bond.at_second = point.x - body_.block(BlockId{second}).moments.centroid;
-      bond.normal = point.normal;
-      bond.stress_first = point.rows.first_stress.rightCols<3>();
-      bond.stress_second = point.rows.second_stress.rightCols<3>();
-      bond.weight = point.weight;
-      bond.stiffness = point.stiffness;
-      bond.law = point.law;
-      bond.history = history;
-      bond.interface = point.interface;
-      bond.multiplier = multiplier_of(point, p);
-      bond.initial_stress = initial_traction(point);
-      if (pieces_.is_cut(point.first) || pieces_.is_cut(point.second)) fix_stress(point, bond);
-      bond.is_end = point.is_separate();
-      (bond.is_end ? out_.touching : out_.bonds).push_back(bond);
+    const std::size_t num = pieces_.are_lowered() ? equilibrium.num_active() : equilibrium.num_points();
+    for (std::size_t p = 0; p < num; ++p) {
+      Bond bond = bond_of(equilibrium.point(p));
+      if (p < equilibrium.num_active()) bond.history = end_.history[p];
+      bond.multiplier += multiplier_of(equilibrium.point(p), p);
+      add(bond);
     }
+    const Equilibrium& lowered = pieces_.equilibrium();
+    if (pieces_.are_lowered())
+      for (std::size_t p = lowered.num_active(); p < lowered.num_points(); ++p)
+        add(bond_of(lowered.point(p)));
+  }
+
+  void add(const Bond& bond) {
+    if (out_.scene.bodies[bond.first].is_held && out_.scene.bodies[bond.second].is_held) return;
+    (bond.is_end ? out_.touching : out_.bonds).push_back(bond);
+  }
+
+  /// As if nothing had happened to it.
+  Bond bond_of(const InterfacePoint& point) const {
+    Bond out;
+    std::tie(out.first, out.second) = pieces_.beside(point);
+    out.at_first = point.x - body_.block(BlockId{out.first}).moments.centroid;
+    out.at_second = point.x - body_.block(BlockId{out.second}).moments.centroid;
+    out.normal = point.normal;
+    out.stress_first = point.rows.first_stress.rightCols<3>();
+    out.stress_second = point.rows.second_stress.rightCols<3>();
+    out.weight = point.weight;
+    out.stiffness = point.stiffness;
+    out.law = point.law;
+    out.interface = point.interface;
+    out.initial_stress = initial_traction(point);
+    if (pieces_.is_cut(point.first) || pieces_.is_cut(point.second)) fix_stress(point, out);
+    out.is_end = point.is_separate();
+    return out;
   }
 
   /// {σ0}n of a consistent joint: the weights of {σ}n are those of its rows, A = w n C.

@@ -95,6 +95,15 @@ void note_weight_twice(const Body& body, const Equilibrium& equilibrium, const M
                   borne / weight));
 }
 
+/// What bends a block is no motion that a body of it has.
+void note_lowered(const Body& body, Notices& notices) {
+  if (body.num_gradients() == 0) return;
+  notices.push_back(
+      "motion: blocks of second order move on as blocks of first order, which bend less easily and swing "
+      "faster; where "
+      "that matters take `kinematics: first_order` and smaller blocks for both");
+}
+
 /// What damps no vibration damps those of contacts neither.
 void note_ringing_contacts(const Body& body, const Equilibrium& equilibrium,
                            const MotionParameters& parameters, Notices& notices) {
@@ -116,6 +125,7 @@ std::vector<std::string> motion_notices(const Body& body, const Equilibrium& equ
   note_bonded_regions(body, equilibrium, parameters, out);
   note_own_friction(body, equilibrium, parameters, out);
   note_weight_twice(body, equilibrium, parameters, out);
+  note_lowered(body, out);
   return out;
 }
 

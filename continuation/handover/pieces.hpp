@@ -27,6 +27,9 @@ class Pieces {
   bool is_cut(BlockId whole) const { return parted_ && parted_->of_whole[whole.value()].size() > 1; }
   /// Whether cracks have run through blocks.
   bool are_cut() const { return parted_.has_value(); }
+  /// Whether blocks of second order are of first from here on, none of which is cut: joints that cannot crack are then those
+  /// of first order.
+  bool are_lowered() const { return !parted_ && body_; }
 
  private:
   const Body& whole_;

@@ -293,6 +293,32 @@ class ByInterface(Scratch):
         handover = run.summary["motion"]["handover"]
         self.assertLess(abs(handover["released_energy"]), 1e-2 * run.curve.stored_energy.max())
 
+    def test_a_beam_of_second_order_stays_under_the_load_it_has_borne(self):
+        """Its bodies bend less easily: they begin in an equilibrium of their own, and swing at a frequency of their own when let go."""
+        deck = {"units": {"length": "mm", "force": "N"}, "thickness": 10, "kinematics": {"type": "second_order"},
+                "scene": {"regions": [{"name": "beam", "material": "steel", "vertices": box(0, 0, 1000, 100)}],
+                          "boundaries": {"left": [[0, 0], [0, 100]], "right": [[1000, 0], [1000, 100]]},
+                          "subdivision": {"type": "grid", "columns": 10, "rows": 1}},
+                "materials": {"steel": {"type": "linear_elastic", "young_modulus": 30000, "poisson_ratio": 0, "density": 2.4e-9}},
+                "supports": {"clamp": {"boundary": "left", "fix": "xy"}},
+                "stages": [{"name": "bend", "loads": [{"type": "edge_traction", "boundary": "right", "traction": [0, -0.01]}]}],
+                "gauges": {"tip": {"type": "displacement", "at": [1000, 0], "direction": [0, 1]}},
+                "path": {"then": "motion"},
+                "motion": {"time": 0.0351, "loads": "keep", "integrator": "trapezoidal", "stop_at_rest": False, "step": 0.005}}
+        kept = ddapath.run(deck, folder=self.folder, overwrite=True)
+        self.assertTrue(any("second order" in notice for notice in kept.summary["notices"]))
+        tip = kept.motion.curve.tip
+        self.assertLess((tip.max() - tip.min()) / abs(tip.iloc[0]), 1e-3)
+        exact = 10 * 1000**3 / (3 * 30000 * 10 * 100**3 / 12)
+        self.assertTrue(0.6 * exact < -tip.iloc[0] < exact)
+        let_go = ddapath.run(deck, {"motion.loads": "drop"}, folder=self.folder, overwrite=True).motion.curve
+        self.assertAlmostEqual(let_go.tip.min() / tip.iloc[0], 1, delta=1e-2)
+        self.assertLess(let_go.tip.max(), abs(tip.iloc[0]))
+        times = let_go.time[let_go.tip.abs() > 0].to_numpy()
+        spectrum = np.abs(np.fft.rfft(np.interp(np.linspace(0, times[-1], 4096), let_go.time, let_go.tip)))
+        frequency = np.argmax(spectrum[1:]) + 1  # cycles in the time
+        self.assertIn(frequency, (2, 3))  # 69 Hz of bodies of constant strain, 57 Hz of the beam: 2.4 and 2.0
+
     def test_blocks_of_second_order_go_on_with_first(self):
         """What tears takes Gf times the ligament all the same; what the strain gradients held is told."""
         deck = ddapath.read_deck(Path(__file__).resolve().parents[2] / "studies" / "falling-beam" / "deck.yaml")
