@@ -47,6 +47,8 @@ struct PathState {
   double load_of(const State& state) const;
   /// A force as a load: where that is the load factor of loads without a resultant, the one at which they are as large.
   double as_load(double force) const { return load_per_force * force; }
+  /// What a load that is no force works on, as a displacement [L].
+  double as_length(double work_per_load) const { return load_per_force * work_per_load; }
   /// A load below this is none: the tolerances of the equilibria leave as much of the other forces.
   double smallest_load() const;
   /// The displacement on which the load works, and its rate.

@@ -20,7 +20,7 @@ void judge_stability(const PathState& path, Point& point) {
     return;
   }
   const bool turned = path.control->prescribed_rate(here.arriving) * here.arriving.load_factor < 0;
-  point.num_negative_under_control = std::abs(*here.num_negative - (turned ? 1 : 0));
+  point.num_negative_under_control = std::max(0, *here.num_negative - (turned ? 1 : 0));
 }
 
 std::optional<Candidate> first_unstable(PathState& path, const Candidate& beyond, double amount,

@@ -223,10 +223,10 @@ double way_beside_load(const PathState& path, const State& from, const State& to
     if (way[p].norm() > moved && point.law->contact(system.history()[p], point.stiffness))
       moved = way[p].norm();
   }
-  const double along = std::abs(path.displacement_of(to) - path.displacement_of(from));
+  const double along = path.as_length(std::abs(path.displacement_of(to) - path.displacement_of(from)));
   if (moved <= std::max(far * along, gap * path.size)) return 0;
   const double load = path.load_of(to), change = std::abs(load - path.load_of(from)),
-               of_weak_springs = far * residual_power(system.equilibrium(), way) / moved;
+               of_weak_springs = path.as_load(far * residual_power(system.equilibrium(), way) / moved);
   return change <= std::max({same * std::abs(load), standing_load(path, load), of_weak_springs}) ? moved : 0;
 }
 
@@ -238,9 +238,9 @@ bool goes_beside_load(const PathState& path) {
   if (!system.has_contacts()) return false;
   double fastest = 0;
   for (const Vec2& rate : leaving.opening) fastest = std::max(fastest, rate.norm());
-  return fastest > far * std::abs(path.displacement_rate(leaving)) &&
+  return fastest > far * path.as_length(std::abs(path.displacement_rate(leaving))) &&
          std::abs(leaving.rate(path.load)) * fastest <=
-             far * residual_power(system.equilibrium(), leaving.opening);
+             path.as_load(far * residual_power(system.equilibrium(), leaving.opening));
 }
 
 std::string too_far_beside_load(const PathState& path, const Candidate& candidate) {
@@ -315,7 +315,9 @@ void note_mechanism(PathState& path, Point& point, const Departure& before) {
   path.memory.moves_beside_load = beside > 0;
   path.memory.beside_way += beside;
   const bool is_same_load = std::abs(load - path.load_of(before.state)) <= standing_load(path, load);
-  const bool is_free = stays(path, load, before.state) || (path.memory.moves_beside_load && is_same_load),
+  // Where a crack grows the load may stand at its peak, and what it does is spent.
+  const bool stands = stays(path, load, before.state) && !path.walker.leaving().dissipates,
+             is_free = stands || (path.memory.moves_beside_load && is_same_load),
              is_drift = drifts(path, load);
   if (!is_free && !is_drift) return;
   const ContactMotion moving = contact_motion(path.walker, before.state);

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "continuation/detour/increment/load_increment.hpp"
@@ -10,8 +11,24 @@
 
 namespace dda {
 
+namespace {
+
+/// The load factor of which increments are a part: that at which something begins to crack; on the way, where the next
+/// point is near whatever the load, that of loads as large as any so far.
+double load_factor_of_increments(const PathState& path) {
+  const double event = next_event(path.walker);
+  const Tangent& leaving = path.walker.leaving();
+  const double rate = std::abs(leaving.rate(path.load) / leaving.load_factor);
+  const bool is_intact = path.walker.here().dissipated == 0 && path.walker.state().load_factor == 0;
+  if (is_intact || !(rate > 0)) return event;
+  return std::max(event, path.as_load(path.memory.largest_force) / rate);
+}
+
+}  // namespace
+
 std::optional<Point> increment_step(PathState& path) {
-  if (path.memory.step == 0) path.memory.step = path.control->load_increment() * next_event(path.walker);
+  if (path.memory.step == 0)
+    path.memory.step = path.control->load_increment() * load_factor_of_increments(path);
   if (!std::isfinite(path.memory.step)) return linear_step(path);
   const double first = path.memory.step;
   const double smallest = smallest_share * std::max(first, std::abs(path.walker.state().load_factor));

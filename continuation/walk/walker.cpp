@@ -5,9 +5,28 @@
 #include <cmath>
 #include <utility>
 
+#include "continuation/contact/contact_piece.hpp"
 #include "continuation/state/history_guard.hpp"
 
 namespace dda {
+namespace {
+
+/// The history, with what stands at its limit of friction said to slide, whether it has moved there or not.
+std::vector<History> flagged_at_limits(const System& system, const State& state) {
+  std::vector<History> out = system.history();
+  const LawValues laws = system.laws(state);
+  for (std::size_t p = 0; p < out.size(); ++p) {
+    const InterfacePoint& point = system.equilibrium().point(p);
+    const auto contact = point.law->contact(out[p], point.stiffness);
+    if (!contact || contact->coefficient == 0) continue;
+    const ContactPiece piece = piece_at(*contact, laws.opening[p], true);
+    out[p].sliding = out[p].sliding || piece == ContactPiece::forward || piece == ContactPiece::backward;
+  }
+  return out;
+}
+
+}  // namespace
+
 Walker::Walker(Stepper& stepper) : stepper_(stepper), system_(stepper.system()) {
   here_.state.d = std::vector<double>(system_.equilibrium().num_unknowns(), 0.0);
   here_.state.multipliers = system_.multipliers();
@@ -21,10 +40,13 @@ void Walker::begin_stage(std::size_t stage) {
   here_.state.load_factor = 0;
   here_.load = value(system_.loading().load);
   fill_arriving(here_);
-  leaving_ = starting_tangent(system_, here_.state);
+  set_out();
 }
 
-void Walker::set_out() { leaving_ = starting_tangent(system_, here_.state); }
+void Walker::set_out() {
+  system_.set_history(flagged_at_limits(system_, here_.state));
+  leaving_ = starting_tangent(system_, here_.state);
+}
 
 Attempt Walker::attempt(ControlEquation& control, double step, const State& guess,
                         Thoroughness thoroughness) {

@@ -23,9 +23,12 @@ CrackedEquations::CrackedEquations(const System& system, LinearSystem& linear, c
       live_(length()),
       update_(linear_.couplings()) {
   live_change_ = opened_by(system.loading().reference_offset);
-  for (std::size_t i = 0; i < points_.size(); ++i)
-    pair_of(live_, i) = system.equilibrium().opening(points_[i], linear_.reference_solution()) +
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const Equilibrium& equilibrium = system.equilibrium();
+    pair_of(live_, i) = equilibrium.opening(points_[i], linear_.reference_solution()) +
                         system.loading().reference_opening(points_[i]);
+    if (!live_change_.empty()) pair_of(live_, i) += equilibrium.opening(points_[i], live_change_);
+  }
   only_touch_ = std::ranges::all_of(
       points_, [&](std::size_t p) { return system.equilibrium().point(p).is_separate(); });
   if (!control.gauge) return;
