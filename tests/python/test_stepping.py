@@ -84,6 +84,40 @@ class Following(Scratch):
             next(recorded)
             recorded.load(*more)
 
+    def test_loads_may_change_again_and_again(self):
+        path = ddapath.follow(DECK, {"path.stop.steps": 50})
+        next(path)
+        load = ddapath.read_deck(DECK)["stages"][-1]["loads"][0]
+        stages = []
+        for push in (10, 20, 30):
+            path.load(load | {"force": [push, 0]})
+            stages.append(next(path).stage)
+        self.assertEqual(stages, [stages[0], stages[0] + 1, stages[0] + 2])
+        with self.assertRaisesRegex(ddapath.InputError, "applies no load"):
+            path.load(load | {"force": [0, 0]})
+        self.assertEqual(next(path).stage, stages[-1])
+
+    def test_a_path_is_one_thread_s_at_a_time(self):
+        """Another thread that asks for a point meanwhile is refused, and nothing is lost."""
+        path, found, refused = ddapath.follow(DECK, SHORT), [], []
+
+        def take():
+            while True:
+                try:
+                    found.append(next(path).step)
+                except StopIteration:
+                    return
+                except RuntimeError as error:
+                    refused.append(str(error))
+
+        threads = [threading.Thread(target=take) for _ in range(3)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(sorted(found), [point.step for point in ddapath.follow(DECK, SHORT)])
+        self.assertLessEqual(set(refused), {"another thread follows this path at the moment: a path is for one at a time"})
+
     def test_a_folder_is_that_of_the_program(self):
         path = ddapath.follow(DECK, SHORT, folder=self.folder / "run")
         count = sum(1 for _ in path)
