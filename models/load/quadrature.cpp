@@ -20,14 +20,13 @@ Integrals lobatto(double a, double b, const Function& f) {
 
 class Halving {
  public:
-  Halving(const Function& f, double tolerance) : f_(f), tolerance_(tolerance) {}
+  Halving(const Function& f, double tolerance, int least) : f_(f), tolerance_(tolerance), least_(least) {}
 
   Integrals of(double a, double b, const Integrals& whole, int depth) {
     const double middle = (a + b) / 2;
     const Integrals left = lobatto(a, middle, f_), right = lobatto(middle, b, f_);
-    if (depth == deepest || ++halvings_ > most_halvings ||
-        (whole - left - right).cwiseAbs().maxCoeff() <= tolerance_)
-      return left + right;
+    const bool agree = depth >= least_ && (whole - left - right).cwiseAbs().maxCoeff() <= tolerance_;
+    if (agree || depth == deepest || ++halvings_ > most_halvings) return left + right;
     return of(a, middle, left, depth + 1) + of(middle, b, right, depth + 1);
   }
 
@@ -35,7 +34,7 @@ class Halving {
   static constexpr int deepest = 40, most_halvings = 2000;
   const Function& f_;
   double tolerance_;
-  int halvings_ = 0;
+  int least_, halvings_ = 0;
 };
 
 /// Magnitude of what is integrated: sums of positive and negative parts may vanish.
@@ -62,12 +61,13 @@ std::vector<std::pair<Vec2, Vec2>> sides_across(const Polygon& polygon, double a
 
 }  // namespace
 
-Integrals integral(double a, double b, const Function& f) {
+Integrals integral(double a, double b, const Function& f, int least_halvings) {
   constexpr double precision = 1e-11;
-  return Halving(f, precision * magnitude(a, b, f)).of(a, b, lobatto(a, b, f), 0);
+  return Halving(f, precision * magnitude(a, b, f), least_halvings).of(a, b, lobatto(a, b, f), 0);
 }
 
 Integrals integral(const Polygon& polygon, const std::function<Integrals(const Vec2&)>& f) {
+  constexpr int least = 3;  // of the square of the points it takes
   std::vector<double> abscissae;
   for (const Vec2& vertex : polygon.vertices) abscissae.push_back(vertex.x());
   std::ranges::sort(abscissae);
@@ -77,10 +77,14 @@ Integrals integral(const Polygon& polygon, const std::function<Integrals(const V
     if (a == b) continue;
     const auto sides = sides_across(polygon, a, b);
     for (std::size_t s = 0; s + 1 < sides.size(); s += 2)
-      sum += integral(a, b, [&](double x) {
-        return integral(height_of(sides[s], x), height_of(sides[s + 1], x),
-                        [&](double y) { return f(Vec2(x, y)); });
-      });
+      sum += integral(
+          a, b,
+          [&](double x) {
+            return integral(
+                height_of(sides[s], x), height_of(sides[s + 1], x), [&](double y) { return f(Vec2(x, y)); },
+                least);
+          },
+          least);
   }
   return sum;
 }

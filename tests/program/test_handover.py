@@ -304,7 +304,8 @@ class ByInterface(Scratch):
                 "stages": [{"name": "bend", "loads": [{"type": "edge_traction", "boundary": "right", "traction": [0, -0.01]}]}],
                 "gauges": {"tip": {"type": "displacement", "at": [1000, 0], "direction": [0, 1]}},
                 "path": {"then": "motion"},
-                "motion": {"time": 0.0351, "loads": "keep", "integrator": "trapezoidal", "stop_at_rest": False, "step": 0.005}}
+                "motion": {"time": 0.0351, "loads": "keep", "integrator": "trapezoidal", "stop_at_rest": False, "step": 0.005,
+                           "contact": {"friction": 0.5}}}
         kept = ddapath.run(deck, folder=self.folder, overwrite=True)
         self.assertTrue(any("second order" in notice for notice in kept.summary["notices"]))
         tip = kept.motion.curve.tip

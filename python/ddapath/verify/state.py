@@ -143,7 +143,7 @@ class Step:
     @cached_property
     def noise(self):
         """What rounding of the displacements may make of a point's traction [F/L²]."""
-        largest = np.abs(self.d[:, :2]).max(axis=1)[self.model.points.blocks].max(axis=1)
+        largest = (self.moved + self.turned_about_origin)[self.model.points.blocks].max(axis=1)
         return ROUND_OFF * self.model.points.trial.max(axis=1) * largest
 
     def rounding_of_springs(self, moved):
@@ -153,13 +153,22 @@ class Step:
         row, d = np.abs(springs["row"]), np.abs(self.d[springs["block"]])
         size = np.ones(len(self.d))
         size[:self.model.mesh.num_blocks] = np.sqrt(self.model.mesh.areas)
-        held = (row[:, :2].sum(axis=1) + row[:, 2] / size[springs["block"]]) * moved[springs["block"]] + (row[:, 3:] * d[:, 3:]).sum(axis=1)
+        of = springs["block"]
+        held = row[:, :2].sum(axis=1) * (moved + self.turned_about_origin)[of] + row[:, 2] / size[of] * moved[of]
+        held += (row[:, 3:] * d[:, 3:]).sum(axis=1)
         return ROUND_OFF * springs["stiffness"][springs["spring"]] * held
 
     @cached_property
     def moved(self):
         """How far every node moves [L]."""
         return np.abs(self.d[:, :2]).max(axis=1, initial=0)
+
+    @cached_property
+    def turned_about_origin(self):
+        """What turns and strains of blocks make of how far they are from the origin, to the last digits of which places are known [L]."""
+        out, blocks = np.zeros(len(self.d)), self.model.mesh.num_blocks
+        out[:blocks] = np.abs(self.d[:blocks, 2:]).max(axis=1) * np.abs(self.model.centroids).max(axis=1)
+        return out
 
     @cached_property
     def spring_noise(self):

@@ -14,6 +14,7 @@
 #include "framework/base/suggestion.hpp"
 #include "meshing/mirror.hpp"
 #include "studies/dda/case/motion_columns.hpp"
+#include "studies/dda/case/stiff_blocks.hpp"
 
 namespace dda {
 namespace {
@@ -93,6 +94,7 @@ Assembly with_mirrors(Assembly assembly, const Deck& deck) {
 /// What was adapted, and what a motion does that is easily missed.
 std::vector<std::string> first_notices(const Body& body, const Equilibrium& equilibrium, const Deck& deck) {
   std::vector<std::string> out = equilibrium.interfaces().notices;
+  std::ranges::move(stiff_blocks(body), std::back_inserter(out));
   if (deck.moves())
     std::ranges::move(motion_notices(body, equilibrium, *deck.motion), std::back_inserter(out));
   return out;
@@ -154,6 +156,7 @@ void Simulation::assemble() {
 
 void Simulation::require_loads() const {
   const std::vector<StageParameters> stages = deck_.loaded_stages();
+  if (stages.empty()) return;  // there is no path, only a motion
   const auto takes_away = [&removed = equilibrium_->removed_springs()](std::size_t stage) {
     return std::ranges::find(removed, stage, &ChangingSpring::stage) != removed.end();
   };

@@ -82,14 +82,8 @@ void print_kinematics(const Simulation& simulation) {
     return line("kinematics", fmt::format("{} of {} blocks are of second order", body.num_gradients(),
                                           body.assembly.num_blocks()));
   if (simulation.deck().moves() || body.cracks) return;
-  constexpr double nearly_incompressible = 0.45;
   constexpr std::size_t few = 4;  // one in so many
-  if (std::ranges::any_of(body.materials,
-                          [&](const auto& m) { return m->held_contraction() > nearly_incompressible; }))
-    line("advice",
-         "blocks of first order are too stiff where the volume hardly changes (Poisson's ratio above "
-         "0.45 in plane strain): take `kinematics: second_order`");
-  else if (set.num_crackable() == 0 && !set.points.empty())
+  if (set.num_crackable() == 0 && !set.points.empty())
     line("advice",
          "nothing cracks here: where it bends, with `kinematics: second_order` and blocks twice to four "
          "times as "
