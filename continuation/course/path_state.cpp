@@ -66,6 +66,11 @@ double PathState::smallest_load() const {
 
 double PathState::displacement_of(const State& state) const { return state.value(displacement); }
 
+double PathState::share_of_peak() const {
+  if (!(memory.peak_load > smallest_load())) return 1;
+  return std::abs(load_of(walker.state())) / memory.peak_load;
+}
+
 double PathState::displacement_rate(const Tangent& tangent) const { return tangent.rate(displacement); }
 
 std::optional<Point> PathState::end(Ending::Kind kind, std::string reason) {
@@ -95,7 +100,7 @@ std::optional<Point> PathState::end_with_structure(std::string reason) {
 void PathState::end_unsound(const std::string& reason) {
   const Stopped refused = *std::exchange(unsound, {});
   constexpr double hardly_any = 0.01;
-  const double left = std::abs(load_of(walker.state())) / memory.peak_load;
+  const double left = share_of_peak();
   if (parameters.stop.load_below == 0 && walker.here().dissipated > 0 && left < hardly_any)
     end_with_structure(
         fmt::format("complete rupture: {:.1e} of the peak was left; beyond, {}", left, refused.text));

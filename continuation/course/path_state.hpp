@@ -51,6 +51,8 @@ struct PathState {
   double as_length(double work_per_load) const { return load_per_force * work_per_load; }
   /// A load below this is none: the tolerances of the equilibria leave as much of the other forces.
   double smallest_load() const;
+  /// What it still bears of the peak of its load; 1 where it has borne none.
+  double share_of_peak() const;
   /// The displacement on which the load works, and its rate.
   double displacement_of(const State& state) const;
   double displacement_rate(const Tangent& tangent) const;

@@ -38,9 +38,8 @@ std::string reached(const PathState& path, const Landing& goal) {
 bool has_ruptured(PathState& path) {
   constexpr double nothing = 1e-6;
   const bool at_leg_start = path.memory.leg > 0 && path.walker.effort().accepted == path.memory.leg_start;
-  return !path.leg().unloads && !at_leg_start && path.memory.peak_load > 0 &&
-         path.walker.here().dissipated > 0 &&
-         std::abs(path.load_of(path.walker.state())) <= nothing * path.memory.peak_load && !bears_load(path);
+  return !path.leg().unloads && !at_leg_start && path.walker.here().dissipated > 0 &&
+         path.share_of_peak() <= nothing && !bears_load(path);
 }
 
 /// Whether the last step has led to a load above that before it, and to no strength that would end that: what a release has left

@@ -10,6 +10,7 @@
 #include "continuation/contact/contact_piece.hpp"
 #include "continuation/follow/goals.hpp"
 #include "continuation/follow/landings.hpp"
+#include "continuation/follow/trial.hpp"
 #include "continuation/state/history_guard.hpp"
 #include "continuation/state/residual_stiffness.hpp"
 
@@ -112,6 +113,19 @@ bool stays(PathState& path, double load, const State& before) {
          along >= mechanism_way * way_before(path, memory.plateau_way);
 }
 
+/// Whether a load that stands while a crack grows does so much farther on, as on the tail of what softens; at its strength, where
+/// the load is highest, it does not.
+bool stays_on(PathState& path, double load) {
+  constexpr double far = 30, hardly = 0.01, large = 0.01;  // the last of the structure's size
+  const double way = way_of_mechanism(path);
+  if (std::abs(load) <= path.smallest_load() || way > large * path.size) return true;
+  const Move move = displacement_move(path);
+  if (move.rate == 0) return false;
+  const double amount = std::min(far * way, large * path.size) / std::abs(move.rate);
+  const auto beyond = try_step(path, move, amount, Thoroughness::full);
+  return beyond && std::abs(path.load_of(beyond->state) - load) <= hardly * std::abs(load);
+}
+
 /// Whether the structure begins to move as a mechanism, none before or one under another load, which has locked.
 bool sets_out(PathState& path, double load) {
   PathMemory& memory = path.memory;
@@ -125,7 +139,7 @@ bool sets_out(PathState& path, double load) {
 
 /// Whether a mechanism has moved three times as far as where it set out, or last brought one of the goals nearer.
 bool goes_on_beside(PathState& path, const std::vector<Landing>& goals) {
-  constexpr double far = 3, nearer = 0.01, nothing = 1e-6;
+  constexpr double far = 3, nearer = 0.01, nothing = 1e-4;
   PathMemory& memory = path.memory;
   double share = 0;
   for (const Landing& goal : goals) share = std::max(share, share_of_way(path, goal));
@@ -311,12 +325,13 @@ bool is_free_beyond(const PathState& path) {
 
 void note_mechanism(PathState& path, Point& point, const Departure& before) {
   const double load = path.load_of(path.walker.state());
+  if (path.walker.leaving().d.empty()) return;  // singular: the next step says so
   const double beside = way_beside_load(path, before.state, path.walker.state());
   path.memory.moves_beside_load = beside > 0;
   path.memory.beside_way += beside;
   const bool is_same_load = std::abs(load - path.load_of(before.state)) <= standing_load(path, load);
-  // Where a crack grows the load may stand at its peak, and what it does is spent.
-  const bool stands = stays(path, load, before.state) && !path.walker.leaving().dissipates,
+  const bool stands = stays(path, load, before.state) &&
+                      (!path.walker.leaving().dissipates || stays_on(path, load)),
              is_free = stands || (path.memory.moves_beside_load && is_same_load),
              is_drift = drifts(path, load);
   if (!is_free && !is_drift) return;

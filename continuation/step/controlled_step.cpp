@@ -152,7 +152,7 @@ std::optional<Point> end_of_control(PathState& path, const Stride& stride) {
   path.unsound = limit ? std::nullopt : refused;  // what is refused beyond the end is not why
   if (limit) return path.stop_early(limit->stop, limit->text);
   constexpr double hardly_any = 1e-3;
-  const double left = std::abs(path.load_of(path.walker.state())) / path.memory.peak_load;
+  const double left = path.share_of_peak();
   if (left < hardly_any && !bears_load(path))
     return path.end_with_structure(
         fmt::format("complete rupture: what is left is a mechanism ({:.1e} of the peak)", left));

@@ -96,7 +96,7 @@ std::optional<Point> reload_step(PathState& path) {
 
 std::optional<Point> end_without_equilibrium(PathState& path, Stop stop, const std::string& why) {
   constexpr double hardly_any = 0.01;
-  const double left = std::abs(path.load_of(path.walker.state())) / path.memory.peak_load;
+  const double left = path.share_of_peak();
   if (left < hardly_any && !bears_load(path))
     return path.end_with_structure(fmt::format("complete rupture: {:.1e} of the peak was left", left));
   return path.stop_early(stop, why);

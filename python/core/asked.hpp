@@ -2,6 +2,8 @@
 
 #include <pybind11/pybind11.h>
 
+#include <cmath>
+#include <type_traits>
 #include <utility>
 
 namespace dda::python {
@@ -24,14 +26,18 @@ class __attribute__((visibility("hidden"))) Asked {
     return value<Value>(object_.attr(method)(std::forward<Arguments>(arguments)...), method);
   }
   const pybind11::object& object() const { return object_; }
-  /// Throws pybind11::type_error that names the class and the method for a value of another type.
+  /// Throws pybind11::type_error that names the class and the method for a value of another type, and for nan.
   template <class Value>
   Value value(const pybind11::object& given, const char* method) const {
+    Value out;
     try {
-      return given.cast<Value>();
+      out = given.cast<Value>();
     } catch (const pybind11::cast_error&) {
       wrong_type(given, method);
     }
+    if constexpr (std::is_floating_point_v<Value>)
+      if (std::isnan(out)) wrong_type(given, method);
+    return out;
   }
   [[noreturn]] void wrong_type(const pybind11::handle& given, const char* method) const;
 

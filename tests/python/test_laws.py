@@ -1,5 +1,6 @@
 """Laws in Python: the curve of the built-in law that they repeat, what they raise, how they are registered."""
 
+import math
 import unittest
 from pathlib import Path
 
@@ -192,6 +193,17 @@ class Failing(unittest.TestCase):
 
         with self.assertRaisesRegex(TypeError, "Wordy.steepest gave 'steep'"):
             ddapath.follow(PLAIN, {"interfaces.any.law.type": "wordy"})
+
+    def test_a_value_that_is_no_number(self):
+        @ddapath.register_law("numberless")
+        class Numberless(Straight):
+            """Has a stress of nan."""
+
+            def value(self, omega):
+                return math.nan
+
+        with self.assertRaisesRegex(TypeError, "Numberless.value gave nan"):
+            list(ddapath.follow(PLAIN, {"interfaces.any.law.type": "numberless"}))
 
     def test_a_function_that_is_missing(self):
         @ddapath.register_law("half")
