@@ -170,15 +170,28 @@ class LeastEnergy {
 
 constexpr double freely = 1e-9;  // of E/(ρ h²): what nothing joins stays
 
+double farthest(const Poses& from, const Poses& to) {
+  double out = 0;
+  for (std::size_t b = 0; b < from.size(); ++b)
+    out = std::max(out, (centre_of(to[b]) - centre_of(from[b])).norm());
+  return out;
+}
+
 /// Blocks that were bent are not any more, and what bends are their joints. First what is stiff settles, as between the ends of
-/// blocks, by which the shape hardly changes; then all, where loads have not fallen and so hold an equilibrium.
+/// blocks, by which the shape hardly changes; then all, where loads have not fallen and so hold an equilibrium: it is as near as
+/// the path has gone.
 Poses lowered(const PathEnd& end, const Handover& from) {
   constexpr double stiff = 1e-3;
   Model model{from.scene, from.bonds};
+  model.bonds.insert(model.bonds.end(), from.touching.begin(), from.touching.end());
   model.scene.gravity.setZero();
+  Poses undeformed;
+  for (const MovingBody& body : model.scene.bodies) undeformed.push_back(body.undeformed());
   const double c = slowest(model.scene);
-  Poses out = LeastEnergy(model, stiff * c).from(from.poses);
-  return end.has_fallen ? out : LeastEnergy(model, freely * c).from(std::move(out));
+  const Poses settled = LeastEnergy(model, stiff * c).from(from.poses);
+  if (end.has_fallen) return settled;
+  Poses out = LeastEnergy(model, freely * c).from(settled);
+  return farthest(settled, out) <= farthest(undeformed, settled) ? out : settled;
 }
 
 }  // namespace

@@ -320,6 +320,14 @@ class ByInterface(Scratch):
         frequency = np.argmax(spectrum[1:]) + 1  # cycles in the time
         self.assertIn(frequency, (2, 3))  # 69 Hz of bodies of constant strain, 57 Hz of the beam: 2.4 and 2.0
 
+    def test_a_dry_wall_of_second_order_stays_where_friction_holds_it(self):
+        deck = pushed_wall(1, {"type": "friction", "friction_angle": 40}) | {"kinematics": {"type": "second_order", "regions": ["wall"]}}
+        deck["path"]["stop"] = {"load_factor_above": 0.1}
+        deck["motion"]["loads"] = "keep"
+        run = ddapath.run(deck, folder=self.folder)
+        self.assertEqual(run.summary["status"], "goal_reached", run.summary["reason"])
+        self.assertLess(run.motion.curve.x.abs().max(), 1e-3)
+
     def test_blocks_of_second_order_go_on_with_first(self):
         """What tears takes Gf times the ligament all the same; what the strain gradients held is told."""
         deck = ddapath.read_deck(Path(__file__).resolve().parents[2] / "studies" / "falling-beam" / "deck.yaml")
