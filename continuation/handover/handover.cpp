@@ -181,8 +181,16 @@ class Maker {
     if (parameters_.keeps_supports)
       for (const Spring& spring : pieces_.equilibrium().supports())
         if (!is_needless(spring)) out_.scene.springs.push_back(spring_of(spring));
-    for (const Spring& spring : pieces_.equilibrium().driven_springs())
-      out_.scene.springs.push_back(spring_of(spring));
+    for (std::size_t i = 0; i < pieces_.equilibrium().driven_springs().size(); ++i)
+      out_.scene.springs.push_back(driven_spring(i));
+  }
+
+  /// What is driven stays where the path has driven it, whatever becomes of forces.
+  MotionSpring driven_spring(std::size_t i) const {
+    MotionSpring out = spring_of(pieces_.equilibrium().driven_springs()[i]);
+    const Functional& force = pieces_.equilibrium().stages().back().driven[i].force;
+    out.length += (force.constant + end_.state.load_factor * force.per_load_factor) / out.stiffness;
+    return out;
   }
 
   /// Dead forces; what initial stress does among them is in blocks and joints, with which it turns.
@@ -194,8 +202,8 @@ class Maker {
     const double factor = load_factor() * (out_.is_pushed ? 1 + parameters_.push : 1);
     const Forces left = left_of_supports(factor);
     for (std::size_t b = 0; b < body_.assembly.num_blocks(); ++b) {
-      const Vec6 force = part(loading.dead, b) - part(dead, b) - part(left, b) +
-                         factor * (part(loading.reference, b) - part(reference, b));
+      const Vec6 force = part(loading.dead_work, b) - part(dead, b) - part(left, b) +
+                         factor * (part(loading.reference_work, b) - part(reference, b));
       out_.scene.forces.push_back(finite_row(force));
     }
   }

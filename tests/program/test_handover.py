@@ -320,6 +320,26 @@ class ByInterface(Scratch):
         frequency = np.argmax(spectrum[1:]) + 1  # cycles in the time
         self.assertIn(frequency, (2, 3))  # 69 Hz of bodies of constant strain, 57 Hz of the beam: 2.4 and 2.0
 
+    def test_what_is_driven_stays_where_it_was_driven(self):
+        """Stiff springs hold it there, and store what they bear, not what moving back would take."""
+        deck = pushed_wall(0.01, {"type": "friction", "friction_angle": 40}, points="vertices")
+        deck["stages"][1]["loads"] = [{"type": "prescribed_displacement", "at": [0, 1.2], "direction": [1, 0]}]
+        deck["motion"] |= {"loads": "keep", "time": 0.2}
+        run = ddapath.run(deck, folder=self.folder)
+        motion = run.motion.curve
+        self.assertLess(motion.stored_energy.max(), run.curve.stored_energy.iloc[-1])
+        self.assertLess(abs(motion.x - 0.01).max(), 1e-4)
+        self.assertLess(motion.kinetic_energy.max(), 1e-3)
+        self.assertEqual(self.refused(self.folder), [])
+
+    def test_a_run_that_overwrites_leaves_no_motion_behind(self):
+        deck = pushed_wall(0.002, {"type": "friction", "friction_angle": 40})
+        ddapath.run(deck, folder=self.folder)
+        self.assertTrue((self.folder / "motion").is_dir())
+        ddapath.run(deck, {"path.then": "end"}, folder=self.folder, overwrite=True)
+        self.assertFalse((self.folder / "motion").exists())
+        self.assertEqual(self.refused(self.folder), [])
+
     def test_a_dry_wall_of_second_order_stays_where_friction_holds_it(self):
         deck = pushed_wall(1, {"type": "friction", "friction_angle": 40}) | {"kinematics": {"type": "second_order", "regions": ["wall"]}}
         deck["path"]["stop"] = {"load_factor_above": 0.1}

@@ -100,19 +100,22 @@ std::shared_ptr<const FolderLock> lock_or_refuse(const fs::path& folder) {
 }
 
 bool is_run_file(const fs::path& file) {
-  static constexpr std::array names = {"deck.yaml",        "effective_deck.yaml",
-                                       "curve.csv",        "curve.units.json",
-                                       "curve.svg",        "deformed.svg",
-                                       "log.jsonl",        "run.xdmf",
-                                       "summary.json",     "restart.h5",
-                                       "overrides.txt",    "report.html",
-                                       "eigenvalues.svg",  "modes.svg",
-                                       "parameters.xml",   "nox.log",
-                                       "model.svg",        "deformed-sliding.svg",
-                                       "detail.svg",       "detail-sliding.svg",
-                                       "paraview_state.py"};
+  static constexpr std::array names = {"deck.yaml",         "effective_deck.yaml",
+                                       "curve.csv",         "curve.units.json",
+                                       "curve.svg",         "deformed.svg",
+                                       "log.jsonl",         "run.xdmf",
+                                       "summary.json",      "restart.h5",
+                                       "overrides.txt",     "report.html",
+                                       "eigenvalues.svg",   "modes.svg",
+                                       "parameters.xml",    "nox.log",
+                                       "model.svg",         "deformed-sliding.svg",
+                                       "detail.svg",        "detail-sliding.svg",
+                                       "paraview_state.py", "stiffness.txt",
+                                       "stiffness.json",    "motion.csv",
+                                       "motion.units.json"};
   const fs::path inner = file.parent_path().filename() / file.filename();
-  if (file.extension() == ".part" || inner == mesh_file || step_of(inner)) return true;
+  const bool is_of_motion = inner == "motion/end.svg" || inner == "motion/energies.svg";
+  if (file.extension() == ".part" || inner == mesh_file || step_of(inner) || is_of_motion) return true;
   for (const char* name : names) {
     if (file.filename() == name) return true;
   }
@@ -126,8 +129,8 @@ void remove_run_files(const fs::path& folder) {
     fs::remove(entry.path(), error);
     if (error) refuse(folder, fmt::format("cannot remove '{}': {}", entry.path().string(), error.message()));
   }
-  // The fields of an earlier run and the run of the branch that it left must not be taken for this one's.
-  for (const fs::path& part : {folder / fields_folder, folder / "primary"}) {
+  // The fields of an earlier run, its motion, and the run of the branch that it left must not be taken for this one's.
+  for (const fs::path& part : {folder / fields_folder, folder / "motion", folder / "primary"}) {
     if (!fs::is_directory(part, error)) continue;
     remove_run_files(part);
     fs::remove(part, error);  // stays when it holds anything else
