@@ -65,6 +65,9 @@ std::optional<Point> next_step(PathState& path) {
   if (auto point = reload_step(path)) return point;
   if (const auto obstacle = path.control->obstacle(path.walker.leaving()))
     return path.stop_early(obstacle->stop, obstacle->text);
+  // What slides beside its load does so whatever still softens.
+  if (path.walker.leaving().dissipates && path.control->may_be_rescued() && goes_beside_load(path))
+    return sliding_step(path);
   const Move move = cracking_move(path);
   const bool between_releases =
       path.releases_at_once && !path.walker.leaving().dissipates && std::isfinite(next_event(path.walker));

@@ -183,6 +183,19 @@ class FrictionLimits(ProgramCase):
                         self.assertLess(run.curve.top.abs().max(), 0.02)
                         self.assertEqual([finding.check for finding in verify(run.folder) if not finding.holds], [])
 
+    def test_what_has_softened_and_slid_and_is_lifted_slides_at_once(self):
+        for points in ("vertices", "gauss"):
+            for treatment in ("consistent", "penalty", "lagrange"):
+                with self.subTest(points=points, treatment=treatment):
+                    deck = slid([lift])
+                    deck["interfaces"]["foot"] |= {"points": points, "treatment": treatment, "law": {
+                        "type": "linear_softening", "tensile_strength": 1e4, "cohesion": 1e4, "fracture_energy": 2, "friction_angle": 15}}
+                    deck["path"] = {"stop": {"gauges": {"top": 0.5}}}
+                    run = self.run_(deck)
+                    self.assertEqual(run.summary["reason"], "top reached 0.5")
+                    self.assertLess(abs(run.curve.load.iloc[-1]), 0.01)  # of 8 kN
+                    self.assertLess(len(run.curve), 200)
+
     def test_loads_beyond_those_of_the_other_way_are_followed_in_few_steps(self):
         """Of 13 kN on the way up and thousands on the way down: steps are sized by both."""
         self.assertLess(self.run_(wedged()).summary["steps"], 400)
