@@ -26,7 +26,7 @@ class Halving {
     const double middle = (a + b) / 2;
     const Integrals left = lobatto(a, middle, f_), right = lobatto(middle, b, f_);
     const bool agree = depth >= least_ && (whole - left - right).cwiseAbs().maxCoeff() <= tolerance_;
-    if (agree || depth == deepest || ++halvings_ > most_halvings) return left + right;
+    if (depth == deepest || ++halvings_ > most_halvings || agree) return left + right;
     return of(a, middle, left, depth + 1) + of(middle, b, right, depth + 1);
   }
 
