@@ -14,7 +14,7 @@
 #include "models/material/material.hpp"
 #include "models/time_function/time_function.hpp"
 #include "models/treatment/treatment.hpp"
-#include "studies/dda/case/deck.hpp"
+#include "studies/dda/case/deck/deck.hpp"
 #include "support/structure.hpp"
 
 namespace dda {

@@ -8,7 +8,7 @@
 
 #include "continuation/path/path.hpp"
 #include "models/equilibrium/equilibrium.hpp"
-#include "studies/dda/case/deck.hpp"
+#include "studies/dda/case/deck/deck.hpp"
 
 namespace dda::verification {
 

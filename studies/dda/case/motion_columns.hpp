@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "framework/files/curve_table.hpp"
-#include "studies/dda/case/deck.hpp"
+#include "studies/dda/case/deck/deck.hpp"
 
 namespace dda::motion_column {
 

@@ -6,7 +6,7 @@
 #include "continuation/path/path.hpp"
 #include "framework/messages/timings.hpp"
 #include "meshing/quality.hpp"
-#include "studies/dda/case/deck.hpp"
+#include "studies/dda/case/deck/deck.hpp"
 
 namespace dda {
 

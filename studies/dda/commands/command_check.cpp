@@ -5,8 +5,8 @@
 
 #include "continuation/handover/regions.hpp"
 #include "models/equilibrium/loading.hpp"
+#include "studies/dda/case/deck/written_deck.hpp"
 #include "studies/dda/case/predicted_memory.hpp"
-#include "studies/dda/case/written_deck.hpp"
 #include "studies/dda/commands/commands.hpp"
 #include "studies/dda/figures/figure_file.hpp"
 #include "studies/dda/figures/model_picture.hpp"

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "framework/messages/colour.hpp"
-#include "studies/dda/case/deck_tree.hpp"
+#include "studies/dda/case/deck/deck_tree.hpp"
 #include "studies/dda/commands/commands.hpp"
 #include "studies/dda/run/motion_alone.hpp"
 #include "studies/dda/run/one_rank.hpp"

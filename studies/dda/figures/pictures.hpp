@@ -2,7 +2,7 @@
 
 #include "framework/figure/plot.hpp"
 #include "framework/files/run/run_folder.hpp"
-#include "studies/dda/case/deck.hpp"
+#include "studies/dda/case/deck/deck.hpp"
 #include "studies/dda/record/run_memory.hpp"
 #include "studies/dda/record/warnings/torn_pieces.hpp"
 

@@ -12,7 +12,7 @@
 #include "framework/base/threads.hpp"
 #include "framework/messages/provenance.hpp"
 #include "meshing/files/gmsh_model.hpp"
-#include "studies/dda/case/written_deck.hpp"
+#include "studies/dda/case/deck/written_deck.hpp"
 #include "studies/dda/shell/completion.hpp"
 #include "studies/dda/shell/manual.hpp"
 #include "studies/dda/sweep/processes/processes.hpp"

@@ -8,7 +8,7 @@
 #include "continuation/course/point.hpp"
 #include "framework/files/curve_table.hpp"
 #include "models/interface/law.hpp"
-#include "studies/dda/case/deck.hpp"
+#include "studies/dda/case/deck/deck.hpp"
 #include "studies/dda/record/column_names.hpp"
 
 namespace dda {

@@ -1,7 +1,7 @@
 #include "studies/dda/run/new_run.hpp"
 
 #include "framework/files/whole_file.hpp"
-#include "studies/dda/case/lists/parameter_list.hpp"
+#include "studies/dda/case/deck/lists/parameter_list.hpp"
 
 namespace dda {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "framework/files/run/run_folder.hpp"
-#include "studies/dda/case/deck.hpp"
+#include "studies/dda/case/deck/deck.hpp"
 #include "studies/dda/run/run.hpp"
 
 namespace dda {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "studies/dda/case/deck.hpp"
+#include "studies/dda/case/deck/deck.hpp"
 #include "studies/dda/run/recording/run_recorder.hpp"
 
 namespace dda {

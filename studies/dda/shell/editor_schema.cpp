@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "studies/dda/case/deck_tree.hpp"
-#include "studies/dda/case/written_deck.hpp"
+#include "studies/dda/case/deck/deck_tree.hpp"
+#include "studies/dda/case/deck/written_deck.hpp"
 #include "studies/dda/sweep/description/derived_columns.hpp"
 
 namespace dda {

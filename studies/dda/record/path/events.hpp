@@ -4,7 +4,7 @@
 #include <set>
 
 #include "continuation/path/path.hpp"
-#include "studies/dda/case/event_kind.hpp"
+#include "studies/dda/case/deck/event_kind.hpp"
 #include "studies/dda/record/measures.hpp"
 
 namespace dda {

@@ -4,7 +4,7 @@
 
 #include "continuation/course/point.hpp"
 #include "framework/files/run/restart_file.hpp"
-#include "studies/dda/case/deck.hpp"
+#include "studies/dda/case/deck/deck.hpp"
 
 namespace dda {
 

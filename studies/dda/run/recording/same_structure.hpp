@@ -6,7 +6,7 @@
 
 #include "framework/files/run/restart_file.hpp"
 #include "models/equilibrium/equilibrium.hpp"
-#include "studies/dda/case/deck.hpp"
+#include "studies/dda/case/deck/deck.hpp"
 
 namespace dda {
 

@@ -8,7 +8,7 @@
 
 #include "framework/deck/expression/expression.hpp"
 #include "framework/deck/writing/node_json.hpp"
-#include "studies/dda/case/deck.hpp"
+#include "studies/dda/case/deck/deck.hpp"
 
 namespace dda {
 

@@ -7,7 +7,7 @@
 
 #include "framework/deck/changes/settings.hpp"
 #include "framework/deck/dimension_of.hpp"
-#include "studies/dda/case/written_deck.hpp"
+#include "studies/dda/case/deck/written_deck.hpp"
 #include "studies/dda/sweep/description/sweep_decks.hpp"
 
 namespace dda {

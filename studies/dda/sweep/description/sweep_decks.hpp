@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "studies/dda/case/deck_tree.hpp"
+#include "studies/dda/case/deck/deck_tree.hpp"
 
 namespace dda {
 

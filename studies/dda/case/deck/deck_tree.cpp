@@ -1,4 +1,4 @@
-#include "studies/dda/case/deck_tree.hpp"
+#include "studies/dda/case/deck/deck_tree.hpp"
 
 #include "framework/deck/changes/extended.hpp"
 #include "framework/deck/changes/settings.hpp"

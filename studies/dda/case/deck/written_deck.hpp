@@ -1,7 +1,7 @@
 #pragma once
 
-#include "studies/dda/case/deck.hpp"
-#include "studies/dda/case/deck_tree.hpp"
+#include "studies/dda/case/deck/deck.hpp"
+#include "studies/dda/case/deck/deck_tree.hpp"
 
 namespace dda {
 

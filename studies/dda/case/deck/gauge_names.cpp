@@ -1,4 +1,4 @@
-#include "studies/dda/case/gauge_names.hpp"
+#include "studies/dda/case/deck/gauge_names.hpp"
 
 #include <fmt/format.h>
 

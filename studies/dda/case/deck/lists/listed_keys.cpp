@@ -1,4 +1,4 @@
-#include "studies/dda/case/lists/listed_keys.hpp"
+#include "studies/dda/case/deck/lists/listed_keys.hpp"
 
 #include <fmt/format.h>
 

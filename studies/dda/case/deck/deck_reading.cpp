@@ -6,9 +6,9 @@
 #include "framework/deck/expression/reading_scope.hpp"
 #include "framework/files/whole_file.hpp"
 #include "meshing/files/geo_constants.hpp"
-#include "studies/dda/case/gauge_names.hpp"
-#include "studies/dda/case/lists/parameter_list.hpp"
-#include "studies/dda/case/written_deck.hpp"
+#include "studies/dda/case/deck/gauge_names.hpp"
+#include "studies/dda/case/deck/lists/parameter_list.hpp"
+#include "studies/dda/case/deck/written_deck.hpp"
 
 namespace dda {
 namespace {

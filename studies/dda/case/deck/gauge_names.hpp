@@ -1,6 +1,6 @@
 #pragma once
 
-#include "studies/dda/case/deck.hpp"
+#include "studies/dda/case/deck/deck.hpp"
 
 namespace dda {
 

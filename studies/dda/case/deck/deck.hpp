@@ -11,8 +11,8 @@
 #include "framework/deck/units.hpp"
 #include "meshing/scene/scene.hpp"
 #include "models/parameters.hpp"
-#include "studies/dda/case/event_kind.hpp"
-#include "studies/dda/case/lists/listed_keys.hpp"
+#include "studies/dda/case/deck/event_kind.hpp"
+#include "studies/dda/case/deck/lists/listed_keys.hpp"
 
 namespace dda {
 

@@ -1,4 +1,4 @@
-#include "studies/dda/case/deck.hpp"
+#include "studies/dda/case/deck/deck.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include "framework/messages/provenance.hpp"
 #include "framework/plugin/plugin.hpp"
 #include "models/crack/kind.hpp"
-#include "studies/dda/case/written_deck.hpp"
+#include "studies/dda/case/deck/written_deck.hpp"
 
 namespace dda {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "framework/deck/document/node.hpp"
-#include "studies/dda/case/lists/listed_keys.hpp"
+#include "studies/dda/case/deck/lists/listed_keys.hpp"
 
 namespace dda {
 

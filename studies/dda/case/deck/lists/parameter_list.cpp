@@ -1,4 +1,4 @@
-#include "studies/dda/case/lists/parameter_list.hpp"
+#include "studies/dda/case/deck/lists/parameter_list.hpp"
 
 #include <fmt/format.h>
 
