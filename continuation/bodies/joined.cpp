@@ -24,12 +24,12 @@ void join_chains(const std::vector<std::uint32_t>& bodies, const Pairs& bonded, 
       if (chain[a] == chain[b]) joined.push_back(std::minmax(bodies[a], bodies[b]));
 }
 
-void sort(Pairs& pairs) {
+}  // namespace
+
+void put_in_order(Pairs& pairs) {
   std::ranges::sort(pairs);
   pairs.erase(std::ranges::unique(pairs).begin(), pairs.end());
 }
-
-}  // namespace
 
 MeetingSearch::Pair pair_of(const Bond& bond) {
   return std::minmax(static_cast<std::uint32_t>(bond.first), static_cast<std::uint32_t>(bond.second));
@@ -40,10 +40,10 @@ std::vector<MeetingSearch::Pair> joined_by(const std::vector<Bond>& bonds,
   Pairs bonded;
   for (const Bond& bond : bonds)
     if (bond.holds()) bonded.push_back(pair_of(bond));
-  sort(bonded);
+  put_in_order(bonded);
   Pairs out = bonded;
   for (const auto& bodies : around) join_chains(bodies, bonded, out);
-  sort(out);
+  put_in_order(out);
   return out;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -14,6 +15,14 @@ namespace dda {
 
 /// Where all bodies are.
 using Poses = std::vector<Pose>;
+
+/// The farthest that any centroid has moved [L].
+inline double farthest(const Poses& from, const Poses& to) {
+  double out = 0;
+  for (std::size_t b = 0; b < from.size(); ++b)
+    out = std::max(out, (centre_of(to[b]) - centre_of(from[b])).norm());
+  return out;
+}
 
 /// The six components of a body in a vector of forces.
 template <class Vector>

@@ -174,14 +174,20 @@ bool has_locked(const PathState& path, double load) {
          rate * moved > far * residual_power(path.walker.system().equilibrium(), leaving.opening);
 }
 
+/// Rate of the joint that moves fastest along a tangent.
+double fastest_rate(const Tangent& along) {
+  double out = 0;
+  for (const Vec2& rate : along.opening) out = std::max(out, rate.norm());
+  return out;
+}
+
 /// Whether a joint that is open closes within an amount of the leaving tangent.
 bool closes_within(const PathState& path, double amount) {
   constexpr double noticeable = 1e-6;
   const System& system = path.walker.system();
   const std::vector<Vec2>& rates = path.walker.leaving().opening;
   const std::vector<Vec2> opening = system.laws(path.walker.state()).opening;
-  double fastest = 0;
-  for (const Vec2& rate : rates) fastest = std::max(fastest, rate.norm());
+  const double fastest = fastest_rate(path.walker.leaving());
   for (std::size_t p = 0; p < opening.size(); ++p) {
     const InterfacePoint& point = system.equilibrium().point(p);
     const double closing = -rates[p].x();
@@ -250,8 +256,7 @@ bool goes_beside_load(const PathState& path) {
   const Tangent& leaving = path.walker.leaving();
   const System& system = path.walker.system();
   if (!system.has_contacts()) return false;
-  double fastest = 0;
-  for (const Vec2& rate : leaving.opening) fastest = std::max(fastest, rate.norm());
+  const double fastest = fastest_rate(leaving);
   return fastest > far * path.as_length(std::abs(path.displacement_rate(leaving))) &&
          std::abs(leaving.rate(path.load)) * fastest <=
              path.as_load(far * residual_power(system.equilibrium(), leaving.opening));
@@ -312,9 +317,8 @@ Move displacement_move(const PathState& path) {
 
 bool is_free_beyond(const PathState& path) {
   constexpr double far = 100, large = 0.01;  // the latter of the structure's size
-  double rate = std::abs(path.displacement_rate(path.walker.leaving())), fastest = 0;
-  const double way = way_of_mechanism(path);
-  for (const Vec2& opening : path.walker.leaving().opening) fastest = std::max(fastest, opening.norm());
+  double rate = std::abs(path.displacement_rate(path.walker.leaving()));
+  const double way = way_of_mechanism(path), fastest = fastest_rate(path.walker.leaving());
   if (rate < fastest / far) rate = fastest;
   if (rate == 0) return false;
   const double gone = path.memory.mechanism_way > 0 ? way / path.memory.mechanism_way : 0,

@@ -81,7 +81,8 @@ double slowest(const MovingScene& scene) {
   return out;
 }
 
-/// Newton's method for the least Π(y) + ½ c |y − y₀|²_M, with steps that are halved until it falls.
+/// Newton's method for the least Π(y) + ½ c |y − y₀|²_M, with steps that are halved until it falls. Nothing meets or rubs here,
+/// as in a step (StepMinimum), and where nothing acts there are no forces by which to say that it has been found.
 class LeastEnergy {
  public:
   LeastEnergy(const Model& model, double per_square_time)
@@ -169,13 +170,6 @@ class LeastEnergy {
 };
 
 constexpr double freely = 1e-9;  // of E/(ρ h²): what nothing joins stays
-
-double farthest(const Poses& from, const Poses& to) {
-  double out = 0;
-  for (std::size_t b = 0; b < from.size(); ++b)
-    out = std::max(out, (centre_of(to[b]) - centre_of(from[b])).norm());
-  return out;
-}
 
 /// Blocks that were bent are not any more, and what bends are their joints. First what is stiff settles, as between the ends of
 /// blocks, by which the shape hardly changes; then all, where loads have not fallen and so hold an equilibrium: it is as near as

@@ -101,8 +101,7 @@ SideEnds ends_of_sides(const Pieces& pieces, const Equilibrium& whole, const Han
       if (!holds && -opening > little * from.offset) out.overlapping.push_back(pair_of(bond));
     }
   }
-  std::ranges::sort(out.overlapping);
-  out.overlapping.erase(std::ranges::unique(out.overlapping).begin(), out.overlapping.end());
+  put_in_order(out.overlapping);
   for (Bond& bond : out.of_contacts)
     if (!std::ranges::binary_search(out.overlapping, pair_of(bond))) bond.multiplier.setZero();
   return out;

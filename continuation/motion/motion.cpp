@@ -40,8 +40,7 @@ Motion::Motion(const MovingScene& scene, std::vector<Bond> bonds, Poses poses, P
   m_.bonds.resize(bonds_.size());
   std::iota(m_.bonds.begin(), m_.bonds.end(), std::size_t{0});
   for (const Bond& bond : bonds_) m_.joined.push_back(pair_of(bond));
-  std::ranges::sort(m_.joined);
-  m_.joined.erase(std::ranges::unique(m_.joined).begin(), m_.joined.end());
+  put_in_order(m_.joined);
   search_ = std::make_unique<MeetingSearch>(scene_, m_.joined);
   release();
   begin_energies();

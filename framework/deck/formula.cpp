@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 
 #include "framework/deck/expression/reading_scope.hpp"
 #include "framework/deck/messages.hpp"
@@ -67,6 +68,16 @@ double Formula::value(std::span<const double> arguments) const {
   if (std::isfinite(value)) return value;
   throw InputError(where_, fmt::format("'{}' is no finite number at ({:.6g})", shortened(text_),
                                        fmt::join(arguments, ", ")));
+}
+
+bool Formula::is_plain() const {
+  static constexpr std::string_view plain = "0123456789.+-*/^()xy ";
+  if (text_.find_first_not_of(plain) != std::string::npos) return false;
+  for (std::size_t at = text_.find('/'); at != std::string::npos; at = text_.find('/', at + 1))
+    if (const std::size_t next = text_.find_first_not_of(' ', at + 1);
+        next == std::string::npos || text_[next] < '0' || text_[next] > '9')
+      return false;  // what divides by a place may be large next to one
+  return true;
 }
 
 double Formula::operator()(const Vec2& x) const { return value(std::array{x.x(), x.y()}); }

@@ -15,6 +15,8 @@ class Formula {
       : expression_(std::move(expression)), text_(std::move(text)), where_(std::move(where)) {}
 
   bool is_constant() const { return !expression_; }
+  /// Whether it is made of sums and products of numbers and places, in which nothing narrow hides.
+  bool is_plain() const;
   /// Throws InputError with the place or the time where it is no finite number.
   double operator()(const Vec2& x) const;
   double operator()(double time) const;
@@ -34,6 +36,7 @@ struct VectorFormula {
   Formula x, y;
 
   bool is_constant() const { return x.is_constant() && y.is_constant(); }
+  bool is_plain() const { return x.is_plain() && y.is_plain(); }
   Vec2 operator()(const Vec2& place) const { return {x(place), y(place)}; }
 };
 

@@ -1,4 +1,5 @@
 #include "framework/deck/formula.hpp"
+#include "meshing/geometry/triangle_rule.hpp"
 #include "models/body/chosen.hpp"
 #include "models/body/motion.hpp"
 #include "models/load/load.hpp"
@@ -42,8 +43,14 @@ class BodyForce final : public Load {
     const auto density = [&](const Vec2& x) -> Integrals {
       return gradient_motion(body, id, x).transpose() * p_.force(x);
     };
-    Eigen::Map<Vec6>(stage.force.data() + 6 * node->value()) +=
-        body.thickness * integral(body.block(id).outline, density);
+    const Block& block = body.block(id);
+    Integrals sum = Integrals::Zero();
+    if (p_.force.is_constant())  // G is quadratic in the place
+      for_each_quadrature_point(block.outline, block.moments.centroid,
+                                [&](double weight, const Vec2& x) { sum += weight * density(x); });
+    else
+      sum = integral(block.outline, density);
+    Eigen::Map<Vec6>(stage.force.data() + 6 * node->value()) += body.thickness * sum;
   }
   /// f += ∫ Jᵀ b dV over what a jump moves.
   void add_to_jumps(StageLoads& stage, const Body& body, BlockId id) const {

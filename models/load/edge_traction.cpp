@@ -47,12 +47,16 @@ class EdgeTraction final : public Load {
     }
     const double beyond = (std::sqrt(3.0) - 1) / 2;
     const Vec2 way = second.x - first.x;
-    const Integrals found = way.norm() * thickness * integral(-beyond, 1 + beyond, [&](double xi) {
-                              const Vec2 t = traction(first.x + xi * way, first.normal);
-                              Integrals out = Integrals::Zero();
-                              out << t, xi * t, 0, 0;
-                              return out;
-                            });
+    const Integrals found = way.norm() * thickness *
+                            integral(
+                                -beyond, 1 + beyond,
+                                [&](double xi) {
+                                  const Vec2 t = traction(first.x + xi * way, first.normal);
+                                  Integrals out = Integrals::Zero();
+                                  out << t, xi * t, 0, 0;
+                                  return out;
+                                },
+                                halvings_of_side(p_.traction.is_plain() && p_.pressure.is_plain()));
     const Vec2 force = found.head<2>(), moment = found.segment<2>(2);
     return {force - moment, moment};
   }

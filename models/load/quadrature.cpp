@@ -67,7 +67,6 @@ Integrals integral(double a, double b, const Function& f, int least_halvings) {
 }
 
 Integrals integral(const Polygon& polygon, const std::function<Integrals(const Vec2&)>& f) {
-  constexpr int least = 3;  // of the square of the points it takes
   std::vector<double> abscissae;
   for (const Vec2& vertex : polygon.vertices) abscissae.push_back(vertex.x());
   std::ranges::sort(abscissae);
@@ -77,14 +76,10 @@ Integrals integral(const Polygon& polygon, const std::function<Integrals(const V
     if (a == b) continue;
     const auto sides = sides_across(polygon, a, b);
     for (std::size_t s = 0; s + 1 < sides.size(); s += 2)
-      sum += integral(
-          a, b,
-          [&](double x) {
-            return integral(
-                height_of(sides[s], x), height_of(sides[s + 1], x), [&](double y) { return f(Vec2(x, y)); },
-                least);
-          },
-          least);
+      sum += integral(a, b, [&](double x) {
+        return integral(height_of(sides[s], x), height_of(sides[s + 1], x),
+                        [&](double y) { return f(Vec2(x, y)); });
+      });
   }
   return sum;
 }

@@ -35,8 +35,7 @@ FirstEquilibrium find_equilibrium(const MovingScene& scene, const std::vector<Bo
       .poses = poses, .contacts = {}, .iterations = found.iterations, .failure = found.failure};
   if (!found.converged()) return out;
   out.poses = found.poses;
-  for (std::size_t b = 0; b < poses.size(); ++b)
-    out.moved = std::max(out.moved, (centre_of(out.poses[b]) - centre_of(poses[b])).norm());
+  out.moved = farthest(poses, out.poses);
   out.contacts = std::move(found.contacts);
   const double after = potential.stored(out.poses).sum();
   out.released = before + work_of_loads(scene, poses, out.poses) - after;

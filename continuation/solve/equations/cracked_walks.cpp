@@ -13,8 +13,13 @@ Verdict CrackedEquations::judge_walks(int iterations) {
   const double error = error_of_walks();
   constexpr int most_rises = 5;
   constexpr double hardly = 1e-8;  // what rounding leaves the full equations judge
-  if (iterations > 1 && error > 0.5 * error_before_ && ++rises_ > most_rises) {
-    if (error <= hardly * opening_scale()) return {converged};
+  const bool stays = iterations > 1 && error > 0.5 * error_before_,
+             is_hardly_any = error <= hardly * opening_scale();
+  const bool is_of_control = gap().lpNorm<Eigen::Infinity>() <= largest_miss(rule_.accuracy);
+  if (stays && is_hardly_any && is_of_control)
+    return {converged};  // no smaller residual stiffness brings that nearer
+  if (stays && ++rises_ > most_rises) {
+    if (is_hardly_any) return {converged};
     return {failed, "walks between the pieces of contact and friction lead no nearer"};
   }
   error_before_ = error;

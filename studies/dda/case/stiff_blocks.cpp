@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 namespace dda {
@@ -17,7 +18,9 @@ struct Blocks {
 }  // namespace
 
 std::vector<std::string> stiff_blocks(const Body& body) {
-  constexpr double nearly = 0.45, all_but = 0.495;
+  static constexpr double nearly = 0.45, all_but = 0.495;
+  const auto is_stiff = [](const auto& material) { return material->held_contraction() > nearly; };
+  if (std::ranges::none_of(body.materials, is_stiff)) return {};
   std::map<std::string, Blocks> found;
   for (std::size_t b = 0; b < body.assembly.num_blocks(); ++b) {
     const Block& block = body.block(BlockId{b});

@@ -156,6 +156,18 @@ TEST(Quadrature, ExactOnPolygonsThatAreNotConvex) {
   EXPECT_NEAR(integral(corner, f)[3], 1 / 3.0 * 9 / 2 + (27 - 1) / 3.0 / 2, 1e-12);
 }
 
+TEST(Quadrature, FindsWhatIsNarrow) {
+  const auto strip = [](double t) -> Integrals { return Integrals::Constant(std::abs(t - 0.613) < 0.01); };
+  EXPECT_NEAR(integral(0, 1, strip, halvings_of_side(false))[0], 0.02, 1e-10);
+}
+
+TEST(Quadrature, KnowsWhatNothingNarrowHidesIn) {
+  const auto is_plain = [](const std::string& text) { return Formula(nullptr, text, {}).is_plain(); };
+  for (const char* text : {"2*x + y/3", "-(x^2)*1.5", "9810*(40 - y)"}) EXPECT_TRUE(is_plain(text)) << text;
+  for (const char* text : {"1/x", "max(0, y)", "x < 1 ? 1 : 0", "exp(-x)", "y / (x + 1)"})
+    EXPECT_FALSE(is_plain(text)) << text;
+}
+
 TEST(Quadrature, ComesToAnEndWhateverItIsAsked) {
   int asked = 0;
   integral(0, 1, [&](double t) -> Integrals {
