@@ -33,6 +33,10 @@ std::string name_of(const Layout& layout, const Shape& shape) {
   return "region '" + layout.regions[static_cast<std::size_t>(shape.region)].name + "'";
 }
 
+void rotate(Polygon& polygon, const Eigen::Matrix2d& turn) {
+  for (Vec2& x : polygon.vertices) x = turn * x;
+}
+
 }  // namespace
 
 Cells with_deck_lines(Cells cells, const Layout& layout) {
@@ -54,6 +58,23 @@ double scene_size(const Layout& layout) {
   for (const Shape& shape : layout.shapes)
     for (const Vec2& x : shape.figure.outline.vertices) box.include(x);
   return box.size();
+}
+
+TurnedLayout::TurnedLayout(const Layout& layout)
+    : inner(layout), outer_(layout), axes_(axes_along(layout.shapes.front().figure.outline)) {
+  const Eigen::Matrix2d turn = axes_.transpose();
+  for (Shape& shape : inner.shapes) {
+    rotate(shape.figure.outline, turn);
+    for (Polygon& hole : shape.figure.holes) rotate(hole, turn);
+  }
+  for (NamedLine& line : inner.lines)
+    for (Vec2& x : line.points) x = turn * x;
+}
+
+Cells TurnedLayout::back(Cells cells) const {
+  for (Cell& cell : cells.cells) rotate(cell.outline, axes_);
+  cells.lines = outer_.lines;
+  return cells;
 }
 
 std::vector<std::pair<std::size_t, std::size_t>> overlapping(const std::vector<Polygon>& outlines) {

@@ -61,6 +61,19 @@ Cell uncut(const Shape& shape, const Layout& layout);
 /// Length by which tolerances are measured: the larger extent of all shapes [L].
 double scene_size(const Layout& layout);
 
+/// The layout in the axes of its first shape's first side, and cells in those of the plane again, with the layout's own
+/// lines: what is divided there is the same blocks however the structure is turned.
+struct TurnedLayout {
+  explicit TurnedLayout(const Layout& layout);
+  Cells back(Cells cells) const;
+
+  Layout inner;
+
+ private:
+  const Layout& outer_;
+  Eigen::Matrix2d axes_;
+};
+
 /// Pairs of cells that share more than 1e-6 of the smaller one's area.
 std::vector<std::pair<std::size_t, std::size_t>> overlapping(const std::vector<Polygon>& outlines);
 

@@ -105,10 +105,14 @@ ImpactContact contact_of(const MovingScene& scene, const Impact& impact, const M
   out.friction = scene.meeting.friction ? scene.meeting.friction(i, j) : 0;
   out.given = impact.span * response_of(scene.meeting, meeting).force;
   out.sliding = out.tangent.speed(impact.at, impact.velocity);
-  const double approach = -out.normal.speed(impact.at, impact.approach),
-               now = out.normal.speed(impact.at, impact.velocity);
-  const double share = scene.meeting.restitution ? scene.meeting.restitution(i, j) : 0;
-  const bool begins = approach > impact.slow;
+  const double share = scene.meeting.restitution ? scene.meeting.restitution(i, j) : 0,
+               pull = out.normal.speed(impact.at, impact.pull), way = out.normal.speed(impact.at, impact.way),
+               first = out.normal.speed(impact.at, impact.approach) + impact.behind * pull,
+               approach = first < 0 ? std::sqrt(std::max(0.0, first * first + 2 * pull * way)) : 0,
+               now = out.normal.speed(impact.at, impact.velocity) + (share > 0 ? impact.behind * pull : 0);
+  // Of two corners that come to touch at once rounding may let one touch a step before: an impact begins where force is borne.
+  const bool begins =
+      approach > impact.slow && out.given * out.normal.compliance() > hardly * hardly * approach;
   const double under_way = impact.contacts.of(meeting.key).approach;
   out.approach = std::max(begins ? approach : 0.0, under_way);
   out.most = out.approach > 0 ? share * out.approach - now : inf;

@@ -30,6 +30,9 @@ struct Impact {
   const Poses& at;                       ///< where all are then
   const Poses& approach;                 ///< ẏ with which they have flown towards each other
   const Poses& velocity;                 ///< ẏ that the step has left
+  const Poses& pull;                     ///< ÿ by the loads
+  const Poses& way;                      ///< that the step has led
+  double behind = 0;                     ///< time by which ẏ, a mean, is behind [T]
   double slow = 0;                       ///< approaches up to this are none [L/T]
   double span = 0;                       ///< over which the forces at its end have acted [T]
   const RigidGroups& groups;             ///< at its end
@@ -44,7 +47,11 @@ struct Rebound {
 };
 
 /// Impulses along the normals after which bodies part with e times the speed at which they have met, none being pushed into
-/// another: projected Gauss-Seidel on rigid motions of what joints hold together.
+/// another: projected Gauss-Seidel on rigid motions of what joints hold together. They meet where the step has led them, with
+///
+///     v² = v₀² + 2 a s        v₀ at its beginning, a by the loads, s the way of the contact along its normal
+///
+/// whenever within the step that was, so that what bounces loses no height by the length of steps.
 ///
 /// The step at whose end a contact has been approached gives what is missing of that speed, λ ≥ 0, with friction |λ_t| ≤ μ λ; so
 /// do those after it, of an impact that takes several, as long as the energy that it has taken has not sufficed.

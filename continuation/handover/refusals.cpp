@@ -42,8 +42,13 @@ void check_names(const Body& body, const MotionParameters& parameters, Findings&
     check.regions(parameters.held.where[i], "motion.held", {parameters.held.names[i]});
   for (const DriveParameters& drive : parameters.driven)
     check.regions(drive.where, "motion.driven", drive.regions);
+  std::set<std::size_t> given;
   for (const VelocityParameters& thrown : parameters.velocities) {
     check.regions(thrown.where, "motion.velocities", thrown.regions);
+    for (std::size_t r = 0; r < body.assembly.regions.size(); ++r)
+      if (is_named(thrown.regions, body, static_cast<int>(r)) && !given.insert(r).second)
+        findings.add(thrown.where, "motion.velocities: region '" + body.assembly.regions[r].name +
+                                       "' has a velocity by another entry; give it one");
     for (std::size_t r = 0; r < body.assembly.regions.size(); ++r)
       if (const int region = static_cast<int>(r);
           is_named(thrown.regions, body, region) && is_held(body, parameters, region))

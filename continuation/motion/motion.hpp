@@ -105,6 +105,8 @@ class Motion {
   StoredEnergies stored(const std::vector<BodyCourse>& at) const;
   bool creates_energy(const Try& tried) const;
   bool crack(const MotionStep& step);
+  struct Encounter;
+  Encounter encounter(const Try& step) const;
   void bounce(Try& step);
   static void hold(Try& step, double energy);
   void calm(Try& step, const std::vector<std::size_t>& hit, const RigidGroups& groups) const;

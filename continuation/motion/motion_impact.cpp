@@ -15,27 +15,45 @@ std::vector<MeetingSearch::Pair> Motion::held_together() const {
   return out;
 }
 
+/// How bodies fly and are led in a step.
+struct Motion::Encounter {
+  Poses approach, velocity, pull, way;
+};
+
+Motion::Encounter Motion::encounter(const Try& step) const {
+  const std::vector<AsOne> pulled = as_one(step);
+  Encounter out;
+  out.pull.assign(now_.size(), Pose::Zero());
+  for (std::size_t b = 0; b < now_.size(); ++b) {
+    if (!scene_.bodies[b].is_held) out.pull[b].head<2>() = pulled[b].pull;
+    out.approach.push_back((step.inertia.flight[b] - now_[b]) / m_.dt.now);
+    out.velocity.push_back(step.courses[b].velocity);
+    out.way.push_back(step.found.poses[b] - now_[b]);
+  }
+  return out;
+}
+
 /// What impacts give back, as far as they have taken it, and what they take away.
 void Motion::bounce(Try& step) {
   if (!course_.integrator->has_inertia() || course_.integrator->open_close()) return;
   const std::vector<Meeting> meetings = potential_->meetings(step.found.poses);
   if (meetings.empty() && m_.owed.empty()) return hold(step, 0);
   constexpr double steps = 3;  // of falling, whose speed is that of contacts which stay
-  Poses approach, velocity;
-  for (std::size_t b = 0; b < now_.size(); ++b) {
-    approach.push_back((step.inertia.flight[b] - now_[b]) / m_.dt.now);
-    velocity.push_back(step.courses[b].velocity);
-  }
+  const Encounter met = encounter(step);
   const RigidGroups groups(scene_, held_together(), step.found.poses);
-  const Rebound back = rebound(scene_, {.meetings = meetings,
-                                        .contacts = m_.sliders,
-                                        .at = step.found.poses,
-                                        .approach = approach,
-                                        .velocity = velocity,
-                                        .slow = steps * pull_ * m_.dt.now,
-                                        .span = 1 / (m_.dt.now * step.inertia.per_square_time),
-                                        .groups = groups,
-                                        .is_owed = !m_.owed.empty()});
+  const Rebound back =
+      rebound(scene_, {.meetings = meetings,
+                       .contacts = m_.sliders,
+                       .at = step.found.poses,
+                       .approach = met.approach,
+                       .velocity = met.velocity,
+                       .pull = met.pull,
+                       .way = met.way,
+                       .behind = course_.integrator->has_mean_velocities() ? m_.dt.now / 2 : 0,
+                       .slow = steps * pull_ * m_.dt.now,
+                       .span = 1 / (m_.dt.now * step.inertia.per_square_time),
+                       .groups = groups,
+                       .is_owed = !m_.owed.empty()});
   std::vector<std::size_t> hit;
   for (std::size_t i = 0; i < meetings.size(); ++i) {
     SliderMemory::Kept kept = step.found.contacts.of(meetings[i].key);

@@ -4,6 +4,7 @@
 
 #include "continuation/follow/judge.hpp"
 #include "continuation/follow/landings.hpp"
+#include "continuation/follow/mechanism.hpp"
 #include "continuation/follow/pace.hpp"
 #include "continuation/follow/trial.hpp"
 #include "continuation/step/rung/rungs.hpp"
@@ -81,7 +82,8 @@ std::optional<Point> slide_beside_load(PathState& path) {
   for (const Vec2& part : {Vec2(0, rate.y()), Vec2(rate.x(), 0)}) {
     if (part.isZero()) continue;
     const Move move = opening_move(path.walker, change->point, part);
-    if (const auto candidate = try_step(path, move, change->amount + little * path.size / move.rate))
+    const auto candidate = try_step(path, move, change->amount + little * path.size / move.rate);
+    if (candidate && way_beside_load(path, path.walker.state(), candidate->state) > 0)
       return keep(path, *candidate, move.kind);
   }
   return {};

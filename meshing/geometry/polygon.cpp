@@ -188,6 +188,13 @@ Polygon left_part(const Polygon& convex, const Vec2& a, const Vec2& b) {
   return result;
 }
 
+Eigen::Matrix2d axes_along(const Polygon& polygon) {
+  const Vec2 along = (polygon.at(1) - polygon.at(0)).normalized();
+  Eigen::Matrix2d axes;
+  axes << along, Vec2(-along.y(), along.x());
+  return axes;
+}
+
 double convex_overlap(const Polygon& a, const Polygon& b) {
   Polygon rest = a;
   for (std::size_t i = 0; i < b.size() && rest.size() > 2; ++i) rest = left_part(rest, b.at(i), b.at(i + 1));

@@ -76,6 +76,9 @@ bool contains(const Polygon& polygon, const Vec2& x, double tolerance);
 /// What keeps the outline from being that of a simple polygon ("crosses itself near (1, 2)"), or nothing.
 std::optional<std::string> defect(const Polygon& polygon);
 
+/// Unit vectors along the polygon's first side and square to it, as columns.
+Eigen::Matrix2d axes_along(const Polygon& polygon);
+
 /// Area common to two convex polygons [L²].
 double convex_overlap(const Polygon& a, const Polygon& b);
 

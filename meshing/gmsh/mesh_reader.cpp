@@ -96,9 +96,10 @@ Polygon walk(const std::vector<MeshEdge>& edges, const EdgesAtNode& at, std::vec
 
 }  // namespace
 
-NodePlaces mesh_nodes(const Position& where) {
+NodePlaces mesh_nodes(const Frame& frame, const Position& where) {
   NodePlaces places = nodes_of(-1, -1);
   require_plane(places, where);
+  for (auto& [tag, x] : places) x.head<2>() = frame.outer(Vec2(x.head<2>()));
   return places;
 }
 

@@ -6,6 +6,7 @@
 
 #include "framework/base/errors.hpp"
 #include "meshing/geometry/polygon.hpp"
+#include "meshing/gmsh/frame.hpp"
 
 namespace dda {
 
@@ -15,11 +16,11 @@ struct MeshEdge {
   Vec2 start, end;
 };
 
-/// Node number → place in space.
+/// Node number → place in space, of the layout.
 using NodePlaces = std::unordered_map<std::size_t, Eigen::Vector3d>;
 
 /// All nodes of the current gmsh model. Throws InputError at `where` for nodes off the plane z = 0.
-NodePlaces mesh_nodes(const Position& where);
+NodePlaces mesh_nodes(const Frame& frame, const Position& where);
 
 /// Triangles and quadrilaterals of a surface of the current gmsh model, counter-clockwise.
 /// Throws InputError at `where` for elements of higher order.

@@ -44,12 +44,6 @@ std::vector<std::string> arguments_for(const GmshParameters& parameters) {
   return arguments;
 }
 
-std::string centre_of(int dimension, int tag) {
-  double x0, y0, z0, x1, y1, z1;
-  gmsh::model::getBoundingBox(dimension, tag, x0, y0, z0, x1, y1, z1);
-  return fmt::format("{} (centre {:.6g}, {:.6g})", entity_text(dimension, tag), (x0 + x1) / 2, (y0 + y1) / 2);
-}
-
 }  // namespace
 
 GmshSession::GmshSession(const std::vector<std::string>& arguments, Position where)
@@ -96,6 +90,13 @@ std::shared_ptr<const GmshModel> GmshSession::from_msh(const std::string& file, 
   return model;
 }
 
+std::string GmshSession::centre_of(int dimension, int tag) const {
+  double x0, y0, z0, x1, y1, z1;
+  gmsh::model::getBoundingBox(dimension, tag, x0, y0, z0, x1, y1, z1);
+  const Vec2 x = frame_.outer(Vec2{(x0 + x1) / 2, (y0 + y1) / 2});
+  return fmt::format("{} (centre {:.6g}, {:.6g})", entity_text(dimension, tag), x.x(), x.y());
+}
+
 void GmshSession::read_groups() {
   gmsh::vectorpair tagged, entities;
   gmsh::model::getPhysicalGroups(tagged);
@@ -109,11 +110,12 @@ void GmshSession::read_groups() {
   std::vector<int> surfaces;
   gmsh::model::getEntities(entities, 2);
   for (const auto& [dimension, tag] : entities) surfaces.push_back(tag);
-  require_sound(groups_, surfaces, centre_of, where_);
+  require_sound(
+      groups_, surfaces, [this](int dimension, int tag) { return centre_of(dimension, tag); }, where_);
 }
 
 std::vector<Cell> GmshSession::elements() const {
-  const NodePlaces places = mesh_nodes(where_);
+  const NodePlaces places = mesh_nodes(frame_, where_);
   std::vector<Cell> cells;
   int region = 0;
   for (const PhysicalGroup& group : groups_) {
@@ -129,7 +131,7 @@ std::vector<Cell> GmshSession::elements() const {
 }
 
 std::vector<NamedLine> GmshSession::line_pieces() const {
-  const NodePlaces places = mesh_nodes(where_);
+  const NodePlaces places = mesh_nodes(frame_, where_);
   std::vector<NamedLine> lines;
   for (const PhysicalGroup& group : groups_) {
     if (group.dimension != 1) continue;
@@ -149,7 +151,7 @@ std::map<std::string, Vec2> GmshSession::named_points() const {
 }
 
 std::vector<Shape> GmshSession::shapes() const {
-  const NodePlaces places = mesh_nodes(where_);
+  const NodePlaces places = mesh_nodes(frame_, where_);
   std::vector<Shape> shapes;
   int region = 0;
   for (const PhysicalGroup& group : groups_) {
@@ -201,7 +203,7 @@ Cells GmshSession::mesh(const ElementWish& wish) const {
 }
 
 std::optional<Vec2> GmshSession::fold_of_surfaces() const {
-  const NodePlaces places = mesh_nodes(where_);
+  const NodePlaces places = mesh_nodes(frame_, where_);
   for (const PhysicalGroup& group : groups_) {
     if (group.dimension != 2) continue;
     for (const int surface : group.entities)
@@ -214,8 +216,8 @@ void GmshSession::apply(const ElementWish& wish) const {
   gmsh::option::setNumber("Mesh.ElementOrder", 1);
   if (wish.size > 0) {
     gmsh::option::setNumber("Mesh.MeshSizeFromPoints", 0);
-    gmsh::option::setNumber("Mesh.MeshSizeMax", wish.size);
-    if (!wish.refine) gmsh::option::setNumber("Mesh.MeshSizeMin", wish.size);
+    gmsh::option::setNumber("Mesh.MeshSizeMax", frame_.inner(wish.size));
+    if (!wish.refine) gmsh::option::setNumber("Mesh.MeshSizeMin", frame_.inner(wish.size));
   }
   if (wish.refine) refine(wish);
   if (!wish.quads) return;
@@ -237,18 +239,20 @@ void GmshSession::refine(const ElementWish& wish) const {
   gmsh::model::mesh::field::setNumbers(near, "CurvesList", curves);
   gmsh::model::mesh::field::setNumber(near, "NumPointsPerCurve", 200);
   gmsh::model::mesh::field::setNumber(size, "InField", near);
-  gmsh::model::mesh::field::setNumber(size, "SizeMin", wish.refine->size);
-  gmsh::model::mesh::field::setNumber(size, "SizeMax", wish.size);
+  gmsh::model::mesh::field::setNumber(size, "SizeMin", frame_.inner(wish.refine->size));
+  gmsh::model::mesh::field::setNumber(size, "SizeMax", frame_.inner(wish.size));
   gmsh::model::mesh::field::setNumber(size, "DistMin", 0);
-  gmsh::model::mesh::field::setNumber(size, "DistMax", (wish.size - wish.refine->size) / wish.refine->growth);
+  gmsh::model::mesh::field::setNumber(size, "DistMax",
+                                      frame_.inner((wish.size - wish.refine->size) / wish.refine->growth));
   gmsh::model::mesh::field::setAsBackgroundMesh(size);
   gmsh::option::setNumber("Mesh.MeshSizeExtendFromBoundary", 0);
 }
 
 std::shared_ptr<const GmshModel> GmshSession::from_layout(const Layout& layout) {
   std::shared_ptr<GmshSession> model(new GmshSession(arguments_for({}), layout.where));
+  model->frame_ = Frame(layout);
   try {
-    draw(layout);
+    draw(layout, model->frame_);
   } catch (const std::string& message) {
     throw translated(message, layout.where);
   }

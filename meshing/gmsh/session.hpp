@@ -2,6 +2,7 @@
 
 #include "meshing/files/gmsh_model.hpp"
 #include "meshing/files/physical_groups.hpp"
+#include "meshing/gmsh/frame.hpp"
 
 namespace dda {
 
@@ -21,6 +22,7 @@ class GmshSession final : public GmshModel {
   GmshSession(const std::vector<std::string>& arguments, Position where);
   void open(const std::string& file);
   void read_groups();
+  std::string centre_of(int dimension, int tag) const;
   void apply(const ElementWish& wish) const;
   std::optional<Vec2> fold_of_surfaces() const;
   void refine(const ElementWish& wish) const;
@@ -30,6 +32,7 @@ class GmshSession final : public GmshModel {
   std::vector<Shape> shapes() const;
 
   Position where_;
+  Frame frame_;          // of what was drawn; a file has its own
   bool meshed_ = false;  // the file holds the mesh itself
   std::vector<PhysicalGroup> groups_;
 };

@@ -45,15 +45,16 @@ Cells Voronoi::divide(const Layout& layout) const {
   require_room(
       parameters_.blocks ? static_cast<double>(*parameters_.blocks) : area_of(layout) / (size * size),
       parameters_.where);
-  const std::vector<LayoutPart> parts = parts_of(layout);
+  const TurnedLayout turned(layout);
+  const std::vector<LayoutPart> parts = parts_of(turned.inner);
   const std::vector<std::size_t> blocks = counts(parts);
-  return cells_of_parts(layout, parts, [&](std::size_t i) {
+  return turned.back(cells_of_parts(turned.inner, parts, [&](std::size_t i) {
     // Parts of equal form must not get equal sites: each draws from its own seed.
     const VoronoiWish wish{blocks[i],
                            static_cast<std::uint64_t>(parameters_.seed) + 0x9e3779b97f4a7c15ULL * i,
                            static_cast<int>(parameters_.iterations)};
     return centroidal_voronoi(parts[i].figure, wish);
-  });
+  }));
 }
 
 Schema<VoronoiParameters> schema() {

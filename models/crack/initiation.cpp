@@ -11,7 +11,8 @@
 namespace dda {
 namespace {
 
-constexpr double fit_reach = 3;  // of the fit, in block sizes
+constexpr double fit_reach = 3;        // of the fit, in block sizes
+constexpr double corner_reach = 0.25;  // before a corner, where its tension is asked for, in block sizes
 constexpr double leaves_at_least = 45 * std::numbers::pi / 180, same_way = 30 * std::numbers::pi / 180;
 
 using Strengths = std::map<int, LocalStrength>;  // by region
@@ -31,6 +32,7 @@ struct CrackSite {
   Vec2 x, inward;
   BlockId block;
   std::optional<Edge> edge = {};  ///< none of a re-entrant corner
+  double singularity = 0;         ///< e of a corner, stress ∝ r⁻ᵉ
 };
 
 /// σ and dσ/dλ at a point.
@@ -57,6 +59,18 @@ std::vector<Edge> edges_of(const Body& body, const Strengths& strength) {
   return out;
 }
 
+/// e of the stress r⁻ᵉ that opens a re-entrant corner of angle ω within the body: sin((1 − e) ω) + (1 − e) sin ω = 0 (Williams
+/// 1952), 0 of a straight edge to ½ of a slit.
+double singularity_of(double angle) {
+  const auto is_below = [&](double e) { return std::sin((1 - e) * angle) + (1 - e) * std::sin(angle) < 0; };
+  double low = 0, high = 0.5;
+  while (high - low > 1e-6) {
+    const double middle = (low + high) / 2;
+    (is_below(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
 /// Where the boundary turns away from the body by more than a hole's outline does, such as the tip of a slit.
 std::vector<CrackSite> corners_of(const Body& body, const Strengths& strength, double tolerance) {
   constexpr double cosine = 0.866;  // 30°
@@ -67,7 +81,11 @@ std::vector<CrackSite> corners_of(const Body& body, const Strengths& strength, d
       if ((from.start - to.end).norm() > tolerance) continue;
       const Vec2 a = (to.end - to.start).normalized(), b = (from.end - from.start).normalized();
       constexpr double back = 1e-6;  // of the tip of a slit, which turns by 180° to either side
-      if (a.dot(b) < cosine && cross(a, b) < back) out.push_back({to.end, (a - b).normalized(), to.block});
+      if (a.dot(b) < cosine && cross(a, b) < back) {
+        const double turned = std::acos(std::clamp(a.dot(b), -1.0, 1.0));
+        out.push_back(
+            {to.end, (a - b).normalized(), to.block, {}, singularity_of(std::numbers::pi + turned)});
+      }
     }
   }
   return out;
@@ -117,39 +135,74 @@ class Recovery {
   Recovery(const Body& body, const BlockStress& stress, double radius, double tolerance)
       : body_(body), stress_(stress), radius_(radius), tolerance_(tolerance) {}
 
-  Recovered at(const CrackSite& place) const {
-    std::vector<const BoundarySide*> near;
+  Recovered at(const CrackSite& place) const { return recovered(fitted(place)); }
+
+  /// Before a corner, where stress has no bound.
+  Recovered before(const CrackSite& corner) const { return recovered(at_corner(corner)); }
+
+ private:
+  using Stresses = Eigen::Matrix<double, 1, 6>;  ///< dead, and for a unit of λ
+  /// A block that a straight line from the place leads to.
+  struct Seen {
+    Vec2 away;  ///< in radii
+    Stresses stresses;
+  };
+
+  std::vector<Seen> seen_from(const CrackSite& place) const {
+    std::vector<const BoundarySide*> close;
     for (const BoundarySide& side : body_.assembly.boundary)
-      if (distance(place.x, side.start, side.end) <= radius_) near.push_back(&side);
-    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-    Eigen::Matrix<double, 3, 6> right = Eigen::Matrix<double, 3, 6>::Zero();
+      if (distance(place.x, side.start, side.end) <= radius_) close.push_back(&side);
+    std::vector<Seen> out;
     for (std::size_t b = 0; b < body_.assembly.num_blocks(); ++b) {
       const Block& block = body_.assembly.blocks[b];
       const Vec2 away = (block.moments.centroid - place.x) / radius_;
       if (block.region != body_.block(place.block).region || away.squaredNorm() > 1) continue;
-      if (!sees(place, block.moments.centroid, near)) continue;
-      const Eigen::Vector3d basis(1, away.x(), away.y());
-      normal += basis * basis.transpose();
-      Eigen::Matrix<double, 1, 6> both;
+      if (!sees(place, block.moments.centroid, close)) continue;
+      Stresses both;
       both << stress_.dead[b].transpose(), stress_.live[b].transpose();
-      right += basis * both;
+      out.push_back({away, both});
     }
-    const Eigen::Matrix<double, 1, 6> s = value(normal, right);
+    return out;
+  }
+
+  static Recovered recovered(const Stresses& s) {
     return {tensor(s[0], s[1], s[2]), tensor(s[3], s[4], s[5])};
   }
 
- private:
+  Stresses fitted(const CrackSite& place) const {
+    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+    Eigen::Matrix<double, 3, 6> right = Eigen::Matrix<double, 3, 6>::Zero();
+    for (const Seen& seen : seen_from(place)) {
+      const Eigen::Vector3d basis(1, seen.away.x(), seen.away.y());
+      normal += basis * basis.transpose();
+      right += basis * seen.stresses;
+    }
+    return value(normal, right);
+  }
+
+  /// σ = s (ρ/r)ᵉ fitted likewise: s.
+  Stresses at_corner(const CrackSite& place) const {
+    constexpr double least = corner_reach / fit_reach;
+    double normal = 0;
+    Stresses right = Stresses::Zero();
+    for (const Seen& seen : seen_from(place)) {
+      const double basis = std::pow(least / std::max(seen.away.norm(), least), place.singularity);
+      normal += basis * basis;
+      right += basis * seen.stresses;
+    }
+    return normal == 0 ? Stresses(Stresses::Zero()) : Stresses(right / normal);
+  }
+
   /// Whether a straight line leads there within the body: what lies behind a slit is not joined to its face.
-  bool sees(const CrackSite& place, const Vec2& x, const std::vector<const BoundarySide*>& near) const {
+  bool sees(const CrackSite& place, const Vec2& x, const std::vector<const BoundarySide*>& close) const {
     if ((x - place.x).dot(place.inward) <= 0) return false;
     return std::ranges::none_of(
-        near, [&](const BoundarySide* side) { return leads_through(*side, place.x, x, tolerance_); });
+        close, [&](const BoundarySide* side) { return leads_through(*side, place.x, x, tolerance_); });
   }
 
   /// Of the fit; the mean where the blocks' middles do not span the plane.
-  static Eigen::Matrix<double, 1, 6> value(const Eigen::Matrix3d& normal,
-                                           const Eigen::Matrix<double, 3, 6>& right) {
-    if (normal(0, 0) == 0) return Eigen::Matrix<double, 1, 6>::Zero();
+  static Stresses value(const Eigen::Matrix3d& normal, const Eigen::Matrix<double, 3, 6>& right) {
+    if (normal(0, 0) == 0) return Stresses::Zero();
     constexpr double flat = 1e-6;
     if (normal.determinant() <= flat * std::pow(normal(0, 0), 3)) return right.row(0) / normal(0, 0);
     return normal.ldlt().solve(right).row(0);
@@ -198,15 +251,21 @@ std::pair<Vec2, Vec2> ways_from(const Recovered& at, double load_factor, const V
   return {turned({-opens.y(), opens.x()}), turned(opens)};
 }
 
+/// At a corner the load is that of the tension before it, the direction that of the linear field.
+CrackStart start_at_corner(const CrackSite& corner, const Recovery& recovery, double f) {
+  const double first = critical(recovery.before(corner), f);
+  if (!std::isfinite(first)) return {corner.x, corner.inward, first};
+  return {corner.x, ways_from(recovery.at(corner), first, corner.inward).first, first};
+}
+
 /// What a load, a drive or a support brings onto an edge opens no crack along it: where the largest tension would, the
 /// one along the edge counts.
-CrackStart start_at(const CrackSite& place, const Recovered& at, double f) {
+CrackStart start_on_edge(const CrackSite& place, const Recovered& at, double f) {
   const double first = critical(at, f);
   if (std::isfinite(first)) {
     const Vec2 way = ways_from(at, first, place.inward).first;
-    if (!place.edge || way.dot(place.inward) >= std::cos(leaves_at_least)) return {place.x, way, first};
+    if (way.dot(place.inward) >= std::cos(leaves_at_least)) return {place.x, way, first};
   }
-  if (!place.edge) return {place.x, place.inward, first};
   const double later = critical_along(at, place.edge->along(), f);
   if (!std::isfinite(later)) return {place.x, place.inward, later};
   const auto [across, along] = ways_from(at, later, place.inward);
@@ -232,7 +291,9 @@ std::vector<CrackStart> CrackStarts::places(const BlockStress& stress, const Wis
   for (const CrackSite& place : places_on(body_, wish.strength, radius, cracks_.tolerance())) {
     if (is_near_a_cut(cracks_, wish, place.x) || is_held(place, wish.held)) continue;
     const LocalStrength& strength = wish.strength.at(body_.block(place.block).region);
-    const CrackStart start = start_at(place, recovery.at(place), strength.at(place.x));
+    const double f = strength.at(place.x);
+    const CrackStart start =
+        place.edge ? start_on_edge(place, recovery.at(place), f) : start_at_corner(place, recovery, f);
     if (std::isfinite(start.load_factor) && !runs_along_boundary(body_, start, h)) out.push_back(start);
   }
   std::ranges::stable_sort(out, {}, &CrackStart::load_factor);

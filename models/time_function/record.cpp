@@ -26,6 +26,7 @@ class Recorded final : public TimeFunction {
     if (times_.size() < 2 || times_.front() != 0 ||
         !std::ranges::is_sorted(times_, std::ranges::less_equal()))
       throw InputError(p.where, "'" + p.file.string() + "': the times of a record begin with 0 and grow");
+    require_finite(p);
     for (double& a : rates_) a *= p.factor;
     velocities_ = places_ = {0};
     for (std::size_t i = 0; i + 1 < times_.size(); ++i) {
@@ -41,6 +42,15 @@ class Recorded final : public TimeFunction {
   }
 
  private:
+  void require_finite(const RecordedParameters& p) const {
+    for (const auto& [name, values] : {std::pair{&p.time, &times_}, std::pair{&p.acceleration, &rates_}}) {
+      const auto found = std::ranges::find_if(*values, [](double value) { return !std::isfinite(value); });
+      if (found == values->end()) continue;
+      const int line = static_cast<int>(found - values->begin()) + 2;  // behind the names
+      throw InputError({p.file.string(), line, 1}, "the " + *name + " of a record is no finite number");
+    }
+  }
+
   double within(std::size_t i, double time) const {
     const double t = time - times_[i], slope = (rates_[i + 1] - rates_[i]) / (times_[i + 1] - times_[i]);
     return places_[i] + t * (velocities_[i] + t * (rates_[i] / 2 + t * slope / 6));

@@ -50,6 +50,15 @@ def holed(subdivision):
     return deck
 
 
+def panel(subdivision):
+    """An L-shaped panel of 500 mm whose free leg is lifted: tension has no bound at the corner."""
+    outline = [[0, 0], [250, 0], [250, 250], [500, 250], [500, 500], [0, 500]]
+    scene = {"regions": [{"name": "beam", "material": "concrete", "vertices": outline}], "boundaries": {"base": outline[:2]}, "subdivision": subdivision}
+    return deck_of(scene, {
+        "supports": {"base": {"boundary": "base", "fix": "xy"}},
+        "stages": [{"loads": [{"type": "point_load", "over": [[455, 250], [485, 250]], "force": [0, 1]}]}]})
+
+
 def opposed():
     """Two cracks that come from either side and end in one block."""
     scene = {"regions": [{"name": "beam", "material": "concrete", "vertices": [[0, 0], [100, 0], [100, 100], [0, 100]]}],
@@ -111,6 +120,28 @@ class Places(ProgramCase):
                 run = self.run_(beam(notch, blocks))
                 self.assertAlmostEqual(run.summary["peak"]["load"] / wanted, 1, delta=0.03)
                 self.assertGreater(run.crack_path()[:, 1].min(), NOTCH - 1)
+
+    def test_a_corner_cracks_before_a_smooth_edge_however_large_the_blocks(self):
+        """A notch aside of the middle before the lower face; the corner of a panel before the edge below it."""
+        for deck, corner in ((beam("slit", 160), [-40, NOTCH]), (beam("slit", 1200), [-40, NOTCH]),
+                             (panel({"type": "voronoi", "size": 30}), [250, 250]), (panel({"type": "voronoi", "size": 18}), [250, 250]),
+                             (panel({"type": "quads", "size": 25}), [250, 250]), (panel({"type": "triangles", "size": 20}), [250, 250])):
+            with self.subTest(deck["scene"]["subdivision"]):
+                self.assertLess(math.dist(self.run_(deck | {"path": {"stop": {"after_steps": 5}}}).crack_path()[0], corner), 0.5)
+
+    def test_slits_that_are_sheared_first_crack_at_their_tips(self):
+        """They bear hardly more than their ligament at full strength, 22.5 kN."""
+        outline = [[0, 0], [200, 0], [200, 200], [0, 200]]
+        scene = {"regions": [{"name": "beam", "material": "concrete", "vertices": outline}], "slits": {"left": [[0, 100], [25, 100]], "right": [[175, 100], [200, 100]]},
+                 "boundaries": {"foot": outline[:2], "head": outline[2:], "side": [[0, 100], [0, 200]]}, "subdivision": {"type": "voronoi", "size": 7, "seed": 4}}
+        deck = deck_of(scene, {
+            "supports": {"foot": {"boundary": "foot", "fix": "xy"}},
+            "stages": [{"name": "shear", "loads": [{"type": "edge_traction", "boundary": "side", "traction": [1, 0]}], "until": {"load_factor": 1}},
+                       {"name": "pull", "loads": [{"type": "prescribed_displacement", "boundary": "head", "direction": [0, 1]}]}],
+            "gauges": {"u": {"type": "displacement", "over": outline[2:], "direction": [0, 1]}}}) | {"thickness": 50}
+        deck["interfaces"]["joints"]["law"]["fracture_energy"] = 0.11
+        deck["cracks"][0]["most"] = 2
+        self.assertLess(self.run_(deck).summary["peak"]["load"], 1.05 * 22500)
 
     def test_a_crack_begins_where_the_field_lets_it_first(self):
         """No crack that is begun by hand cracks under less load, but for what lies between the edge and its first point, under a tenth."""

@@ -72,7 +72,7 @@ double Damping::spent(const Poses& reached) const { return 2 / dt_ * energy(meas
 /// Its strain energy is what damping adds to that of a body, but for a constant.
 AffineBlock Damping::viscous(std::size_t body) const {
   AffineBlock out = scene_.bodies[body].block;
-  out.stiffness *= rates_.stiffness * per_time_;
+  out.stiffness *= per_stiffness();
   out.initial_stress = -out.stiffness * origin_.strains[body];
   return out;
 }
@@ -84,7 +84,7 @@ void Damping::add_forces(const Poses& z, Eigen::VectorXd& out) const {
     of_body(out, b) += rates_.mass * per_time_ * body.block.times_mass(z[b] - origin_.poses[b]);
     if (rates_.stiffness > 0) of_body(out, b) += strain_forces(viscous(b), z[b]);
   }
-  const double share = rates_.stiffness * per_time_;
+  const double share = per_stiffness();
   if (share == 0) return;
   for (std::size_t i = 0; i < bonds_.size(); ++i) {
     const Bond& bond = bonds_[i];
@@ -109,7 +109,7 @@ void Damping::add_curvature(const Poses& z, Curvatures& out) const {
     if (rates_.stiffness > 0) of += strain_energy(viscous(b), z[b]).curvature;
     out.add(b, b, of);
   }
-  const double share = rates_.stiffness * per_time_;
+  const double share = per_stiffness();
   if (share == 0) return;
   for (std::size_t i = 0; i < bonds_.size(); ++i)
     out.add(bonds_[i], state_of(bonds_[i], frames_[i], z), secants_[i], share);

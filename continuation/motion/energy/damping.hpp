@@ -35,6 +35,9 @@ class Damping {
   /// `frames` are those of the bonds.
   void begin(const Poses& start, const std::vector<Mat2>& frames, const Step& step);
 
+  /// b s/dt: what damping bears over what stiffness does for the same change.
+  double per_stiffness() const { return rates_.stiffness * per_time_; }
+
   double value(const Poses& z) const;
   void add_forces(const Poses& z, Eigen::VectorXd& out) const;
   void add_curvature(const Poses& z, Curvatures& out) const;

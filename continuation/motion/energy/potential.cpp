@@ -187,10 +187,11 @@ Potential::Curvature Potential::curvature(const Poses& at, double per_square_tim
 
 std::vector<double> Potential::rounding(const Poses& at, double per_square_time) const {
   constexpr double epsilon = 4 * std::numeric_limits<double>::epsilon();
+  const double damped = 1 + (damping_ ? damping_->per_stiffness() : 0);
   std::vector<double> out;
   for (std::size_t b = 0; b < scene_.num_bodies(); ++b) {
     const MovingBody& body = scene_.bodies[b];
-    out.push_back(body.block.volume * body.block.stiffness.maxCoeff() / body.size +
+    out.push_back(damped * body.block.volume * body.block.stiffness.maxCoeff() / body.size +
                   per_square_time * body.block.mass * centre_of(at[b]).norm());
   }
   const auto add = [&](const std::array<std::size_t, 2>& bodies, double stiffness) {
@@ -200,10 +201,10 @@ std::vector<double> Potential::rounding(const Poses& at, double per_square_time)
   for (const MotionSpring& spring : scene_.springs) {
     double sum = std::abs(spring.length);
     for (const auto& [b, row] : spring.rows) sum += row.cwiseAbs().dot(at[b].cwiseAbs());
-    for (const auto& [b, row] : spring.rows) out[b] += spring.stiffness * row.head<2>().norm() * sum;
+    for (const auto& [b, row] : spring.rows) out[b] += damped * spring.stiffness * row.head<2>().norm() * sum;
   }
   for (const Bond& bond : bonds_)
-    add({bond.first, bond.second}, bond.weight * bond.trial_stiffness().maxCoeff());
+    add({bond.first, bond.second}, damped * bond.weight * bond.trial_stiffness().maxCoeff());
   for_each_meeting(at, [&](const Meeting& meeting) {
     add(bodies_of(meeting), response_of(scene_.meeting, meeting).stiffness);
   });

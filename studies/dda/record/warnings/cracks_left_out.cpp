@@ -23,7 +23,7 @@ std::string note_at(const Simulation& simulation, const State& state, double bey
 }  // namespace
 
 std::string note_on_cracks_left_out(const Simulation& simulation, const State* peak) {
-  constexpr double at_end = 1.1, at_peak = 2;
+  constexpr double at_end = 1.1, at_peak = 1.5;
   if (!simulation.cracked()) return {};
   std::string out = note_at(simulation, simulation.walker().state(), at_end, "end");
   if (out.empty() && peak) out = note_at(simulation, *peak, at_peak, "peak");
