@@ -180,6 +180,11 @@ Schema<MotionParameters> motion_schema() {
                .bounds = between(1e-5, 0.1),
                .text = "Time step in √(L/g), L the size of the smallest block that moves and g the "
                        "acceleration of all by their loads; a tenth of it while joints tear."})
+      .number("accuracy", &P::accuracy,
+              {.bounds = between(1e-9, 0.1),
+               .text = "Largest error of a place in a step, in sizes of its block, by how much accelerations "
+                       "change within it: steps are as short as that asks for, `step` at most. Without it "
+                       "they are as long as `step`, unless one finds no end."})
       .number("frame_every", &P::frame_every,
               {.fallback = 0,
                .bounds = at_least(0),

@@ -70,8 +70,9 @@ struct MotionParameters {
   IntegratorChoice integrator;
   DampingRates damping;
   MeetingParameters contact;
-  double step = 0.01;      ///< in √(L/g)
-  double frame_every = 0;  ///< [T]; 0: by how long it takes
+  double step = 0.01;                   ///< in √(L/g)
+  std::optional<double> accuracy = {};  ///< of places in a step, in sizes of their bodies
+  double frame_every = 0;               ///< [T]; 0: by how long it takes
   Position where;
 };
 

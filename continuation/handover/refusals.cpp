@@ -100,6 +100,23 @@ const Position& place_of_held(const MotionParameters& parameters) {
   return parameters.driven.empty() ? parameters.where : parameters.driven.front().where;
 }
 
+/// What one without inertia, or one whose steps are no minimum, has not.
+void check_integrator(const MotionParameters& parameters, Findings& findings) {
+  const Position& where = parameters.where;
+  const auto integrator = parameters.integrator.make();
+  if (parameters.damping.is_any() && !integrator->has_inertia())
+    findings.add(
+        where, "motion.damping: '" + parameters.integrator.name() + "' has no velocities that it could damp");
+  if (parameters.damping.is_any() && integrator->open_close())
+    findings.add(where, "motion.damping: '" + parameters.integrator.name() +
+                            "' is damped by the share of the velocity that it keeps, `velocity_kept`");
+  if (parameters.accuracy && (!integrator->has_inertia() || integrator->open_close()))
+    findings.add(where, "motion.accuracy: '" + parameters.integrator.name() +
+                            "' tells no accelerations by which an error could be judged; give a `step`");
+  if (!parameters.velocities.empty() && !integrator->has_inertia())
+    findings.add(where, "motion.velocities: '" + parameters.integrator.name() + "' knows of no velocities");
+}
+
 }  // namespace
 
 void require_handover(const Body& body, const Equilibrium& equilibrium, const MotionParameters& parameters,
@@ -115,15 +132,7 @@ void require_handover(const Body& body, const Equilibrium& equilibrium, const Mo
     findings.add(where, "motion.time: without `stop_at_rest` a motion needs to be told how long it is");
   if (parameters.loads == KeptLoads::dead && !equilibrium.driven_springs().empty())
     findings.add(where, "motion.loads: what is driven stays where it is, `keep`");
-  const auto integrator = parameters.integrator.make();
-  if (parameters.damping.is_any() && !integrator->has_inertia())
-    findings.add(
-        where, "motion.damping: '" + parameters.integrator.name() + "' has no velocities that it could damp");
-  if (parameters.damping.is_any() && integrator->open_close())
-    findings.add(where, "motion.damping: '" + parameters.integrator.name() +
-                            "' is damped by the share of the velocity that it keeps, `velocity_kept`");
-  if (!parameters.velocities.empty() && !parameters.integrator.make()->has_inertia())
-    findings.add(where, "motion.velocities: '" + parameters.integrator.name() + "' knows of no velocities");
+  check_integrator(parameters, findings);
   if (std::ranges::all_of(body.assembly.blocks,
                           [&](const Block& block) { return is_held(body, parameters, block.region); }))
     findings.add(place_of_held(parameters), "motion.held: nothing is left that could move");

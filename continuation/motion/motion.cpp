@@ -17,6 +17,8 @@ namespace dda {
 namespace {
 
 constexpr double of_tearing = 0.1;  // of the step, while joints tear
+constexpr double grows_below =
+    0.3;  // of the error that is allowed: a step half as long again has more than twice as much
 constexpr double inf = std::numeric_limits<double>::infinity();
 
 }  // namespace
@@ -134,7 +136,7 @@ Inertia Motion::aim() const {
 /// The length of the next step: longer after some that went well, as long as the clock and the end allow.
 void Motion::set_step() {
   constexpr double growth = 1.5;
-  constexpr int few = 5;
+  const int few = course_.accuracy ? 1 : 5;
   if (m_.easy >= few) {
     m_.dt.now *= growth;
     m_.easy = 0;
@@ -168,8 +170,15 @@ bool Motion::advance() {
       m_.easy = 0;
       continue;
     }
+    const double error = step.found.converged() ? error_of(step) : 0;
+    if (error > 1 && m_.dt.now > smallest * natural_) {
+      m_.dt.now = std::max({smallest * natural_, m_.dt.now / 4, 0.9 * m_.dt.now / std::sqrt(error)});
+      m_.easy = 0;
+      continue;
+    }
     if (step.found.converged()) {
       accept(std::move(step));
+      if (error > grows_below) m_.easy = 0;
       judge();
       return true;
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,8 @@ namespace dda {
 struct MotionCourse {
   double time = 0;  ///< at most so long [T]
   bool stops_at_rest = true;
-  double step = 0.01;  ///< in √(L/g), L the size of the smallest body that moves
+  double step = 0.01;                   ///< in √(L/g), L the size of the smallest body that moves
+  std::optional<double> accuracy = {};  ///< of places in a step, in sizes of their bodies; none: any
   std::shared_ptr<const Integrator> integrator = {};  ///< none: `free_flight`
   DampingRates damping = {};
   MotionTolerances tolerances = {};
@@ -104,6 +106,7 @@ class Motion {
   double done_by_contacts(std::size_t body, const Try& step, const BodyWork& work) const;
   StoredEnergies stored(const std::vector<BodyCourse>& at) const;
   bool creates_energy(const Try& tried) const;
+  double error_of(const Try& step) const;
   bool crack(const MotionStep& step);
   struct Encounter;
   Encounter encounter(const Try& step) const;

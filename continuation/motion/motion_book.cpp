@@ -122,6 +122,22 @@ void Motion::book(Try& step) const {
   out.error = out.external - inner + of_start - (out.kinetic - step.flown);
 }
 
+/// The largest error of a place over the one that is allowed, in sizes of its body: ½ dt² |ÿ₁ − ÿ₀| of rigid motions, what an
+/// acceleration that changes somewhere in the step leaves open. 0 where none is asked for.
+double Motion::error_of(const Try& step) const {
+  if (!course_.accuracy || m_.dt.begins) return 0;
+  double most = 0;
+  for (std::size_t b = 0; b < now_.size(); ++b) {
+    const MovingBody& body = scene_.bodies[b];
+    if (body.is_held) continue;
+    const RigidMotion before = rigid_part(now_[b], m_.courses[b].acceleration),
+                      after = rigid_part(step.found.poses[b], step.courses[b].acceleration);
+    most = std::max(
+        {most, (after.velocity - before.velocity).norm() / body.size, std::abs(after.spin - before.spin)});
+  }
+  return m_.dt.now * m_.dt.now / 2 * most / *course_.accuracy;
+}
+
 /// Whether a step gives back more energy than there was: Newton's method has found another minimum than that beside it.
 bool Motion::creates_energy(const Try& tried) const {
   constexpr double bearable = 0.02, hardly = 1e-5;

@@ -11,8 +11,8 @@
 namespace dda {
 namespace {
 
-constexpr double fit_reach = 3;        // of the fit, in block sizes
-constexpr double corner_reach = 0.25;  // before a corner, where its tension is asked for, in block sizes
+// In block sizes: how far fits reach, on an edge and from a corner, and where before that its tension is asked for.
+constexpr double fit_reach = 3, corner_reach = 2, before_corner = 0.25;
 constexpr double leaves_at_least = 45 * std::numbers::pi / 180, same_way = 30 * std::numbers::pi / 180;
 
 using Strengths = std::map<int, LocalStrength>;  // by region
@@ -59,8 +59,8 @@ std::vector<Edge> edges_of(const Body& body, const Strengths& strength) {
   return out;
 }
 
-/// e of the stress r⁻ᵉ that opens a re-entrant corner of angle ω within the body: sin((1 − e) ω) + (1 − e) sin ω = 0 (Williams
-/// 1952), 0 of a straight edge to ½ of a slit.
+/// e of the stress r⁻ᵉ that opens a re-entrant corner of angle ω within the body, whose faces are free of stress:
+/// sin((1 − e) ω) + (1 − e) sin ω = 0, from 0 of a straight edge to ½ of a slit.
 double singularity_of(double angle) {
   const auto is_below = [&](double e) { return std::sin((1 - e) * angle) + (1 - e) * std::sin(angle) < 0; };
   double low = 0, high = 0.5;
@@ -148,7 +148,7 @@ class Recovery {
     Stresses stresses;
   };
 
-  std::vector<Seen> seen_from(const CrackSite& place) const {
+  std::vector<Seen> seen_from(const CrackSite& place, double reach) const {
     std::vector<const BoundarySide*> close;
     for (const BoundarySide& side : body_.assembly.boundary)
       if (distance(place.x, side.start, side.end) <= radius_) close.push_back(&side);
@@ -156,7 +156,7 @@ class Recovery {
     for (std::size_t b = 0; b < body_.assembly.num_blocks(); ++b) {
       const Block& block = body_.assembly.blocks[b];
       const Vec2 away = (block.moments.centroid - place.x) / radius_;
-      if (block.region != body_.block(place.block).region || away.squaredNorm() > 1) continue;
+      if (block.region != body_.block(place.block).region || away.norm() > reach) continue;
       if (!sees(place, block.moments.centroid, close)) continue;
       Stresses both;
       both << stress_.dead[b].transpose(), stress_.live[b].transpose();
@@ -172,7 +172,7 @@ class Recovery {
   Stresses fitted(const CrackSite& place) const {
     Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
     Eigen::Matrix<double, 3, 6> right = Eigen::Matrix<double, 3, 6>::Zero();
-    for (const Seen& seen : seen_from(place)) {
+    for (const Seen& seen : seen_from(place, 1)) {
       const Eigen::Vector3d basis(1, seen.away.x(), seen.away.y());
       normal += basis * basis.transpose();
       right += basis * seen.stresses;
@@ -182,10 +182,10 @@ class Recovery {
 
   /// σ = s (ρ/r)ᵉ fitted likewise: s.
   Stresses at_corner(const CrackSite& place) const {
-    constexpr double least = corner_reach / fit_reach;
+    constexpr double least = before_corner / fit_reach;
     double normal = 0;
     Stresses right = Stresses::Zero();
-    for (const Seen& seen : seen_from(place)) {
+    for (const Seen& seen : seen_from(place, corner_reach / fit_reach)) {
       const double basis = std::pow(least / std::max(seen.away.norm(), least), place.singularity);
       normal += basis * basis;
       right += basis * seen.stresses;
@@ -230,9 +230,9 @@ bool is_near_a_cut(const CrackGeometry& cracks, const CrackStarts::Wish& wish, c
 }
 
 bool is_held(const CrackSite& place, std::span<const BoundaryPoint> held) {
-  constexpr double same_way = 0.99;
+  constexpr double along = 0.99;
   return place.edge && std::ranges::any_of(held, [&](const BoundaryPoint& point) {
-           return point.block == place.block && point.normal.dot(-place.edge->inward()) > same_way;
+           return point.block == place.block && point.normal.dot(-place.edge->inward()) > along;
          });
 }
 

@@ -39,9 +39,10 @@ struct LocalStrength {
 ///     Σ |σ_b − (s + G (x_b − x))|² → min        σ(x) = s
 ///
 /// since blocks of constant strain bear at their middle what the edge bears further out. At a corner, where tension has no
-/// bound, it is that of s (ρ/r)ᵉ at ρ = h/4 before it, with e of the corner's angle (singularity_of). With it the smallest λ ≥ 0 is
-/// found for which the largest principal value of σ(x) is the strength ft f(x) there, and the crack runs across its axis. Where
-/// that would be along the edge, tension along the edge counts instead.
+/// bound, it is that of s (ρ/r)ᵉ at ρ = h/4 before it, fitted within 2 h, with e of the corner's angle (singularity_of).
+/// With it the smallest λ ≥ 0 is found for which the largest principal value of σ(x) is the strength ft f(x) there, and the
+/// crack runs across its axis, at a corner that of the linear field. Where that would be along an edge, tension along the edge
+/// counts instead.
 class CrackStarts {
  public:
   CrackStarts(const CrackGeometry& cracks, const Body& body) : cracks_(cracks), body_(body) {}

@@ -163,6 +163,27 @@ class Meeting(unittest.TestCase):
         for name in ("curve.csv", "motion/motion.csv"):
             self.assertEqual((folder / name).read_bytes(), (whole.folder / name).read_bytes(), name)
 
+    def test_steps_by_the_error_of_places(self):
+        """Flight asks for no short step, an impact does, the more the less error is allowed."""
+        shortest, counts = [], []
+        for accuracy in (1e-3, 1e-4, 1e-5):
+            deck = alone(time=1.5, velocities=[], contact={"friction": 0.5, "restitution": 0}, step=0.05, accuracy=accuracy, stop_at_rest=False)
+            deck["scene"]["regions"][1]["vertices"] = [[0, 0.5], [1, 0.5], [1, 1.5], [0, 1.5]]
+            for material in deck["materials"].values():
+                material["young_modulus"] = 1e9
+            deck["gauges"] = {"y": {"type": "displacement", "at": [0.5, 1], "direction": [0, 1]}}
+            curve = ddapath.run(deck, folder=self.folder, overwrite=True).motion.curve
+            self.assertEqual([str(finding) for finding in verify(self.folder) if not finding.holds], [])
+            fallen = (2 * 0.5 / 9.81) ** 0.5
+            flight = curve[curve.time < 0.9 * fallen]
+            self.assertLess(abs(flight.y + 9.81 / 2 * flight.time**2).max(), 1e-9)
+            shortest.append(curve.time_step.min())
+            counts.append(len(curve))
+        self.assertGreater(shortest[0], 5 * shortest[2])
+        self.assertGreater(counts[2], counts[0])
+        for integrator in ("classic", "settle"):
+            self.assertIn(f"motion.accuracy: '{integrator}'", self.refusal(alone(accuracy=1e-3, velocities=[], integrator=integrator)))
+
     def test_a_region_has_one_velocity(self):
         self.assertIn("region 'block' has a velocity by another entry", self.refusal(alone(velocities=2 * [{"regions": ["block"], "velocity": [2, 0]}])))
 

@@ -322,6 +322,15 @@ Ending ending_of(const Motion& motion, const MotionParameters& parameters, bool 
           motion.stop()};
 }
 
+MotionCourse course_of(const MotionParameters& parameters, double time) {
+  return {.time = time,
+          .stops_at_rest = parameters.stops_at_rest,
+          .step = parameters.step,
+          .accuracy = parameters.accuracy,
+          .integrator = parameters.integrator.make(),
+          .damping = parameters.damping};
+}
+
 }  // namespace
 
 void copy_motion(const fs::path& from, const RunFolder& to) {
@@ -341,11 +350,7 @@ MotionRecord run_motion(const RunFolder& run_folder, const Simulation& simulatio
   Beginning beginning = begin_motion(pieces, end, parameters);
   Handover& start = beginning.handover;
   Motion motion(start.scene, start.bonds, std::move(start.poses), std::move(start.velocities),
-                {.time = beginning.time,
-                 .stops_at_rest = parameters.stops_at_rest,
-                 .step = parameters.step,
-                 .integrator = parameters.integrator.make(),
-                 .damping = parameters.damping});
+                course_of(parameters, beginning.time));
   motion.set_contacts(std::move(beginning.equilibrium.contacts));
   const auto before = options.goes_on
                           ? read_motion_restart(folder / restart_name, restart_deck(simulation.deck()))
