@@ -62,7 +62,7 @@ def bounces(run):
         y, t = np.asarray(curve.y) + 1, np.asarray(curve.time)
         behind = t > math.sqrt(2 / GRAVITY) + 0.02
         rows.append(row(f"falls 1 m, restitution {e}", "√(height of the rebound)", "√m", e,
-                        math.sqrt(max(0, y[behind].max())), 0.03))
+                        math.sqrt(max(0, y[behind].max())), 1e-3))
     return rows
 
 
