@@ -97,7 +97,7 @@ ImpactDirection direction_of(const Impact& impact, const Meeting& meeting, const
 }
 
 ImpactContact contact_of(const MovingScene& scene, const Impact& impact, const Meeting& meeting) {
-  constexpr double hardly = 1e-3;
+  constexpr double hardly = 1e-3, touch = 1e-6;
   const std::size_t i = meeting.key.body, j = meeting.key.other;
   ImpactContact out;
   out.normal = direction_of(impact, meeting, meeting.normal);
@@ -111,8 +111,7 @@ ImpactContact contact_of(const MovingScene& scene, const Impact& impact, const M
                approach = first < 0 ? std::sqrt(std::max(0.0, first * first + 2 * pull * way)) : 0,
                now = out.normal.speed(impact.at, impact.velocity) + (share > 0 ? impact.behind * pull : 0);
   // Of two corners that come to touch at once rounding may let one touch a step before: an impact begins where force is borne.
-  const bool begins =
-      approach > impact.slow && out.given * out.normal.compliance() > hardly * hardly * approach;
+  const bool begins = approach > impact.slow && out.given * out.normal.compliance() > touch * approach;
   const double under_way = impact.contacts.of(meeting.key).approach;
   out.approach = std::max(begins ? approach : 0.0, under_way);
   out.most = out.approach > 0 ? share * out.approach - now : inf;

@@ -45,15 +45,14 @@ void check_names(const Body& body, const MotionParameters& parameters, Findings&
   std::set<std::size_t> given;
   for (const VelocityParameters& thrown : parameters.velocities) {
     check.regions(thrown.where, "motion.velocities", thrown.regions);
-    for (std::size_t r = 0; r < body.assembly.regions.size(); ++r)
-      if (is_named(thrown.regions, body, static_cast<int>(r)) && !given.insert(r).second)
-        findings.add(thrown.where, "motion.velocities: region '" + body.assembly.regions[r].name +
-                                       "' has a velocity by another entry; give it one");
-    for (std::size_t r = 0; r < body.assembly.regions.size(); ++r)
-      if (const int region = static_cast<int>(r);
-          is_named(thrown.regions, body, region) && is_held(body, parameters, region))
-        findings.add(thrown.where,
-                     "motion.velocities: region '" + body.assembly.regions[r].name + "' is held");
+    for (std::size_t r = 0; r < body.assembly.regions.size(); ++r) {
+      const int region = static_cast<int>(r);
+      if (!is_named(thrown.regions, body, region)) continue;
+      const std::string name = "motion.velocities: region '" + body.assembly.regions[r].name + "' ";
+      if (!given.insert(r).second)
+        findings.add(thrown.where, name + "has a velocity by another entry; give it one");
+      if (is_held(body, parameters, region)) findings.add(thrown.where, name + "is held");
+    }
   }
   for (const PairParameters& pair : parameters.contact.pairs)
     check.materials(pair.where, "motion.contact.pairs", pair.between);

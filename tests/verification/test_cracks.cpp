@@ -90,7 +90,8 @@ void expect_straight_crack(const std::string& subdivision, double fracture_energ
 TEST(CracksThroughBlocks, BreakABeamOfAnyPatternAtTheLoadOfAStraightCrack) {
   for (const char* pattern :
        {"{type: voronoi, blocks: 320, seed: 1}", "{type: voronoi, blocks: 320, seed: 2}",
-        "{type: voronoi, blocks: 320, seed: 3}", "{type: quads, size: 5.2}", "{type: triangles, size: 14}"})
+        "{type: voronoi, blocks: 320, seed: 3}", "{type: quads, size: 9.6}", "{type: quads, size: 5.2}",
+        "{type: triangles, size: 14}"})
     expect_straight_crack(pattern, 0.1, 11676.0);
 }
 

@@ -6,7 +6,6 @@ is measured and told, beside a bound that refuses nothing.
 import math
 
 import numpy as np
-import pandas as pd
 
 from .finding import Finding, worst_of
 
@@ -65,16 +64,13 @@ def told_half_a_step_early(curve, is_of_path):
 
 
 def impact_gives_nothing_back(curve, is_of_path, bound):
-    """Impact and damping take energy: what they have taken, and keep for a twentieth of the steps, never falls by more than a
-    bound, beyond half a step of stored energy. What falls further is energy that integration has made. (The velocity of a step
-    in which bodies meet is a mean of before and after: what its kinetic energy misses comes back as they part and vibrate.)
-    """
+    """Impact and damping take energy; where they fall by more than half a step of stored energy is, integration has made some,
+    and all such falls together are bounded."""
     taken, early = lost(curve).to_numpy(), told_half_a_step_early(curve, is_of_path)
     low, high = taken + early.clip(max=0), taken + early.clip(min=0)
-    kept = pd.Series(low[::-1]).rolling(3 + len(low) // 20, min_periods=1).min().to_numpy()[::-1]
-    fallen = (np.maximum.accumulate(kept) - high).clip(min=0)
-    at = int(np.argmax(fallen))
-    return worst_of("motion: impact gives nothing back", [(fallen[at] / scale_of(curve), f"step {curve['step'].iloc[at]}")], bound)
+    falls = (low[:-1] - high[1:]).clip(min=0)
+    at = int(np.argmax(falls)) + 2 if len(falls) else 0
+    return worst_of("motion: impact gives nothing back", [(falls.sum() / scale_of(curve), f"mostly step {at}")], bound)
 
 
 def rest(curve, summary):
