@@ -39,10 +39,11 @@ struct ImpactDirection {
     return sides[0].speed_of_group(of[sides[0].group]) + sides[1].speed_of_group(of[sides[1].group]);
   }
   /// How fast the sides part, as rigid bodies: what a block's strain does besides is no approach.
-  double speed(const Poses& at, const Poses& velocity) const {
+  double speed(const MovingScene& scene, const Poses& at, const Poses& velocity) const {
     double out = 0;
     for (const ImpactSide& side : sides)
-      out += side.speed_of_body(rigid_part(at[side.body], velocity[side.body]));
+      out += side.speed_of_body(
+          rigid_motion_of(scene.bodies[side.body].block, at[side.body], velocity[side.body]));
     return out;
   }
   /// To another impulse; by how much the speed changes.
@@ -65,6 +66,7 @@ struct ImpactContact {
   double sliding = 0;          ///< speed along the tangent [L/T]
   double approach = 0;         ///< of the impact that begins, or is under way [L/T]
   double slow = 0;             ///< parting by so little is the end of an impact [L/T]
+  double until = 0;            ///< from the beginning of the step to the impact; 0: it began before [T]
 
   /// One sweep's part; by how much speeds change.
   double relax(std::vector<RigidMotion>& of) {
@@ -104,21 +106,61 @@ ImpactContact contact_of(const MovingScene& scene, const Impact& impact, const M
   out.tangent = direction_of(impact, meeting, tangent_of(meeting));
   out.friction = scene.meeting.friction ? scene.meeting.friction(i, j) : 0;
   out.given = impact.span * response_of(scene.meeting, meeting).force;
-  out.sliding = out.tangent.speed(impact.at, impact.velocity);
+  out.sliding = out.tangent.speed(scene, impact.at, impact.velocity);
   const double share = scene.meeting.restitution ? scene.meeting.restitution(i, j) : 0,
-               pull = out.normal.speed(impact.at, impact.pull), way = out.normal.speed(impact.at, impact.way),
-               first = out.normal.speed(impact.at, impact.approach) + impact.behind * pull,
+               pull = out.normal.speed(scene, impact.at, impact.pull),
+               way = out.normal.speed(scene, impact.at, impact.way),
+               first = out.normal.speed(scene, impact.at, impact.approach) + impact.behind * pull,
                approach = first < 0 ? std::sqrt(std::max(0.0, first * first + 2 * pull * way)) : 0,
-               now = out.normal.speed(impact.at, impact.velocity) + (share > 0 ? impact.behind * pull : 0);
+               now = out.normal.speed(scene, impact.at, impact.velocity) +
+                     (share > 0 ? impact.behind * pull : 0);
   // Of two corners that come to touch at once rounding may let one touch a step before: an impact begins where force is borne.
   const bool begins = approach > impact.slow && out.given * out.normal.compliance() > touch * approach;
   const double under_way = impact.contacts.of(meeting.key).approach;
+  out.until = begins ? std::clamp(way / first, 0.0, impact.step) : 0;
   out.approach = std::max(begins ? approach : 0.0, under_way);
   out.most = out.approach > 0 ? share * out.approach - now : inf;
   const bool gives = begins || (impact.is_owed && under_way > 0);
   out.least = gives ? out.most : std::min({0.0, -now, out.most});
   out.slow = hardly * out.approach;
   return out;
+}
+
+/// Whether the vertex of a meeting meets the same body at the end of the step, if elsewhere on it.
+bool is_there(const Impact& impact, const Meeting& before) {
+  return std::ranges::any_of(impact.meetings, [&](const Meeting& now) {
+    return now.key.body == before.key.body && now.key.vertex == before.key.vertex &&
+           now.key.other == before.key.other;
+  });
+}
+
+/// The impact on a body of a meeting, if there is one: the fastest.
+const ImpactContact* impact_on(const Impact& impact, const Meeting& meeting,
+                               const std::vector<ImpactContact>& contacts) {
+  const ImpactContact* out = nullptr;
+  for (const ImpactContact& contact : contacts)
+    for (const ImpactSide& side : contact.normal.sides)
+      for (const std::size_t body : bodies_of(meeting)) {
+        const std::size_t group = impact.groups.of_body[body];
+        if (contact.approach > 0 && group == side.group && !impact.groups.groups[group].is_held &&
+            (!out || contact.approach > out->approach))
+          out = &contact;
+      }
+  return out;
+}
+
+/// What contacts that an impact has parted have borne until then.
+void bear_until_parted(const MovingScene& scene, const Impact& impact,
+                       const std::vector<ImpactContact>& contacts, std::vector<RigidMotion>& given) {
+  for (const Meeting& meeting : impact.before) {
+    const ImpactContact* hit = is_there(impact, meeting) ? nullptr : impact_on(impact, meeting, contacts);
+    if (!hit) continue;
+    const double time = impact.behind + hit->until, slip = impact.contacts.of(meeting.key).slip,
+                 shear = scene.meeting.shear_stiffness * meeting.stiffness * slip;
+    direction_of(impact, meeting, meeting.normal)
+        .set(time * response_of(scene.meeting, meeting).force, given);
+    direction_of(impact, meeting, tangent_of(meeting)).set(-time * shear, given);
+  }
 }
 
 }  // namespace
@@ -157,6 +199,7 @@ Rebound rebound(const MovingScene& scene, const Impact& impact) {
   }
   if (fastest <= 0) return out;
   std::vector<RigidMotion> given(impact.groups.groups.size());
+  bear_until_parted(scene, impact, contacts, given);
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     double change = 0;
     for (ImpactContact& contact : contacts) change = std::max(change, contact.relax(given));
@@ -169,7 +212,7 @@ Rebound rebound(const MovingScene& scene, const Impact& impact) {
         {given[group].velocity + given[group].spin * Vec2(-arm.y(), arm.x()), given[group].spin});
   }
   for (std::size_t c = 0; c < contacts.size(); ++c) {
-    const double now = contacts[c].normal.speed(impact.at, impact.velocity);
+    const double now = contacts[c].normal.speed(scene, impact.at, impact.velocity);
     if (contacts[c].normal.impulse != 0 || std::abs(now) > contacts[c].slow)
       out.under_way[c] = contacts[c].approach;
   }

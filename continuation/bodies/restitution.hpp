@@ -26,12 +26,14 @@ struct RigidGroups {
 /// Bodies that have met in a step.
 struct Impact {
   const std::vector<Meeting>& meetings;  ///< at its end
+  const std::vector<Meeting>& before;    ///< at its beginning
   const SliderMemory& contacts;          ///< what was kept of them before: impacts that are under way
   const Poses& at;                       ///< where all are then
   const Poses& approach;                 ///< ẏ with which they have flown towards each other
   const Poses& velocity;                 ///< ẏ that the step has left
   const Poses& pull;                     ///< ÿ by the loads
   const Poses& way;                      ///< that the step has led
+  double step = 0;                       ///< its length [T]
   double behind = 0;                     ///< time by which ẏ, a mean, is behind [T]
   double slow = 0;                       ///< approaches up to this are none [L/T]
   double span = 0;                       ///< over which the forces at its end have acted [T]
@@ -55,6 +57,8 @@ struct Rebound {
 ///
 /// The step at whose end a contact has been approached gives what is missing of that speed, λ ≥ 0, with friction |λ_t| ≤ μ λ; so
 /// do those after it, of an impact that takes several, as long as the energy that it has taken has not sufficed.
+/// Contacts of the bodies that hit which bear no more at its end, such as the corner about which a body has turned over, have
+/// borne until they did, since the middle of the last step, of which the velocity is: their forces then, with friction.
 /// What springs have stored by then would have bodies part faster: as long as they bear on each other that is taken away,
 /// at most what the force of the contact has given in the step, −λ ≤ N dt.
 Rebound rebound(const MovingScene& scene, const Impact& impact);

@@ -75,9 +75,10 @@ class Integrator {
   virtual BodyWork work(const AffineBlock& block, const BodyStep& step) const = 0;
   /// The same course with a rigid motion more; dt was its last step.
   virtual BodyCourse pushed(const BodyCourse& at, const RigidMotion& by, double dt) const = 0;
-  /// The same course without rates of strain; dt was its last step.
-  virtual BodyCourse calmed(const BodyCourse& at, double dt) const {
-    return pushed(begin(at.now, Pose::Zero(), dt), rigid_part(at.now, at.velocity), dt);
+  /// The same course as that of a rigid body: with its momentum and its angular momentum, without rates of strain; dt was its
+  /// last step.
+  virtual BodyCourse calmed(const AffineBlock& block, const BodyCourse& at, double dt) const {
+    return pushed(begin(at.now, Pose::Zero(), dt), rigid_motion_of(block, at.now, at.velocity), dt);
   }
   /// Where a way z in first order leads from a pose.
   virtual Pose carried(const Pose& now, const Pose& way) const { return now + way; }

@@ -41,10 +41,12 @@ class LastStep : public Integrator {
     out.velocity = (out.now - out.before) / dt;
     return out;
   }
-  BodyCourse calmed(const BodyCourse& at, double dt) const final {
+  BodyCourse calmed(const AffineBlock& block, const BodyCourse& at, double dt) const final {
     BodyCourse out = at;
-    out.before = pose_of(centre_of(at.before), rotation(polar_of(gradient_of(at.before)).angle) *
-                                                   polar_of(gradient_of(at.now)).stretch);
+    const double spin =
+        rigid_motion_of(block, at.now, at.velocity).spin;  // that of the chord of a turn is sin(Δ)/dt
+    out.before = pose_of(centre_of(at.before),
+                         rotation(-std::asin(std::clamp(dt * spin, -1.0, 1.0))) * gradient_of(at.now));
     out.velocity = (out.now - out.before) / dt;
     return out;
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <random>
 #include <utility>
 
 #include "continuation/linear/dense/two_by_two.hpp"
@@ -11,6 +12,8 @@
 namespace dda {
 
 namespace {
+
+constexpr double far = 1e8;  // what a base may open more than the intact structure does
 
 bool is_exactly_symmetric(const Mat2& a) { return is_same(a.transpose(), a); }
 
@@ -58,21 +61,24 @@ bool LinearSystem::rebase(std::span<const Mat2> tangents) {
   settle_pending();
   const std::vector<Mat2> before = base_;
   const double stiff = reference_size();
-  const auto is_good = [&](std::vector<Mat2> base) {
+  const auto is_made = [&](const std::vector<Mat2>& base) {
     const std::size_t beside = num_columns_beside(base, tangents);
-    base_ = std::move(base);
+    base_ = base;
     return factor_base() && !is_loose(stiff) && (general_ || beside <= columns_->most_at_once());
+  };
+  const auto is_good = [&](const std::vector<Mat2>& base) {
+    return is_made(base) && (general_ || !has_loose_parts() || is_made(held(base)) || is_made(base));
   };
   if (updates_softening_) {
     constexpr double full = 0.75;  // it would soon have to be left
     std::vector<Mat2> base = stiff_base(tangents);
     const auto beside = static_cast<double>(num_columns_beside(base, tangents));
-    if (beside <= full * static_cast<double>(most_held_columns()) && is_good(std::move(base))) return true;
+    if (beside <= full * static_cast<double>(most_held_columns()) && is_good(base)) return true;
   }
   std::vector<Mat2> symmetric(tangents.size());
   std::ranges::transform(tangents, symmetric.begin(), symmetric_part);
   const std::size_t friction = num_columns_beside(symmetric, tangents);
-  if (!takes_friction(friction) && is_good(std::move(symmetric))) return true;
+  if (!takes_friction(friction) && is_good(symmetric)) return true;
   if (friction > 0 && is_good({tangents.begin(), tangents.end()})) return true;
   base_ = before;  // a singular tangent is no base: the old one stays in force
   factor_base();
@@ -88,9 +94,31 @@ double LinearSystem::reference_size() {
 
 /// Whether hardly more than weak springs holds what the base before held: couplings of the points would leave
 /// no digit of what they bear.
-bool LinearSystem::is_loose(double size_before) {
-  constexpr double far = 1e8;
-  return reference_size() > far * size_before;
+bool LinearSystem::is_loose(double size_before) { return reference_size() > far * size_before; }
+
+/// Whether hardly more than weak springs holds a part of the structure, which the reference load need not move: tractions of
+/// intact joints at every point, of random signs, open none of them by much more than their 1 where all is held.
+bool LinearSystem::has_loose_parts() {
+  std::mt19937 random(1);
+  std::vector<double> tractions(2 * equilibrium_.num_active()), x(n(), 0.0);
+  for (std::size_t p = 0; p < equilibrium_.num_active(); ++p) {
+    const Vec2 stiffness = equilibrium_.point(p).intact_stiffness();
+    for (Eigen::Index i = 0; i < 2; ++i)
+      tractions[2 * p + static_cast<std::size_t>(i)] = (random() % 2 == 0 ? 1 : -1) * stiffness[i];
+  }
+  equilibrium_.scatter_add(tractions, x);
+  solver_.solve(x, 1);
+  for (std::size_t p = 0; p < equilibrium_.num_active(); ++p)
+    if (!(rows_times(p, x).norm() <= far)) return true;
+  return false;
+}
+
+/// A base with the intact stiffness of all joints of which next to none is left.
+std::vector<Mat2> LinearSystem::held(std::span<const Mat2> base) const {
+  std::vector<Mat2> out;
+  for (std::size_t p = 0; p < base.size(); ++p)
+    out.push_back(held_at_least(base[p], equilibrium_.point(p).intact_stiffness().asDiagonal()));
+  return out;
 }
 
 /// Whether a base takes the friction whose columns these are, because it would have to be replaced at once

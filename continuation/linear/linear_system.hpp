@@ -35,7 +35,8 @@ struct NegativeEigenvalues {
 /// clocks, so that runs repeat. The base is symmetric: of a frictional tangent it takes the symmetric part, and
 /// the rest stays an update. Where more slides than is worth updating, and wherever nothing is updated, the
 /// unsymmetric tangent is the base itself, by LU, and every other tangent a new one. What hardly more than weak
-/// springs hold is no base.
+/// springs hold is no base: where a part of the structure has come loose, if only in an iterate that leads nowhere, joints of
+/// which nothing is left are intact in it, and updates.
 ///
 /// Jumps of cuts that come later are a border of the base (bordered_solver.hpp), by which Z and G are corrected.
 class LinearSystem {
@@ -183,6 +184,8 @@ class LinearSystem {
   bool rebase(std::span<const Mat2> tangents);
   double reference_size();
   bool is_loose(double size_before);
+  bool has_loose_parts();
+  std::vector<Mat2> held(std::span<const Mat2> base) const;
   bool needs_new_base(std::span<const Mat2> tangents) const;
   bool takes_friction(std::size_t columns) const;
   /// Columns of the batches with a point that needs one.

@@ -36,19 +36,22 @@ Motion::Encounter Motion::encounter(const Try& step) const {
 /// What impacts give back, as far as they have taken it, and what they take away.
 void Motion::bounce(Try& step) {
   if (!course_.integrator->has_inertia() || course_.integrator->open_close()) return;
-  const std::vector<Meeting> meetings = potential_->meetings(step.found.poses);
+  const std::vector<Meeting> before = potential_->meetings(now_),
+                             meetings = potential_->meetings(step.found.poses);
   if (meetings.empty() && m_.owed.empty()) return hold(step, 0);
   constexpr double steps = 3;  // of falling, whose speed is that of contacts which stay
   const Encounter met = encounter(step);
   const RigidGroups groups(scene_, held_together(), step.found.poses);
   const Rebound back =
       rebound(scene_, {.meetings = meetings,
+                       .before = before,
                        .contacts = m_.sliders,
                        .at = step.found.poses,
                        .approach = met.approach,
                        .velocity = met.velocity,
                        .pull = met.pull,
                        .way = met.way,
+                       .step = m_.dt.now,
                        .behind = course_.integrator->has_mean_velocities() ? m_.dt.now / 2 : 0,
                        .slow = steps * pull_ * m_.dt.now,
                        .span = 1 / (m_.dt.now * step.inertia.per_square_time),
@@ -66,12 +69,14 @@ void Motion::bounce(Try& step) {
   const std::vector<RigidMotion> given = back.given.empty() ? std::move(m_.owed) : back.given;
   m_.owed.clear();
   if (!given.empty()) push(step, given);
-  const bool is_over = !scene_.meeting.restitution || (hit.empty() && m_.owed.empty());
-  hold(step, is_over ? 0 : std::max(0.0, step.entry.stored.impacts + step.entry.lost()));
+  const bool is_over = hit.empty() && m_.owed.empty();
+  const double since_it_began = scene_.meeting.restitution ? step.entry.stored.impacts : 0;
+  hold(step, is_over ? 0 : std::max(0.0, since_it_began + step.entry.lost()));
 }
 
 /// What impacts under way have taken is spent when they are over, less what they have given back. That may be of what the
-/// vibrations of bodies in them have lost.
+/// vibrations of bodies in them have lost. Where they give nothing back that is so of the last step: its velocity, a mean of
+/// that before and after an impact, which may point against each other, has less kinetic energy than either; the next one tells.
 void Motion::hold(Try& step, double energy) {
   MotionLedger& out = step.entry;
   out.impact -= energy - out.stored.impacts;
@@ -91,7 +96,7 @@ void Motion::calm(Try& step, const std::vector<std::size_t>& hit, const RigidGro
     if (!is_hit[groups.of_body[b]] || scene_.bodies[b].is_held) continue;
     const AffineBlock& block = scene_.bodies[b].block;
     out.kinetic -= kinetic_energy(block, step.courses[b].velocity);
-    step.courses[b] = course_.integrator->calmed(step.courses[b], m_.dt.now);
+    step.courses[b] = course_.integrator->calmed(block, step.courses[b], m_.dt.now);
     out.kinetic += kinetic_energy(block, step.courses[b].velocity);
   }
   out.stored = stored(step.courses);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "continuation/linear/dense/two_by_two.hpp"
+
 namespace dda {
 namespace {
 
@@ -15,14 +17,6 @@ constexpr double loosened = 0.9;
 /// Along joints of bodies that only touch the stiff spring of an iterated multiplier makes a long slide out
 /// of a tiny load: the load factor would be told from the rounding of q. A softer one leaves less of that.
 constexpr double softened = 0.1;
-
-/// The secant of a damaged point, or the intact stiffness where next to none is left: blocks that are held by nothing in
-/// the base would fly off in its solutions, and openings be told from their rounding.
-Mat2 held_at_least(const Mat2& secant, const Mat2& intact) {
-  constexpr double loose = 1e-3;
-  const bool holds = (secant.diagonal().array() > loose * intact.diagonal().array()).all();
-  return holds ? secant : intact;
-}
 
 }  // namespace
 

@@ -74,6 +74,8 @@ class CrackFront {
   std::optional<Asked> asked_sooner(const BlockStress& growing);
   /// The place where tension asks most for one, whether there may be more or not, that no crack runs next to.
   std::optional<Asked> left_out(const std::vector<Vec3>& stress) const;
+  /// Corners at which cracks may begin by themselves, and of which too few blocks tell whether they do.
+  std::vector<ShallowCorner> shallow_corners() const;
   /// Cuts its first segment; its number, or nothing where that cannot be cut.
   std::optional<int> start(const Asked& crack);
   /// Aims the segment ahead of a crack; whether it is another one now.

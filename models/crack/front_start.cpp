@@ -1,5 +1,6 @@
 // Cracks that begin where stress asks for one.
 #include <algorithm>
+#include <iterator>
 
 #include "framework/base/errors.hpp"
 #include "models/crack/front.hpp"
@@ -96,6 +97,14 @@ std::optional<CrackFront::Asked> CrackFront::left_out(const std::vector<Vec3>& s
     if (!places.empty() && (!out || places.front().load_factor < out->start.load_factor))
       out = Asked{e, places.front(), std::nullopt};
   }
+  return out;
+}
+
+std::vector<ShallowCorner> CrackFront::shallow_corners() const {
+  std::vector<ShallowCorner> out;
+  for (std::size_t e = 0; e < model_.cracks.size(); ++e)
+    if (model_.cracks[e].is_automatic())
+      std::ranges::move(CrackStarts(geometry_, body_).shallow(wish_of(e).strength), std::back_inserter(out));
   return out;
 }
 

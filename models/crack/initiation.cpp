@@ -11,8 +11,8 @@
 namespace dda {
 namespace {
 
-// In block sizes: how far fits reach, on an edge and from a corner, and where before that its tension is asked for.
-constexpr double fit_reach = 3, corner_reach = 2, before_corner = 0.25;
+// In block sizes: how far fits reach, and where before a corner its tension is asked for.
+constexpr double fit_reach = 3, before_corner = 0.25;
 constexpr double leaves_at_least = 45 * std::numbers::pi / 180, same_way = 30 * std::numbers::pi / 180;
 
 using Strengths = std::map<int, LocalStrength>;  // by region
@@ -71,22 +71,30 @@ double singularity_of(double angle) {
   return low;
 }
 
-/// Where the boundary turns away from the body by more than a hole's outline does, such as the tip of a slit.
+/// Of the body between a side of its boundary and the one that goes on from its end, counter-clockwise from that to the side's
+/// way back, in (0, 2π]: π along a straight edge, 2π about the tip of a slit.
+double angle_between(const BoundarySide& to, const BoundarySide& from) {
+  constexpr double closed = 1e-6;
+  const Vec2 back = to.start - to.end, on = from.end - from.start;
+  const double angle = std::atan2(cross(on, back), on.dot(back));
+  return angle > closed ? angle : angle + 2 * std::numbers::pi;
+}
+
+/// Where the boundary turns away from the body by more than a hole's outline does, such as the tip of a slit. The two faces of
+/// a slit pass each other at corners of blocks: what goes on from one of them is the side that leaves least of the body between.
 std::vector<CrackSite> corners_of(const Body& body, const Strengths& strength, double tolerance) {
-  constexpr double cosine = 0.866;  // 30°
+  constexpr double least = std::numbers::pi * 7 / 6;
   std::vector<CrackSite> out;
   for (const BoundarySide& to : body.assembly.boundary) {
     if (!strength.contains(body.block(to.block).region)) continue;
-    for (const BoundarySide& from : body.assembly.boundary) {
-      if ((from.start - to.end).norm() > tolerance) continue;
-      const Vec2 a = (to.end - to.start).normalized(), b = (from.end - from.start).normalized();
-      constexpr double back = 1e-6;  // of the tip of a slit, which turns by 180° to either side
-      if (a.dot(b) < cosine && cross(a, b) < back) {
-        const double turned = std::acos(std::clamp(a.dot(b), -1.0, 1.0));
-        out.push_back(
-            {to.end, (a - b).normalized(), to.block, {}, singularity_of(std::numbers::pi + turned)});
-      }
-    }
+    const BoundarySide* on = nullptr;
+    for (const BoundarySide& from : body.assembly.boundary)
+      if ((from.start - to.end).norm() <= tolerance &&
+          (!on || angle_between(to, from) < angle_between(to, *on)))
+        on = &from;
+    if (!on || angle_between(to, *on) < least) continue;
+    const Vec2 a = (to.end - to.start).normalized(), b = (on->end - on->start).normalized();
+    out.push_back({to.end, (a - b).normalized(), to.block, {}, singularity_of(angle_between(to, *on))});
   }
   return out;
 }
@@ -148,7 +156,7 @@ class Recovery {
     Stresses stresses;
   };
 
-  std::vector<Seen> seen_from(const CrackSite& place, double reach) const {
+  std::vector<Seen> seen_from(const CrackSite& place) const {
     std::vector<const BoundarySide*> close;
     for (const BoundarySide& side : body_.assembly.boundary)
       if (distance(place.x, side.start, side.end) <= radius_) close.push_back(&side);
@@ -156,7 +164,7 @@ class Recovery {
     for (std::size_t b = 0; b < body_.assembly.num_blocks(); ++b) {
       const Block& block = body_.assembly.blocks[b];
       const Vec2 away = (block.moments.centroid - place.x) / radius_;
-      if (block.region != body_.block(place.block).region || away.norm() > reach) continue;
+      if (block.region != body_.block(place.block).region || away.norm() > 1) continue;
       if (!sees(place, block.moments.centroid, close)) continue;
       Stresses both;
       both << stress_.dead[b].transpose(), stress_.live[b].transpose();
@@ -169,28 +177,28 @@ class Recovery {
     return {tensor(s[0], s[1], s[2]), tensor(s[3], s[4], s[5])};
   }
 
-  Stresses fitted(const CrackSite& place) const {
+  /// s of the fit of s b(x) + G (x − x₀), by its function b of the way from the place [radii].
+  template <class Function>
+  Stresses fitted(const CrackSite& place, Function function) const {
     Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
     Eigen::Matrix<double, 3, 6> right = Eigen::Matrix<double, 3, 6>::Zero();
-    for (const Seen& seen : seen_from(place, 1)) {
-      const Eigen::Vector3d basis(1, seen.away.x(), seen.away.y());
+    for (const Seen& seen : seen_from(place)) {
+      const Eigen::Vector3d basis(function(seen.away.norm()), seen.away.x(), seen.away.y());
       normal += basis * basis.transpose();
       right += basis * seen.stresses;
     }
     return value(normal, right);
   }
 
-  /// σ = s (ρ/r)ᵉ fitted likewise: s.
+  Stresses fitted(const CrackSite& place) const {
+    return fitted(place, [](double) { return 1.0; });
+  }
+
+  /// σ = s (ρ/r)ᵉ + G (x − x₀) fitted likewise: s.
   Stresses at_corner(const CrackSite& place) const {
     constexpr double least = before_corner / fit_reach;
-    double normal = 0;
-    Stresses right = Stresses::Zero();
-    for (const Seen& seen : seen_from(place, corner_reach / fit_reach)) {
-      const double basis = std::pow(least / std::max(seen.away.norm(), least), place.singularity);
-      normal += basis * basis;
-      right += basis * seen.stresses;
-    }
-    return normal == 0 ? Stresses(Stresses::Zero()) : Stresses(right / normal);
+    return fitted(place,
+                  [&](double away) { return std::pow(least / std::max(away, least), place.singularity); });
   }
 
   /// Whether a straight line leads there within the body: what lies behind a slit is not joined to its face.
@@ -283,6 +291,22 @@ bool runs_along_boundary(const Body& body, const CrackStart& start, double block
 }
 
 }  // namespace
+
+std::vector<ShallowCorner> CrackStarts::shallow(const std::map<int, LocalStrength>& strength) const {
+  constexpr double enough = 4;  // block sizes
+  std::vector<ShallowCorner> out;
+  for (const CrackSite& corner : corners_of(body_, strength, cracks_.tolerance())) {
+    double depth = std::numeric_limits<double>::infinity();
+    for (const BoundarySide& side : body_.assembly.boundary) {
+      const Vec2 edge = side.end - side.start, to = side.start - corner.x;
+      const double across = cross(corner.inward, edge), share = cross(to, corner.inward) / across;
+      const double away = cross(to, edge) / across;
+      if (share >= 0 && share <= 1 && away > cracks_.tolerance()) depth = std::min(depth, away);
+    }
+    if (depth < enough * cracks_.block_size()) out.push_back({corner.x, depth / cracks_.block_size()});
+  }
+  return out;
+}
 
 std::vector<CrackStart> CrackStarts::places(const BlockStress& stress, const Wish& wish) const {
   const double h = cracks_.block_size(), radius = fit_reach * h;

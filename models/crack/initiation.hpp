@@ -24,6 +24,12 @@ struct BlockStress {
   std::vector<Vec3> dead, live;
 };
 
+/// A re-entrant corner ahead of which there are too few blocks to tell its tension.
+struct ShallowCorner {
+  Vec2 at;
+  double depth = 0;  ///< of the body ahead of it [block sizes]
+};
+
 /// What tension has to reach in a region [F/L²]: ft f(x), f of the random field of its law, as at the points of cracks.
 struct LocalStrength {
   double mean = 0;                     ///< ft
@@ -39,7 +45,7 @@ struct LocalStrength {
 ///     Σ |σ_b − (s + G (x_b − x))|² → min        σ(x) = s
 ///
 /// since blocks of constant strain bear at their middle what the edge bears further out. At a corner, where tension has no
-/// bound, it is that of s (ρ/r)ᵉ at ρ = h/4 before it, fitted within 2 h, with e of the corner's angle (singularity_of).
+/// bound, it is s of s (ρ/r)ᵉ + G (x_b − x), ρ = h/4, fitted likewise, with e of the corner's angle (singularity_of).
 /// With it the smallest λ ≥ 0 is found for which the largest principal value of σ(x) is the strength ft f(x) there, and the
 /// crack runs across its axis, at a corner that of the linear field. Where that would be along an edge, tension along the edge
 /// counts instead.
@@ -56,6 +62,8 @@ class CrackStarts {
   };
   /// Those with a finite λ, the smallest first; places of the same λ in the order of the assembly.
   std::vector<CrackStart> places(const BlockStress& stress, const Wish& wish) const;
+  /// Corners of these regions with less than four blocks ahead of them.
+  std::vector<ShallowCorner> shallow(const std::map<int, LocalStrength>& strength) const;
 
  private:
   const CrackGeometry& cracks_;

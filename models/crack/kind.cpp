@@ -25,7 +25,7 @@ Schema<CrackParameters> with_begin(Schema<CrackParameters> schema) {
                    "regions bears the largest tension in parts of the strength, once it is 0.9 of it."})
       .integer(
           "most", &P::most,
-          {.bounds = between(1, 1000), .text = "Of `begin: automatic`: the number of cracks; 1 without it."})
+          {.bounds = between(1, 1000), .text = "Of `begin: automatic`: the number of cracks; 1 without it. One that has cut off a corner does not count."})
       .number("apart", &P::apart,
               {.dimension = dimension::length,
                .bounds = at_least(0),

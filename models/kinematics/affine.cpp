@@ -53,6 +53,11 @@ Vec6 AffineBlock::over_mass(const Vec6& f) const {
   return out;
 }
 
+RigidMotion rigid_motion_of(const AffineBlock& block, const Pose& y, const Pose& rate) {
+  const Mat2 f = gradient_of(y), moved = f * block.inertia * gradient_of(rate).transpose();
+  return {centre_of(rate), (moved(0, 1) - moved(1, 0)) / (f * block.inertia).cwiseProduct(f).sum()};
+}
+
 Mat6 AffineBlock::mass_matrix() const {
   Mat6 out = Mat6::Zero();
   out.block<2, 2>(0, 0).diagonal().setConstant(mass);

@@ -66,6 +66,10 @@ struct AffineBlock {
   Mat6 mass_matrix() const;
 };
 
+/// The rigid motion with the momentum and the angular momentum of a rate: ω = ∫ (F X) × (Ḟ X) dm / (F J : F). A rate of
+/// shear has some of the latter where J is not round.
+RigidMotion rigid_motion_of(const AffineBlock& block, const Pose& y, const Pose& rate);
+
 /// Strain (E11, E22, 2 E12) of E = ½ (FᵀF − I), and its derivative, 3 × 6.
 Vec3 green_strain(const Pose& y);
 Mat36 green_strain_rows(const Pose& y);

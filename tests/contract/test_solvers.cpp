@@ -209,6 +209,32 @@ TEST_P(SolverContract, ATangentThatMostlySlidesIsTheBase) {
   }
 }
 
+/// An iterate that leads nowhere, in which blocks have come off that the reference load does not move, may make a new base:
+/// it costs the tangents that follow no digit.
+TEST_P(SolverContract, WhatHasComeLooseInAnIterateIsHeldByTheBase) {
+  const Structure structure(many_joints);
+  const Equilibrium equilibrium = structure.equilibrium();
+  LinearSystem system(equilibrium, choice(), LinearSystem::Update::low_rank);
+  std::vector<Mat2> intact;
+  for (std::size_t p = 0; p < equilibrium.num_active(); ++p)
+    intact.emplace_back(equilibrium.point(p).intact_stiffness().asDiagonal());
+  std::vector<Mat2> loose = intact, softens = intact;
+  const BlockId free = structure.assembly().sides[equilibrium.point(0).side].first;
+  for (std::size_t p = 0; p < intact.size(); ++p) {
+    const Side& side = structure.assembly().sides[equilibrium.point(p).side];
+    if (side.first == free || side.second == free || p % 2 == 0) loose[p].setZero();
+  }
+  softens[0] *= -1e-2;
+  system.set_tangent(loose);
+  EXPECT_GT(system.num_factorisations(), 1u);
+  ASSERT_TRUE(system.set_tangent(softens));
+  const std::vector<double> b = random_.vector(equilibrium.num_unknowns(), 1);
+  std::vector<double> x(b.size());
+  system.solve(b, x);
+  const Eigen::VectorXd expected = dense_tangent(equilibrium, softens).fullPivLu().solve(vec(b));
+  EXPECT_LT((vec(x) - expected).norm(), 1e-9 * expected.norm());
+}
+
 /// Random tangents: softening, released and intact points, then more and more of them.
 TEST_P(SolverContract, LowRankUpdatesEqualNewFactorisations) {
   for (const Equilibrium& equilibrium : equilibria()) {

@@ -19,4 +19,12 @@ inline bool is_same(const Mat2& a, const Mat2& b) {
 
 inline Mat2 symmetric_part(const Mat2& a) { return 0.5 * (a + a.transpose()); }
 
+/// The stiffness of a point in a base, or the intact one where next to none is left: blocks that are held by nothing there
+/// would fly off in its solutions, and openings be told from their rounding.
+inline Mat2 held_at_least(const Mat2& stiffness, const Mat2& intact) {
+  constexpr double loose = 1e-3;
+  const bool holds = (stiffness.diagonal().array() > loose * intact.diagonal().array()).all();
+  return holds ? stiffness : intact;
+}
+
 }  // namespace dda

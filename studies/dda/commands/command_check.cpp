@@ -12,6 +12,7 @@
 #include "studies/dda/figures/model_picture.hpp"
 #include "studies/dda/record/warnings/bearings.hpp"
 #include "studies/dda/record/warnings/coarse_zones.hpp"
+#include "studies/dda/record/warnings/cracks_left_out.hpp"
 #include "studies/dda/record/warnings/unlikely_numbers.hpp"
 #include "studies/dda/sweep/description/sweep.hpp"
 
@@ -171,6 +172,8 @@ void print_warnings(const Simulation& simulation) {
   if (tearing.size() > most) line("warning", fmt::format("the same of {} more", tearing.size() - most));
   for (const CoarseZone& zone : coarse_zones(simulation)) line("warning", text(simulation, zone));
   for (const std::string& unlikely : unlikely_numbers(simulation)) line("warning", unlikely);
+  if (const std::string corner = note_on_shallow_corners(simulation); !corner.empty())
+    line("warning", corner);
 }
 
 /// The decks of a sweep are read, not meshed: there may be hundreds.

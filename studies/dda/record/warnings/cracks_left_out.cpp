@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace dda {
 namespace {
 
@@ -28,6 +30,20 @@ std::string note_on_cracks_left_out(const Simulation& simulation, const State* p
   std::string out = note_at(simulation, simulation.walker().state(), at_end, "end");
   if (out.empty() && peak) out = note_at(simulation, *peak, at_peak, "peak");
   return out;
+}
+
+std::string note_on_shallow_corners(const Simulation& simulation) {
+  if (!simulation.cracked()) return {};
+  const auto corners = simulation.cracked()->front().shallow_corners();
+  const auto least = std::ranges::min_element(corners, {}, &ShallowCorner::depth);
+  if (least == corners.end()) return {};
+  return fmt::format(
+      "the body is {:.2g} blocks deep ahead of the corner at ({:.4g}, {:.4g}): with less than four they do "
+      "not tell well "
+      "whether a crack begins there by itself, and peaks may be tens of percent too high; make blocks {:.2g} "
+      "times as "
+      "large, or name the place by `begin`",
+      least->depth, least->at.x(), least->at.y(), least->depth / 4);
 }
 
 }  // namespace dda

@@ -328,6 +328,7 @@ void RunRecorder::look_back() {
   std::ranges::move(unlikely_numbers(simulation_), std::back_inserter(notices_));
   for (std::string note :
        {note_on_turning_contacts(simulation_), note_on_large_movements(simulation_),
+        note_on_shallow_corners(simulation_),
         note_on_cracks_left_out(simulation_, memory_.peak_state ? &memory_.peak_state->state : nullptr)})
     if (!note.empty()) notices_.push_back(std::move(note));
   notices_.insert(notices_.end(), offered_.begin(), offered_.end());

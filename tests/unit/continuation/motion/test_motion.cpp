@@ -220,25 +220,6 @@ TEST(Motion, SettlesWithoutInertia) {
               1, 1e-6);
 }
 
-TEST(Motion, GivesBackWhatRestitutionSays) {
-  for (const double share : {0.0, 0.5, 1.0}) {
-    MovingScene of = scene(0, {body(box(-5, -1, 9, 0), true), body(box(0, 1, 1, 2))}, {0, -gravity});
-    of.meeting.restitution = [share](std::size_t, std::size_t) { return share; };
-    Motion motion(of, {}, undeformed(of), at_rest(of), {.time = 1.2, .stops_at_rest = false, .step = 0.005});
-    double highest = 0, spent = 0;
-    while (motion.advance()) {
-      if (motion.time() > std::sqrt(2 / gravity) + 0.02)
-        highest = std::max(highest, motion.poses()[1][1] - 0.5);
-      EXPECT_GE(motion.ledger().lost(), spent - 1e-6 * gravity * density)
-          << "what may be given back is not spent yet";
-      spent = motion.ledger().lost();
-    }
-    EXPECT_NEAR(std::sqrt(highest), share, 0.03) << motion.reason();
-    EXPECT_LT(unbalanced(motion, motion.ledger().external), 1e-6);
-    EXPECT_GE(motion.ledger().lost(), -1e-9 * density);
-  }
-}
-
 TEST(Motion, GoesWithAGroundThatIsDriven) {
   MovingScene of = scene(0.5, {body(box(-5, -1, 9, 0), true), body(box(0, 0, 1, 1))}, {0, -gravity});
   of.drives.push_back({{0}, {1, 0}, std::make_shared<Steady>(0.2)});

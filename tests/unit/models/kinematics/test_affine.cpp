@@ -53,6 +53,24 @@ TEST(Affine, TakesARotationApart) {
   }
 }
 
+/// Of a rigid motion itself; of a shear, which turns a body whose inertia is not round, what keeps its angular momentum.
+TEST(Affine, ARigidMotionHasTheMomentaOfARate) {
+  const AffineBlock of = block();
+  const Pose y = pose_near(0.7, 0.05, 1);
+  const RigidMotion motion{{2, -1}, 0.3};
+  EXPECT_NEAR(rigid_motion_of(of, y, rate_of(y, motion)).spin, motion.spin, 1e-14);
+  Mat2 rate;
+  rate << 0.2, 0.5, -0.1, 0.4;
+  const Pose moves = pose_of({1, 1}, rate), rigid = rate_of(y, rigid_motion_of(of, y, moves));
+  const Mat2 f = gradient_of(y);
+  const auto angular = [&](const Pose& v) {
+    const Mat2 m = f * of.inertia * gradient_of(v).transpose();
+    return m(0, 1) - m(1, 0);
+  };
+  EXPECT_NEAR(angular(rigid) / angular(moves), 1, 1e-12);
+  EXPECT_EQ(centre_of(rigid), centre_of(moves));
+}
+
 TEST(Affine, StrainEnergyHasItsGradientAndCurvature) {
   const AffineBlock of = block();
   for (unsigned seed = 1; seed < 6; ++seed) {
