@@ -41,12 +41,13 @@ std::optional<Point> cracking_step(PathState& path, const Move& move) {
 }
 
 /// The control's own; where a mechanism goes on while next to nothing is spent, and no arc is long beside the corner at which
-/// it has begun, by its displacement.
+/// it has begun, by its displacement, and so where no rates tell an arc which way to go.
 Move cracking_move(PathState& path) {
   Move own = path.control->next(path.walker);
   const bool yields = own.kind == StepKind::arc_length ||
                       (own.kind == StepKind::dissipation && path.control->may_be_rescued());
-  const bool is_free = yields && path.walker.system().has_contacts() && moves_freely(path);
+  const bool is_lost = own.kind == StepKind::arc_length && !path.walker.leaving().keeps_equilibrium;
+  const bool is_free = yields && path.walker.system().has_contacts() && (is_lost || moves_freely(path));
   return is_free ? displacement_move(path) : own;
 }
 

@@ -118,7 +118,7 @@ class RateProblem {
     const std::vector<History> flags = system_.history();
     may_snap_back_ = true;
     auto found = walked(arriving);
-    if (found && found->tangent.load_factor < 0) {
+    if (found && found->tangent.load_factor < 0 && spends(found->tangent)) {
       let_rest(found->tangent);
       return std::move(found->tangent);
     }
@@ -205,6 +205,14 @@ class RateProblem {
     if (std::abs(live_power(system_, state_, found).of_forces) > far * elastic_power_) return false;
     reverse(found);
     return is_settled(found);
+  }
+
+  /// Whether friction takes of what the load gives back: else it is taken off, as from the limit of a mechanism of which rounding
+  /// hides the rates.
+  bool spends(const Tangent& found) const {
+    constexpr double hardly = 0.01;
+    const double given_back = std::abs(state_.load_factor * live_power(system_, state_, found).of_forces);
+    return std::abs(dissipation_rate(system_, state_, found)) > hardly * given_back;
   }
 
   /// Whether joints slide on only the other way round, and the load rises there: what it works on goes back, as where friction

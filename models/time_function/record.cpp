@@ -62,7 +62,8 @@ class Recorded final : public TimeFunction {
 Schema<RecordedParameters> schema() {
   using P = RecordedParameters;
   return Schema<P>(
-             "A recorded acceleration, such as that of an earthquake, from a CSV file; integrated from rest.")
+             "A recorded acceleration, such as that of an earthquake, from a CSV file; integrated from rest. "
+             "Behind its last entry all stands: one that ends with a velocity is to be corrected first.")
       .file("file", &P::file, {.text = "The CSV file; its first line names the columns."})
       .text("time", &P::time, {.fallback = "time", .text = "Column of the times, the first 0 [s]."})
       .text("acceleration", &P::acceleration,

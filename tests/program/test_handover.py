@@ -93,7 +93,7 @@ class Joints(Scratch):
         """A beam of Voronoi blocks, let go where a crack has run through them: its joints close and rub while it springs back.
 
         Friction follows the pressure of joints as that of contacts does, so that a step has a minimum to be found; what vibrates
-        is damped, and nothing is given back.
+        is damped, and nothing is given back but for what energies of the middle of a step and of its end differ by.
         """
         for law in ("exponential_softening", "bilinear_softening"):
             with self.subTest(law=law):
@@ -101,8 +101,9 @@ class Joints(Scratch):
                 self.assertEqual(run.summary["status"], "goal_reached", run.summary["reason"])
                 self.assertIn("at rest", run.summary["motion"]["reason"])
                 self.assertEqual(self.refused(self.folder), [])
-                falls = -np.diff((run.motion.curve["impact"] + run.motion.curve["numerical_damping"]))
-                self.assertLess(falls.max(), 1e-9 * run.motion.curve["kinetic_energy"].max())
+                curve = run.motion.curve
+                falls = -np.diff(curve["impact"] + curve["numerical_damping"]) - np.abs(np.diff(curve["stored_energy"] - curve["impact_energy"])) / 2
+                self.assertLess(falls.max(), 1e-9 * curve["kinetic_energy"].max())
 
     def test_what_has_cracked_bears_where_another_point_holds(self):
         """A block that was pushed until one corner of its joint had torn rocks back onto that corner, which bears as before."""
