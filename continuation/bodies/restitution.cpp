@@ -152,7 +152,7 @@ const ImpactContact* impact_on(const Impact& impact, const Meeting& meeting,
 /// What contacts that an impact has parted have borne until then.
 void bear_until_parted(const MovingScene& scene, const Impact& impact,
                        const std::vector<ImpactContact>& contacts, std::vector<RigidMotion>& given) {
-  for (const Meeting& meeting : impact.before) {
+  for (const Meeting& meeting : impact.before()) {
     const ImpactContact* hit = is_there(impact, meeting) ? nullptr : impact_on(impact, meeting, contacts);
     if (!hit) continue;
     const double time = impact.behind + hit->until, slip = impact.contacts.of(meeting.key).slip,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "continuation/bodies/meetings.hpp"
@@ -25,20 +26,20 @@ struct RigidGroups {
 
 /// Bodies that have met in a step.
 struct Impact {
-  const std::vector<Meeting>& meetings;  ///< at its end
-  const std::vector<Meeting>& before;    ///< at its beginning
-  const SliderMemory& contacts;          ///< what was kept of them before: impacts that are under way
-  const Poses& at;                       ///< where all are then
-  const Poses& approach;                 ///< ẏ with which they have flown towards each other
-  const Poses& velocity;                 ///< ẏ that the step has left
-  const Poses& pull;                     ///< ÿ by the loads
-  const Poses& way;                      ///< that the step has led
-  double step = 0;                       ///< its length [T]
-  double behind = 0;                     ///< time by which ẏ, a mean, is behind [T]
-  double slow = 0;                       ///< approaches up to this are none [L/T]
-  double span = 0;                       ///< over which the forces at its end have acted [T]
-  const RigidGroups& groups;             ///< at its end
-  bool is_owed = false;                  ///< impacts under way have given back less than they shall
+  const std::vector<Meeting>& meetings;                 ///< at its end
+  const std::function<std::vector<Meeting>()>& before;  ///< at its beginning, asked for by impacts alone
+  const SliderMemory& contacts;  ///< what was kept of them before: impacts that are under way
+  const Poses& at;               ///< where all are then
+  const Poses& approach;         ///< ẏ with which they have flown towards each other
+  const Poses& velocity;         ///< ẏ that the step has left
+  const Poses& pull;             ///< ÿ by the loads
+  const Poses& way;              ///< that the step has led
+  double step = 0;               ///< its length [T]
+  double behind = 0;             ///< time by which ẏ, a mean, is behind [T]
+  double slow = 0;               ///< approaches up to this are none [L/T]
+  double span = 0;               ///< over which the forces at its end have acted [T]
+  const RigidGroups& groups;     ///< at its end
+  bool is_owed = false;          ///< impacts under way have given back less than they shall
 };
 
 /// What an impact does to bodies beside the forces of their contacts.

@@ -36,8 +36,8 @@ Motion::Encounter Motion::encounter(const Try& step) const {
 /// What impacts give back, as far as they have taken it, and what they take away.
 void Motion::bounce(Try& step) {
   if (!course_.integrator->has_inertia() || course_.integrator->open_close()) return;
-  const std::vector<Meeting> before = potential_->meetings(now_),
-                             meetings = potential_->meetings(step.found.poses);
+  const std::function before = [&] { return potential_->meetings(now_); };
+  const std::vector<Meeting> meetings = potential_->meetings(step.found.poses);
   if (meetings.empty() && m_.owed.empty()) return hold(step, 0);
   constexpr double steps = 3;  // of falling, whose speed is that of contacts which stay
   const Encounter met = encounter(step);
