@@ -81,10 +81,11 @@ Schema<StopRules> stop_schema() {
            .bounds = at_least(0),
            .text = "End, the goal being reached, after this number of accepted steps; 0 = no such goal."})
       .integer("steps", &P::steps,
-               {.fallback = 1000,
-                .bounds = at_least(1),
+               {.bounds = at_least(1),
                 .text = "Limit: a run that has accepted so many steps and not reached its goal is stopped "
-                        "early."})
+                        "early. 1000 if it is not given, and 20 more for every point of an interface that "
+                        "loses its strength at "
+                        "once, which takes steps of its own."})
       .number("load_factor_above", &P::load_factor_above,
               {.text = "End where the load factor of the last stage has risen to this value."})
       .number("load_factor_below", &P::load_factor_below,

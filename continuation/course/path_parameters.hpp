@@ -39,8 +39,8 @@ struct StepSizes {
 struct StopRules {
   double load_below = 0;
   std::map<std::string, double> gauges;
-  int after_steps = 0;  ///< a goal; 0: none
-  int steps = 1000;     ///< a limit
+  int after_steps = 0;       ///< a goal; 0: none
+  std::optional<int> steps;  ///< a limit; without one, PathState::most_steps
   std::optional<double> load_factor_above, load_factor_below;
   double energy_error = 0.05;
 };

@@ -84,6 +84,7 @@ struct PathState {
   Route route;
   std::vector<NamedGauge> travelling;  ///< whose travel is remembered
   bool releases_at_once = false;       ///< some law does
+  int most_steps = 0;                  ///< of the run
   std::optional<RunningCracks> cracks;
   std::optional<LaterStages> later_stages;
   double size = 0;      ///< of the structure [L]

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "continuation/detour/release.hpp"
 #include "continuation/state/acceptance.hpp"
@@ -11,11 +12,21 @@
 namespace dda {
 namespace {
 
+constexpr double smallest = 1e-4;  ///< part of a stage's load that is tried
+
+bool lies_between(double load_factor, const State& from, const State& to) {
+  constexpr double round_off = 1e-9;
+  const double margin = round_off * std::abs(to.load_factor);
+  return load_factor >= from.load_factor - margin && load_factor <= to.load_factor + margin;
+}
+
 /// Goes to where the first point on the way to `beyond` stands at its strength. Returns "" or why it cannot.
 std::string land_on_strength(Walker& walker, const Candidate& beyond) {
   const auto equation = make_event_equation(walker.system(), Initiation::awaited);
   const Attempt tried = walker.attempt(*equation, 1, beyond.state);
   if (!tried.converged) return tried.reason;
+  if (!lies_between(tried.state.load_factor, walker.state(), beyond.state))
+    return "the load at which the first point reaches its strength was not found";
   Candidate candidate = walker.evaluate(tried);
   if (std::string why = objection_to(candidate.excess, walker.system()); !why.empty()) return why;
   walker.accept(std::move(candidate));
@@ -53,9 +64,8 @@ std::string release(Walker& walker) {
                      places_of(system, active_points(system, at)), why);
 }
 
-/// On the way to a state beyond the strength of some points: the first of them loses it.
+/// At the first strength on the way to a state beyond the strength of some points: what stands there loses it.
 std::string crack(Walker& walker, const Candidate& beyond) {
-  if (std::string why = land_on_strength(walker, beyond); !why.empty()) return why;
   if (!is_release_pending(walker.system())) return objection_to(beyond.excess, walker.system());
   return release(walker);
 }
@@ -64,7 +74,6 @@ std::string crack(Walker& walker, const Candidate& beyond) {
 
 std::string apply_full_stage(Walker& walker) {
   const auto control = make_gauge_equation({.rows = {}, .per_load_factor = 1});
-  constexpr double smallest = 1e-4;
   double step = 1;
   while (walker.state().load_factor < 1) {
     if (walker.leaving().d.empty()) return "the tangent stiffness is singular";
@@ -81,7 +90,13 @@ std::string apply_full_stage(Walker& walker) {
     }
     Candidate candidate = walker.evaluate(tried);
     if (!objection_to(candidate.excess, walker.system()).empty()) {
-      if (std::string why = crack(walker, candidate); !why.empty()) return why;
+      std::string why = land_on_strength(walker, candidate);
+      if (!why.empty()) {
+        step = 0.25 * wanted;
+        if (step < smallest) return why;
+        continue;
+      }
+      if (why = crack(walker, candidate); !why.empty()) return why;
       continue;
     }
     if (wanted == rest) candidate.state.load_factor = 1;

@@ -38,21 +38,55 @@ class Release {
     const Functional& gauge = held ? *held : own;
     HeldEquilibrium equilibrium(stepper_, gauge, start_.value(gauge));
     auto out = at_share(equilibrium, most, start_);
-    // Straight as long as no contact changes on the way; where one does, the crossing is sought again.
-    constexpr int most_searches = 20;
     double gone = most;
-    for (int search = 0; out && search < most_searches; ++search) {
-      const double share = first_crossing(out->state);
-      if (share >= 1 - 1e-12) break;
-      gone *= share;
-      out = at_share(equilibrium, gone, out->state);
-    }
+    if (out) gone = up_to_crossing(equilibrium, most, out);
     if (!out) return {};
     const bool turns = out->state.load_factor * start_.load_factor < 0;
     return ReleasedPiece{*out, !turns || is_straight(equilibrium, gone, *out)};
   }
 
  private:
+  /// How much has gone where the first point reaches its strength, and the equilibrium there instead of that where `most`
+  /// has gone. The way is straight as long as no contact changes on it; where one does, the crossing is bracketed.
+  double up_to_crossing(HeldEquilibrium& equilibrium, double most, std::optional<Settled>& out) {
+    constexpr int most_searches = 40;
+    constexpr double round_off = 1e-12;
+    double before = 0, gone = most, beyond = most;
+    std::vector<Vec2> from = openings_, to = opening(*out);
+    for (int search = 0; search < most_searches; ++search) {
+      double share = first_crossing(from, opening(*out));
+      if (share < 1 - round_off) {
+        beyond = gone;
+        to = opening(*out);
+      } else {
+        if (gone >= beyond || stands_at_crossing(opening(*out), to)) break;
+        before = gone;
+        from = opening(*out);
+        share = first_crossing(from, to);
+      }
+      gone = before + share * (beyond - before);
+      out = at_share(equilibrium, gone, out->state);
+      if (!out) break;
+    }
+    return gone;
+  }
+
+  /// Whether a point has come to its strength, on the way to where it is beyond.
+  bool stands_at_crossing(const std::vector<Vec2>& at, const std::vector<Vec2>& beyond) const {
+    constexpr double round_off = 1e-10;
+    for (std::size_t p = 0; p < before_.size(); ++p) {
+      const InterfacePoint& point = system_.equilibrium().point(p);
+      const LawAt law{*point.law, system_.history()[p], point.stiffness};
+      if (law.law.is_broken(law.history, law.stiffness)) continue;
+      if (law.opening(at[p]) >= law.kappa() * (1 - round_off) &&
+          law.opening(beyond[p]) > law.kappa() * (1 + round_off))
+        return true;
+    }
+    return false;
+  }
+
+  std::vector<Vec2> opening(const Settled& at) { return system_.laws_at(at.state)->opening; }
+
   /// Whether half of the loss lies half way in the load factor: no contact and no friction has changed.
   bool is_straight(HeldEquilibrium& equilibrium, double gone, const Settled& end) {
     const auto middle = at_share(equilibrium, 0.5 * gone, start_);
@@ -90,16 +124,15 @@ class Release {
     return Settled{*found, system_.next_history(*found), equilibrium.iterations()};
   }
 
-  /// Share of the way to `end` at which another point reaches its strength first, or one that is losing its
-  /// cohesion that in tension; 1 when none does.
-  double first_crossing(const State& end) const {
-    const auto laws = system_.laws_at(end);
+  /// Share of the straight way at which another point reaches its strength first, or one that is losing its cohesion that in
+  /// tension; 1 when none does.
+  double first_crossing(const std::vector<Vec2>& from, const std::vector<Vec2>& to) const {
     constexpr double round_off = 1e-12;
     double first = 1;
     for (std::size_t p = 0; p < before_.size(); ++p) {
       const InterfacePoint& point = system_.equilibrium().point(p);
-      first = std::min(first, share_to_kappa({*point.law, system_.history()[p], point.stiffness},
-                                             openings_[p], laws->opening[p], round_off));
+      first = std::min(first, share_to_kappa({*point.law, system_.history()[p], point.stiffness}, from[p],
+                                             to[p], round_off));
     }
     return first;
   }

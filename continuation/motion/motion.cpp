@@ -19,7 +19,7 @@ namespace {
 constexpr double of_tearing = 0.1;  // of the step, while joints tear
 constexpr double grows_below =
     0.3;  // of the error that is allowed: a step half as long again has more than twice as much
-constexpr double inf = std::numeric_limits<double>::infinity();
+constexpr double smallest = 1.0 / 4096;  // of the natural step
 
 }  // namespace
 
@@ -158,32 +158,44 @@ Motion::Try Motion::try_step() {
   return out;
 }
 
+/// The length to try a step again with that is too long for what tears in it, or for the accuracy of places; 0 where it is not.
+double Motion::shorter_step(const Try& step, bool is_overloaded) const {
+  const double tearing = of_tearing * natural_, quarter = m_.dt.now / 4;
+  if ((step.entry.fracture > 0 || is_overloaded) && m_.dt.now > (1 + 1e-9) * tearing)
+    return std::max(tearing, quarter);
+  if (!step.found.converged() || m_.dt.now <= smallest * natural_) return 0;
+  if (tears_unfelt(step)) return std::max(smallest * natural_, quarter);
+  const double error = error_of(step);
+  return error > 1 ? std::max({smallest * natural_, quarter, 0.9 * m_.dt.now / std::sqrt(error)}) : 0;
+}
+
 bool Motion::advance() {
   if (ending_ != Ending::none) return false;
-  constexpr double smallest = 1.0 / 4096;
   set_step();
+  given_up_.clear();
   for (;;) {
     Try step = try_step();
-    const bool is_long = m_.dt.now > (1 + 1e-9) * of_tearing * natural_;
-    if (step.entry.fracture > 0 && is_long) {
-      m_.dt.now = std::max(of_tearing * natural_, m_.dt.now / 4);
+    const auto overloaded = step.found.converged() ? overloads(step.found.poses) : std::vector<Overload>{};
+    if (const double shorter = shorter_step(step, !overloaded.empty()); shorter > 0) {
+      m_.dt.now = shorter;
       m_.easy = 0;
+      take_back_strength();
       continue;
     }
-    const double error = step.found.converged() ? error_of(step) : 0;
-    if (error > 1 && m_.dt.now > smallest * natural_) {
-      m_.dt.now = std::max({smallest * natural_, m_.dt.now / 4, 0.9 * m_.dt.now / std::sqrt(error)});
-      m_.easy = 0;
+    if (!overloaded.empty()) {
+      lose_strength(overloaded);
       continue;
     }
     if (step.found.converged()) {
+      const bool is_fine = error_of(step) > grows_below;
       accept(std::move(step));
-      if (error > grows_below) m_.easy = 0;
+      if (is_fine) m_.easy = 0;
       judge();
       return true;
     }
     ++m_.rejected;
     m_.easy = 0;
+    take_back_strength();
     reason_ = step.found.failure;
     m_.dt.now *= solver_->cut();
     if (m_.dt.now < smallest * natural_) {
@@ -199,7 +211,7 @@ bool Motion::advance() {
 /// so far that other sides of theirs may meet are held by it no longer.
 bool Motion::crack(const MotionStep& step) {
   constexpr double over = 0.7;
-  bool has_parted = false;
+  bool has_parted = !given_up_.empty();
   for (std::size_t i = 0; i < bonds_.size(); ++i) {
     Bond& bond = bonds_[i];
     const bool was_spent = bond.is_spent();

@@ -107,6 +107,17 @@ class Motion {
   StoredEnergies stored(const std::vector<BodyCourse>& at) const;
   bool creates_energy(const Try& tried) const;
   double error_of(const Try& step) const;
+  /// A bond that a step has brought beyond its strength.
+  struct Overload {
+    std::size_t bond = 0;
+    double beyond = 0;            ///< its opening there, of that at its strength
+    Vec2 opening = Vec2::Zero();  ///< where it reached its strength [L]
+  };
+  std::vector<Overload> overloads(const Poses& reached) const;
+  void lose_strength(const std::vector<Overload>& overloads);
+  void take_back_strength();
+  bool tears_unfelt(const Try& step) const;
+  double shorter_step(const Try& step, bool is_overloaded) const;
   bool crack(const MotionStep& step);
   struct Encounter;
   Encounter encounter(const Try& step) const;
@@ -126,7 +137,14 @@ class Motion {
   std::unique_ptr<MeetingSearch> search_;
   std::unique_ptr<Potential> potential_;
   std::unique_ptr<StepSolver> solver_;
-  MotionMemory m_;       ///< but for the histories, which are those of bonds_
+  MotionMemory m_;  ///< but for the histories, which are those of bonds_
+  /// A bond that has lost its strength in this step.
+  struct GivenUp {
+    std::size_t bond = 0;
+    History before;
+    double energy = 0;  ///< that it has spent [F L]
+  };
+  std::vector<GivenUp> given_up_;
   JoinedBodies joined_;  ///< by bonds_
   Poses now_, start_;    ///< where bodies are, and where they were at first
   double natural_ = 0;

@@ -65,11 +65,14 @@ BodyStep Motion::step_of(std::size_t body, const Try& step, const AsOne& as_one)
 
 void Motion::book_fracture(const Poses& reached, MotionLedger& out) const {
   out.fracture_of.assign(m_.ledger.fracture_of.size(), 0);
-  for (std::size_t i = 0; i < bonds_.size(); ++i) {
-    const double spent = spending(bonds_[i], potential_->state_of(i, reached));
+  const auto add = [&](std::size_t bond, double spent) {
+    const int interface = bonds_[bond].interface;
     out.fracture += spent;
-    if (bonds_[i].interface >= 0) out.fracture_of[static_cast<std::size_t>(bonds_[i].interface)] += spent;
-  }
+    if (interface >= 0) out.fracture_of[static_cast<std::size_t>(interface)] += spent;
+  };
+  for (std::size_t i = 0; i < bonds_.size(); ++i)
+    add(i, spending(bonds_[i], potential_->state_of(i, reached)));
+  for (const GivenUp& lost : given_up_) add(lost.bond, lost.energy);
 }
 
 /// What contacts take from a body in a step [F L].

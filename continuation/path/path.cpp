@@ -105,12 +105,11 @@ std::optional<Point> Path::next() {
   settle(state_);
   if (state_.ending.kind != Ending::Kind::running) return {};
   if (interrupted_ && interrupted_()) return state_.end(Ending::Kind::interrupted, "interrupted");
-  const StopRules& stop = state_.parameters.stop;
-  if (state_.walker.effort().accepted >= stop.steps)
+  if (state_.walker.effort().accepted >= state_.most_steps)
     return state_.stop_early(Stop::limit_of_steps,
                              fmt::format("the limit of {} steps is reached; `path.stop.steps` raises it, "
                                          "`path.stop.after_steps` makes a number of steps the goal",
-                                         stop.steps));
+                                         state_.most_steps));
   begin_stages(state_);
   if (state_.ending.kind != Ending::Kind::running) return {};
   state_.unsound.reset();

@@ -52,6 +52,8 @@ class Path {
   const Functional& load_gauge() const { return state_.load; }
   /// How much of its way the gauge has gone that is nearest to a value which ends the path; 0 without any.
   double share_of_goals() const;
+  /// Accepted steps after which the path is stopped early.
+  int most_steps() const { return state_.most_steps; }
   /// Whether it has become a mechanism and is one where it stands: under the same load it would move on.
   bool stands_in_mechanism() const;
   /// Stability of the equilibrium at which the walker stands.

@@ -235,6 +235,20 @@ class Steering(Scratch):
         self.assertNotIn("opening", controls[5:])
         self.assertEqual(path.control, "arc_length")
 
+    def test_another_control_is_kept_by_a_restart(self):
+        settings = {"path.control": {"type": "opening", "gauge": "cmod"}, **SHORT}
+        with ddapath.follow(DECK, settings, folder=self.folder / "run") as path:
+            for point in path:
+                if point.step == 3:
+                    path.control = "arc_length"
+                if point.step == 5:
+                    break
+        run = ddapath.resume(self.folder / "run")
+        self.assertEqual(run.summary["status"], "goal_reached", run.summary["reason"])
+        self.assertIn("opening", run.curve["control"][:4].tolist())
+        self.assertEqual(set(run.curve["control"][4:]), {"arc_length"})
+        self.assertIn("arc_length", str(run.deck["path"]["control"]))
+
     def test_a_control_that_there_is_not(self):
         path = ddapath.follow(DECK, {"path.stop.after_steps": 3})
         before = path.control

@@ -41,7 +41,7 @@ def judged(seed, folder, asked):
         return done.seconds, f"exit code {done.exit_code}: {done.said.strip()[-300:]}", what, 0.0
     findings = verify(done.run.folder)
     wrong = [f"{finding.check} {finding.worst:.1e} > {finding.bound:.0e} ({finding.place})" for finding in findings if is_refused(finding)]
-    given_back = max((finding.worst for finding in findings if "gives nothing back" in finding.check), default=0.0)
+    given_back = max((finding.worst for finding in findings if "give nothing back" in finding.check), default=0.0)
     return done.seconds, "; ".join(wrong), what, given_back
 
 

@@ -32,6 +32,7 @@ struct Stride {
   int refinements = 0;   ///< how often for the peak, a turn or the balance of energy
   int looks = 0;         ///< and to look between its ends
   double looked_at = 0;
+  bool is_ordered = false;  ///< it has been shortened for the order in which cracks begin
   Looks looked = {};
   Before before = {};
 };
@@ -61,6 +62,9 @@ std::optional<Outcome> go_on(PathState& path, const Candidate& candidate, Stride
 
 /// The try lies far from what the tangent foresaw: another branch, perhaps.
 std::optional<Outcome> refuse_stray(PathState& path, const Candidate& candidate, Stride& stride);
+/// A crack has begun and overtaken one that the tangent lets begin before it: another branch, perhaps, as there is one for
+/// each of several cracks that compete.
+std::optional<Outcome> keep_order(PathState& path, const Candidate& candidate, Stride& stride);
 /// The limit point lies on the way and is not bracketed yet.
 std::optional<Outcome> bracket_peak(PathState& path, const Candidate& candidate, Stride& stride);
 /// A displacement gauge turns on the way.
@@ -85,9 +89,9 @@ Outcome stop_short(Stride& stride, std::string why, double share);
 double share_to_awaited(const PathState& path, const Candidate& candidate);
 
 /// What is asked of a converged try, one after another; the first that has a say decides.
-inline constexpr std::array<Rung, 9> rungs{refuse_stray,  bracket_peak,     bracket_turn,
-                                           look_between,  refine_coarse,    stop_at_branch,
-                                           land_on_value, land_at_strength, go_on};
+inline constexpr std::array<Rung, 10> rungs{refuse_stray,     keep_order,    bracket_peak,   bracket_turn,
+                                            look_between,     refine_coarse, stop_at_branch, land_on_value,
+                                            land_at_strength, go_on};
 
 // What they and failed tries lead to.
 

@@ -94,7 +94,7 @@ def deck_to_begin_with(scene, units, title="Blocks from a picture or drawing"):
     joints |= {name: {"law": dict(law)} for name in scene.get("curves", {})}
     return {"title": title, "units": dict(units), "scene": scene, "thickness": 1,
             "materials": {name: dict(material) for name in names},
-            "interfaces": joints, **({"supports": supports} if supports else {}),
+            **({"interfaces": joints} if joints else {}), **({"supports": supports} if supports else {}),
             "motion": {"gravity": [0, -gravity], "held": held, "contact": {"friction": 0.6}}}
 
 

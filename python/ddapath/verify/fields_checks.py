@@ -126,8 +126,8 @@ def normal_law(steps):
 
     def value(step, interface, chosen):
         t, q = step.borne[chosen, 0], step.seen[chosen, 0]
-        error = interface.law.normal_error(t, q, step.law_state(chosen, interface)) - step.noise[chosen]
-        scale = np.abs(t) + 0.01 * np.abs(step.borne[chosen]).max(initial=0.0) + least
+        error = interface.law.normal_error(t, q, step.law_state(chosen, interface)) - step.noise[chosen] - least
+        scale = np.abs(t) + 0.01 * np.abs(step.borne[chosen]).max(initial=0.0)
         return over(np.maximum(error, 0), scale)
     return worst_of("contact and normal law", per_interface(steps, value), LAW)
 

@@ -63,14 +63,30 @@ def told_half_a_step_early(curve, is_of_path):
     return np.diff(stored, prepend=stored_at_first(curve, is_of_path)) / 2
 
 
-def impact_gives_nothing_back(curve, is_of_path, bound):
-    """Impact and damping take energy; where they fall by more than half a step of stored energy is, integration has made some,
-    and all such falls together are bounded."""
-    taken, early = lost(curve).to_numpy(), told_half_a_step_early(curve, is_of_path)
+def given_back(curve, is_of_path):
+    """What impact and damping have given back from the row before, more than half a step of stored energy is [FL].
+
+    Where nothing has met, an integrator without damping may take and give the same again and again: such rows give back what is
+    missing in the end, of the most that has been taken since something met.
+    """
+    taken, early = (np.concatenate([[0.0], values]) for values in (lost(curve), told_half_a_step_early(curve, is_of_path)))
     low, high = taken + early.clip(max=0), taken + early.clip(min=0)
-    falls = (low[:-1] - high[1:]).clip(min=0)
-    at = int(np.argmax(falls)) + 2 if len(falls) else 0
-    return worst_of("motion: impact gives nothing back", [(falls.sum() / scale_of(curve), f"mostly step {at}")], bound)
+    meets = np.concatenate([[True], np.diff(curve["impact"], prepend=0) != 0])
+    out, most, missing = np.zeros(len(curve)), low[0], 0.0
+    for row in range(1, len(taken)):
+        if meets[row]:
+            out[row - 1], most, missing = max(low[row - 1] - high[row], 0.0), low[row], 0.0
+            continue
+        deepest = max(missing, most - high[row])
+        out[row - 1], most, missing = deepest - missing, max(most, low[row]), deepest
+    return out
+
+
+def nothing_is_given_back(curve, is_of_path, bound):
+    """Impact and damping take energy; where they fall, integration has made some, and all such falls together are bounded."""
+    falls = given_back(curve, is_of_path)
+    at = int(np.argmax(falls)) + 1 if len(falls) else 0
+    return worst_of("motion: impact and damping give nothing back", [(falls.sum() / scale_of(curve), f"mostly step {at}")], bound)
 
 
 def rest(curve, summary):
@@ -165,6 +181,6 @@ def all_checks(run):
     curve = motion.curve
     out = [finite(curve)] if len(curve) else []
     if len(curve):
-        out += [*books(curve), spent_never_falls(curve), impact_gives_nothing_back(curve, is_of_path, math.inf if has_penalties_alone(run) else GIVEN_BACK),
+        out += [*books(curve), spent_never_falls(curve), nothing_is_given_back(curve, is_of_path, math.inf if has_penalties_alone(run) else GIVEN_BACK),
                 *rest(curve, summary)]
     return [*out, overlaps(motion) if has_penalties_alone(run) else nothing_crosses(motion, offset_of(run), is_of_path)]

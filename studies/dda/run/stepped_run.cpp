@@ -62,6 +62,10 @@ void SteppedRun::switch_control(ControlChoice control) {
     std::swap(deck_.deck.path.control, control);
     throw;
   }
+  if (!is_recorded()) return;
+  const std::string effective = effective_deck(deck_);
+  write_decks(*folder_, deck_, effective);
+  recorder_->go_on_with(effective);
 }
 
 void SteppedRun::go_on_with(StageParameters stage) {

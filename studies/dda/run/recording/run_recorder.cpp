@@ -211,7 +211,7 @@ void RunRecorder::look_for_crawling() {
         "crawling: the last {} steps up to step {} brought the goal {:.1f} % nearer, {:.0f} % of the way are "
         "done; `path.stop.steps` ({}) ends it, a larger `path.step.accuracy` takes larger steps",
         often, last_.step, 100 * std::max(0.0, goal - goal_before_), 100 * goal,
-        simulation_.deck().path.stop.steps);
+        simulation_.path().most_steps());
     log_.warning("crawling", {{"step", last_.step}, {"text", warning_}});
   }
   goal_before_ = goal;

@@ -31,6 +31,8 @@ class RunRecorder {
               Timings& timings, std::optional<RunMemory> memory = {});
 
   void record(const Point& point);
+  /// The deck is another one from the next restart on, by a control that Python has switched to.
+  void go_on_with(std::string effective) { effective_ = std::move(effective); }
   /// What else is to stand among the notices.
   void add_notice(std::string text) { offered_.push_back(std::move(text)); }
   /// No step of the path comes any more, whatever follows it.
@@ -82,7 +84,7 @@ class RunRecorder {
   const RunFolder& folder_;
   Simulation& simulation_;
   const DeckFile& deck_;
-  const std::string effective_;
+  std::string effective_;
   Timings& timings_;
   RunMemory memory_;
   InterfaceRecord interfaces_;
