@@ -376,19 +376,13 @@ class CommandLine(Scenes):
         self.assertEqual(again.returncode, 2)
         self.assertIn("is there already", again.stderr)
 
-    def test_the_deck_of_one_body(self):
-        file = self.written(SVG.format('<rect class="stone" width="200" height="100"/>'))
-        done = self.told(file, "--width", 400, "--out", self.folder / "one.yaml")
-        self.assertEqual(done.returncode, 0, done.stderr)
-        checked = subprocess.run([ddapath.find_program(), "check", self.folder / "one.yaml"], capture_output=True, text=True, check=False)
-        self.assertEqual(checked.returncode, 0, checked.stderr)
-
     def test_the_scene_alone(self):
         file = self.written(SVG.format('<rect class="a" width="200" height="100"/>'))
         done = self.told(file, "--scene-only", "--width", 4)
         self.assertEqual(done.returncode, 0, done.stderr)
         deck = ddapath.read_deck(self.folder / "drawing.yaml")
         self.assertEqual((list(deck), areas(deck["scene"])), (["scene"], {"a 1": 8}))
+        self.assertNotIn("interfaces", scenes.deck_to_begin_with(deck["scene"], {"length": "m", "force": "N"}))
 
     def test_wrong_input(self):
         svg = self.written(SVG.format('<rect class="a" width="200" height="100"/>'))
