@@ -187,9 +187,9 @@ bool Motion::advance() {
       continue;
     }
     if (step.found.converged()) {
-      const bool is_fine = error_of(step) > grows_below;
+      const double error = error_of(step);
       accept(std::move(step));
-      if (is_fine) m_.easy = 0;
+      if (error > grows_below) m_.easy = 0;
       judge();
       return true;
     }
