@@ -84,8 +84,7 @@ Schema<StopRules> stop_schema() {
                {.bounds = at_least(1),
                 .text = "Limit: a run that has accepted so many steps and not reached its goal is stopped "
                         "early. 1000 if it is not given, and 20 more for every point of an interface that "
-                        "loses its strength at "
-                        "once, which takes steps of its own."})
+                        "loses its strength at once, which takes steps of its own."})
       .number("load_factor_above", &P::load_factor_above,
               {.text = "End where the load factor of the last stage has risen to this value."})
       .number("load_factor_below", &P::load_factor_below,

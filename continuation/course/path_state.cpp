@@ -20,9 +20,10 @@ Functional find_load(const PathParameters& parameters, const GaugeBook& book, co
   throw InputError(parameters.where, "`load_gauge` names '" + name + "', which is not among the gauges");
 }
 
-/// Each point that loses its strength at once may take some steps of its own.
-int usual_most_steps(const Equilibrium& equilibrium) {
+/// As the deck says; else so many that each point that loses its strength at once may take some of its own.
+int most_steps_of(const StopRules& stop, const Equilibrium& equilibrium) {
   constexpr int usual = 1000, for_each = 20;
+  if (stop.steps) return *stop.steps;
   int out = usual;
   for (std::size_t p = 0; p < equilibrium.num_points(); ++p)
     if (equilibrium.point(p).law->releases_at_once()) out += for_each;
@@ -37,7 +38,7 @@ PathState::PathState(Walker& stands, const PathParameters& wanted, const GaugeBo
   look_up({gauges, std::move(way)});
   for (const auto& law : walker.system().equilibrium().interfaces().laws)
     releases_at_once = releases_at_once || law->releases_at_once();
-  most_steps = parameters.stop.steps.value_or(usual_most_steps(walker.system().equilibrium()));
+  most_steps = most_steps_of(parameters.stop, walker.system().equilibrium());
   memory.largest_force = load_on(walker.system(), walker.state());
 }
 

@@ -12,15 +12,14 @@
 namespace dda {
 namespace {
 
-constexpr double smallest = 1e-4;  ///< part of a stage's load that is tried
-
 bool lies_between(double load_factor, const State& from, const State& to) {
   constexpr double round_off = 1e-9;
   const double margin = round_off * std::abs(to.load_factor);
   return load_factor >= from.load_factor - margin && load_factor <= to.load_factor + margin;
 }
 
-/// Goes to where the first point on the way to `beyond` stands at its strength. Returns "" or why it cannot.
+/// Goes to where the first point on the way to `beyond`, which is beyond the strength of some, stands at its own. Returns "" or why
+/// it cannot.
 std::string land_on_strength(Walker& walker, const Candidate& beyond) {
   const auto equation = make_event_equation(walker.system(), Initiation::awaited);
   const Attempt tried = walker.attempt(*equation, 1, beyond.state);
@@ -30,7 +29,7 @@ std::string land_on_strength(Walker& walker, const Candidate& beyond) {
   Candidate candidate = walker.evaluate(tried);
   if (std::string why = objection_to(candidate.excess, walker.system()); !why.empty()) return why;
   walker.accept(std::move(candidate));
-  return {};
+  return is_release_pending(walker.system()) ? "" : objection_to(beyond.excess, walker.system());
 }
 
 /// Why only weak springs would hold a state; "" where the structure does.
@@ -64,15 +63,10 @@ std::string release(Walker& walker) {
                      places_of(system, active_points(system, at)), why);
 }
 
-/// At the first strength on the way to a state beyond the strength of some points: what stands there loses it.
-std::string crack(Walker& walker, const Candidate& beyond) {
-  if (!is_release_pending(walker.system())) return objection_to(beyond.excess, walker.system());
-  return release(walker);
-}
-
 }  // namespace
 
 std::string apply_full_stage(Walker& walker) {
+  constexpr double smallest = 1e-4, cut = 0.25;
   const auto control = make_gauge_equation({.rows = {}, .per_load_factor = 1});
   double step = 1;
   while (walker.state().load_factor < 1) {
@@ -81,26 +75,22 @@ std::string apply_full_stage(Walker& walker) {
     const double wanted = std::min(step, rest);
     const Attempt tried =
         walker.attempt(*control, wanted, walker.ahead(wanted / walker.leaving().load_factor));
-    const std::string refused =
-        tried.converged ? objection_to_holding(tried.state, walker.system()) : tried.reason;
-    if (!refused.empty()) {
-      step = 0.25 * wanted;
-      if (step < smallest) return refused;
-      continue;
-    }
-    Candidate candidate = walker.evaluate(tried);
-    if (!objection_to(candidate.excess, walker.system()).empty()) {
-      std::string why = land_on_strength(walker, candidate);
-      if (!why.empty()) {
-        step = 0.25 * wanted;
-        if (step < smallest) return why;
+    std::string refused = tried.converged ? objection_to_holding(tried.state, walker.system()) : tried.reason;
+    if (refused.empty()) {
+      Candidate candidate = walker.evaluate(tried);
+      if (objection_to(candidate.excess, walker.system()).empty()) {
+        if (wanted == rest) candidate.state.load_factor = 1;
+        walker.accept(std::move(candidate));
         continue;
       }
-      if (why = crack(walker, candidate); !why.empty()) return why;
-      continue;
+      refused = land_on_strength(walker, candidate);
+      if (refused.empty()) {
+        if (std::string why = release(walker); !why.empty()) return why;
+        continue;
+      }
     }
-    if (wanted == rest) candidate.state.load_factor = 1;
-    walker.accept(std::move(candidate));
+    step = cut * wanted;
+    if (step < smallest) return refused;
   }
   return {};
 }

@@ -6,6 +6,7 @@ import unittest
 from pathlib import Path
 
 import ddapath
+from ddapath.verify import verify
 
 
 class ProgramCase(unittest.TestCase):
@@ -21,3 +22,10 @@ class ProgramCase(unittest.TestCase):
         said = subprocess.run([str(ddapath.find_program()), *words], capture_output=True, text=True, cwd=self.folder)
         self.assertEqual(said.returncode, code, said.stdout + said.stderr)
         return said.stdout + said.stderr
+
+    def run_verified(self, deck):
+        """A run of the deck in the folder that reaches its goal and holds against all checks."""
+        run = ddapath.run(deck, folder=self.folder / "run", check=False, overwrite=True)
+        self.assertEqual(run.summary["status"], "goal_reached", run.summary["reason"])
+        self.assertEqual([str(finding) for finding in verify(run.folder) if not finding.holds], [])
+        return run

@@ -4,29 +4,29 @@ lost, the way is not straight, and the load at which the next one follows has to
     test_brittle_walls.py        with PYTHONPATH=python, and DDA naming the program
 """
 
-import copy
 import math
-import tempfile
 import unittest
-from pathlib import Path
 
-import ddapath
-from ddapath.verify import verify
+from program_case import ProgramCase
 
 LENGTH, HEIGHT, CAP, THICKNESS, PRESSURE, FRICTION = 1000, 750, 100, 200, 1, 25  # mm, N/mm², degrees
-TOP = HEIGHT + CAP
+BORNE = PRESSURE * LENGTH * THICKNESS * math.tan(math.radians(FRICTION))         # by friction, when it slides [N]
 
 
-def brittle_wall(course, treatment="penalty", points="gauss"):
-    """Bricks as long as half the wall in running bond under a cap that is pushed by its corner."""
-    mortar = {"type": "mohr_coulomb", "tensile_strength": 0.1, "cohesion": 0.15, "friction_angle": FRICTION}
+def rectangle(left, bottom, right, top):
+    return [[left, bottom], [right, bottom], [right, top], [left, top]]
+
+
+def brittle_wall(course, treatment="penalty", points="gauss", length=LENGTH, height=HEIGHT, strength=0.1):
+    """Bricks as long as half the wall in running bond under a cap that is pressed, and pushed by its corner."""
+    top = height + CAP
+    mortar = {"type": "mohr_coulomb", "tensile_strength": strength, "cohesion": 1.5 * strength, "friction_angle": FRICTION}
     return {
         "units": {"length": "mm", "force": "N"},
-        "scene": {"regions": [
-            {"name": "wall", "material": "brick", "vertices": [[0, 0], [LENGTH, 0], [LENGTH, HEIGHT], [0, HEIGHT]]},
-            {"name": "cap", "material": "concrete", "vertices": [[0, HEIGHT], [LENGTH, HEIGHT], [LENGTH, TOP], [0, TOP]]}],
-            "boundaries": {"bottom": [[0, 0], [LENGTH, 0]], "top": [[0, TOP], [LENGTH, TOP]]},
-            "subdivision": {"type": "bricks", "length": LENGTH / 2, "height": course}},
+        "scene": {"regions": [{"name": "wall", "material": "brick", "vertices": rectangle(0, 0, length, height)},
+                              {"name": "cap", "material": "concrete", "vertices": rectangle(0, height, length, top)}],
+                  "boundaries": {"bottom": [[0, 0], [length, 0]], "top": [[0, top], [length, top]]},
+                  "subdivision": {"type": "bricks", "length": length / 2, "height": course}},
         "thickness": THICKNESS, "plane": "stress",
         "materials": {"brick": {"type": "linear_elastic", "young_modulus": 5000, "poisson_ratio": 0.15},
                       "concrete": {"type": "linear_elastic", "young_modulus": 30000, "poisson_ratio": 0.2}},
@@ -34,56 +34,34 @@ def brittle_wall(course, treatment="penalty", points="gauss"):
                        for name, other in (("joints", "brick"), ("bed", "concrete"))},
         "supports": {"bottom": {"boundary": "bottom", "fix": "xy"}},
         "stages": [{"name": "pressed", "loads": [{"type": "edge_traction", "boundary": "top", "pressure": PRESSURE}]},
-                   {"name": "pushed", "loads": [{"type": "prescribed_displacement", "name": "push", "at": [0, TOP],
+                   {"name": "pushed", "loads": [{"type": "prescribed_displacement", "name": "push", "at": [0, top],
                                                  "direction": [1, 0], "displacement": 3.75}]}],
-        "gauges": {"drift": {"type": "displacement", "at": [LENGTH, TOP], "direction": [1, 0]}},
+        "gauges": {"drift": {"type": "displacement", "at": [length, top], "direction": [1, 0]}},
         "path": {"stop": {"gauges": {"drift": 11.25}}},
     }
 
 
-class BrittleWall(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-
-    def follow(self, deck):
-        run = ddapath.run(deck, folder=self.folder / "run", check=False)
-        self.assertEqual(run.summary["status"], "goal_reached", run.summary["reason"])
-        self.assertEqual([finding for finding in verify(run.folder) if not finding.holds], [])
-        return run
-
+class BrittleWall(ProgramCase):
     def test_slides_under_what_friction_bears_of_its_pressure(self):
-        run = self.follow(brittle_wall(150, "consistent", "vertices"))
-        borne = PRESSURE * LENGTH * THICKNESS * math.tan(math.radians(FRICTION))
-        self.assertAlmostEqual(run.curve["load"].iloc[-1] / borne, 1, delta=1e-6)
+        run = self.run_verified(brittle_wall(150, "consistent", "vertices"))
+        self.assertAlmostEqual(run.curve["load"].iloc[-1] / BORNE, 1, delta=1e-6)
 
     def test_goes_on_where_a_release_turns_contacts(self):
-        run = self.follow(brittle_wall(375))
-        self.assertLess(run.curve["load"].iloc[-1], PRESSURE * LENGTH * THICKNESS * math.tan(math.radians(FRICTION)))
+        run = self.run_verified(brittle_wall(375))
+        self.assertLess(run.curve["load"].iloc[-1], BORNE)
 
     def test_is_pressed_though_some_strength_is_lost_meanwhile(self):
         """The first strength on the way to the whole pressure was looked for beyond none of it, under a pull."""
-        deck = copy.deepcopy(brittle_wall(125))
-        wall, cap = deck["scene"]["regions"]
-        deck["units"] = {"length": "m", "force": "N"}
-        wall["vertices"] = [[0, 0], [1.5, 0], [1.5, 1.5], [0, 1.5]]
-        cap["vertices"] = [[0, 1.5], [1.5, 1.5], [1.5, 1.6], [0, 1.6]]
-        deck["scene"]["boundaries"] = {"bottom": [[0, 0], [1.5, 0]], "top": [[0, 1.6], [1.5, 1.6]]}
-        deck["scene"]["holes"] = {"window": [[.6, .25], [.975, .25], [.975, .9], [.6, .9]]}
-        deck["scene"]["subdivision"] = {"type": "bricks", "length": .5, "height": .125, "bond": "english"}
-        deck["thickness"] = .2
-        for material, modulus in (("brick", 5e9), ("concrete", 30e9)):
-            deck["materials"][material]["young_modulus"] = modulus
+        deck = brittle_wall(125, length=1500, height=1500, strength=0.25)
+        deck["scene"]["holes"] = {"window": rectangle(600, 250, 975, 900)}
+        deck["scene"]["subdivision"] |= {"length": 500, "bond": "english"}
         for interface in deck["interfaces"].values():
-            interface["law"] = {"type": "mohr_coulomb", "tensile_strength": 250e3, "cohesion": 375e3, "friction_angle": 35}
-        deck["stages"] = [{"name": "pressed", "loads": [{"type": "edge_traction", "boundary": "top", "pressure": 1e6}]},
-                          {"name": "pushed", "loads": [{"type": "point_load", "at": [0, 1.6], "force": [1, 0]}]}]
-        deck["gauges"] = {"drift": {"type": "displacement", "at": [1.5, 1.6], "direction": [1, 0]}}
+            interface["law"] = interface["law"] | {"friction_angle": 35}
+        deck["stages"][1]["loads"] = [{"type": "point_load", "at": [0, 1500 + CAP], "force": [1, 0]}]  # held by nothing before
         deck["path"] = {"stop": {"after_steps": 1}}
-        run = self.follow(deck)
-        self.assertGreater(run.curve["dissipated_energy"][0], 0)
-        self.assertAlmostEqual(run.curve["bottom.y"][0], 1e6 * 1.5 * .2, delta=1e-3)
+        run = self.run_verified(deck)
+        self.assertGreater(run.curve["dissipated_energy"].iloc[0], 0)
+        self.assertAlmostEqual(run.curve["bottom.y"].iloc[0] / (PRESSURE * 1500 * THICKNESS), 1, delta=1e-9)
 
 
 if __name__ == "__main__":

@@ -98,7 +98,8 @@ class Meeting(unittest.TestCase):
         curve = ddapath.read_run(self.folder).motion.curve.copy()
         later = curve.index >= len(curve) // 2
         curve.loc[later, "impact"] -= 0.03 * motion_checks.scale_of(curve)
-        self.assertFalse(motion_checks.nothing_is_given_back(curve, False, motion_checks.GIVEN_BACK).holds)
+        self.assertFalse(motion_checks.nothing_is_given_back(curve, False).holds)
+        self.assertFalse(motion_checks.nothing_is_given_back(curve, False, swings=True).holds)
 
     def test_regions_bonded_without_an_interface_are_told(self):
         run = ddapath.run(self.resting(time=0.01), folder=self.folder)

@@ -4,12 +4,9 @@
 """
 
 import math
-import tempfile
 import unittest
-from pathlib import Path
 
-import ddapath
-from ddapath.verify import verify
+from program_case import ProgramCase
 
 GRAVITY, DENSITY, SIDE = 9.81, 2400, 0.1  # m/s², kg/m³, m
 STRENGTH, TOUGHNESS = 3e6, 100            # N/m², N/m
@@ -42,16 +39,9 @@ def hanging(law, height, **motion):
                  {"gravity": [0, -GRAVITY], "held": ["top"], "time": 0.5, **motion})
 
 
-class Tearing(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-
-    def move(self, deck):
-        run = ddapath.run(deck, folder=self.folder / "run", overwrite=True)
-        self.assertEqual([finding for finding in verify(run.folder) if not finding.holds], [])
-        return run.motion.curve
+class Tearing(ProgramCase):
+    def last(self, deck):
+        return self.run_verified(deck).motion.curve.iloc[-1]
 
     def test_takes_its_fracture_energy_from_the_motion(self):
         """Bodies as fast as to open the joint whole within a step of the usual size."""
@@ -60,7 +50,7 @@ class Tearing(unittest.TestCase):
                                         ("linear_softening", 1.0, "trapezoidal"), ("exponential_softening", 2.0, "free_flight")):
             with self.subTest(kind=kind, speed=speed, integrator=integrator):
                 law = {"type": kind, "tensile_strength": STRENGTH, "fracture_energy": TOUGHNESS}
-                end = self.move(thrown_apart(law, speed, integrator=integrator)).iloc[-1]
+                end = self.last(thrown_apart(law, speed, integrator=integrator))
                 self.assertAlmostEqual(end["fracture"] / spent, 1, delta=1e-2)
                 self.assertAlmostEqual(end["kinetic_energy"] / (kinetic * speed**2 - spent), 1, delta=0.06)
 
@@ -70,13 +60,13 @@ class Tearing(unittest.TestCase):
         for share, falls in ((0.4, True), (0.9, True), (2.2, False)):
             with self.subTest(share=share):
                 law = {"type": "mohr_coulomb", "tensile_strength": share * stress, "cohesion": 2 * stress, "friction_angle": 30}
-                end = self.move(hanging(law, height, stop_at_rest=False)).iloc[-1]
+                end = self.last(hanging(law, height, stop_at_rest=False))
                 fallen = end["external_work"] / (stress * 1)
                 self.assertAlmostEqual(fallen, GRAVITY * 0.5**2 / 2 if falls else 0, delta=0.02)
 
     def test_brittle_joints_break_in_a_collision(self):
         law = {"type": "mohr_coulomb", "tensile_strength": 1e5, "cohesion": 1e6, "friction_angle": 30}
-        end = self.move(thrown_apart(law)).iloc[-1]
+        end = self.last(thrown_apart(law))
         self.assertGreater(end["fracture"], 0)
         self.assertAlmostEqual(end["kinetic_energy"] / (DENSITY * SIDE * SIDE), 1, delta=0.02)
         self.assertEqual(end["live_joints"], 0)
@@ -90,7 +80,7 @@ class Tearing(unittest.TestCase):
                      {"gravity": [0, -GRAVITY], "time": 5, "integrator": "trapezoidal", "stop_at_rest": False})
         del deck["interfaces"]
         deck["supports"] = {"pin": {"at": [0, 0], "fix": "xy"}}
-        self.move(deck)
+        self.run_verified(deck)
 
 
 if __name__ == "__main__":

@@ -63,28 +63,32 @@ def told_half_a_step_early(curve, is_of_path):
     return np.diff(stored, prepend=stored_at_first(curve, is_of_path)) / 2
 
 
-def given_back(curve, is_of_path):
+def given_back(curve, is_of_path, swings):
     """What impact and damping have given back from the row before, more than half a step of stored energy is [FL].
 
-    Where nothing has met, an integrator without damping may take and give the same again and again: such rows give back what is
+    Where an integrator `swings`, it takes and gives the same again and again while nothing meets: such rows give back what is
     missing in the end, of the most that has been taken since something met.
     """
     taken, early = (np.concatenate([[0.0], values]) for values in (lost(curve), told_half_a_step_early(curve, is_of_path)))
     low, high = taken + early.clip(max=0), taken + early.clip(min=0)
-    meets = np.concatenate([[True], np.diff(curve["impact"], prepend=0) != 0])
-    out, most, missing = np.zeros(len(curve)), low[0], 0.0
-    for row in range(1, len(taken)):
+    falls = (low[:-1] - high[1:]).clip(min=0)
+    if not swings:
+        return falls
+    meets = np.diff(curve["impact"], prepend=0) != 0
+    most, missing = low[0], 0.0
+    for row in range(len(curve)):
         if meets[row]:
-            out[row - 1], most, missing = max(low[row - 1] - high[row], 0.0), low[row], 0.0
-            continue
-        deepest = max(missing, most - high[row])
-        out[row - 1], most, missing = deepest - missing, max(most, low[row]), deepest
-    return out
+            most, missing = low[row + 1], 0.0
+        else:
+            deepest = max(missing, most - high[row + 1])
+            falls[row] = deepest - missing
+            most, missing = max(most, low[row + 1]), deepest
+    return falls
 
 
-def nothing_is_given_back(curve, is_of_path, bound):
+def nothing_is_given_back(curve, is_of_path, bound=GIVEN_BACK, swings=False):
     """Impact and damping take energy; where they fall, integration has made some, and all such falls together are bounded."""
-    falls = given_back(curve, is_of_path)
+    falls = given_back(curve, is_of_path, swings)
     at = int(np.argmax(falls)) + 1 if len(falls) else 0
     return worst_of("motion: impact and damping give nothing back", [(falls.sum() / scale_of(curve), f"mostly step {at}")], bound)
 
@@ -165,9 +169,9 @@ def overlaps(motion):
     return worst_of("motion: overlap by penalties, not bounded", found, math.inf)
 
 
-def has_penalties_alone(run):
+def integrator_of(run):
     integrator = run.deck["motion"]["integrator"]
-    return isinstance(integrator, dict) and integrator.get("type") == "classic"
+    return integrator["type"] if isinstance(integrator, dict) else integrator
 
 
 def offset_of(run):
@@ -178,9 +182,11 @@ def offset_of(run):
 
 def all_checks(run):
     motion, summary, is_of_path = run.motion, run.summary.get("motion", {}), bool(run.deck.get("stages"))
-    curve = motion.curve
+    curve, integrator = motion.curve, integrator_of(run)
+    has_penalties_alone = integrator == "classic"
     out = [finite(curve)] if len(curve) else []
     if len(curve):
-        out += [*books(curve), spent_never_falls(curve), nothing_is_given_back(curve, is_of_path, math.inf if has_penalties_alone(run) else GIVEN_BACK),
-                *rest(curve, summary)]
-    return [*out, overlaps(motion) if has_penalties_alone(run) else nothing_crosses(motion, offset_of(run), is_of_path)]
+        bound = math.inf if has_penalties_alone else GIVEN_BACK
+        out += [*books(curve), spent_never_falls(curve),
+                nothing_is_given_back(curve, is_of_path, bound, swings=integrator == "trapezoidal"), *rest(curve, summary)]
+    return [*out, overlaps(motion) if has_penalties_alone else nothing_crosses(motion, offset_of(run), is_of_path)]
