@@ -133,7 +133,7 @@ limits() {
   said "what now: \`dda explain limit-of-steps\`"
   grep -q '"stop": "limit-of-steps"' limited/summary.json || complain "no name of the stop"
   expect 0 "what now" "$program" explain limit-of-steps
-  said "The run was on its way."
+  said "The run was on its way"
   expect 0 "steps as a goal" "$program" run "$bar" --folder counted --quiet --set path.stop.after_steps=4
   status_is counted goal_reached
 }
