@@ -12,10 +12,12 @@
 namespace dda {
 namespace {
 
-bool lies_between(double load_factor, const State& from, const State& to) {
+/// Whether a load factor lies on the way, or where the strength was passed that is borne beyond by next to nothing (Excess).
+bool lies_on_way(double load_factor, const Candidate& here, const Candidate& beyond) {
   constexpr double round_off = 1e-9;
-  const double margin = round_off * std::abs(to.load_factor);
-  return load_factor >= from.load_factor - margin && load_factor <= to.load_factor + margin;
+  const double from = here.state.load_factor, to = beyond.state.load_factor;
+  const double margin = round_off * std::abs(to), behind = here.excess.value > 0 ? to - from : margin;
+  return load_factor >= from - behind && load_factor <= to + margin;
 }
 
 /// Goes to where the first point on the way to `beyond`, which is beyond the strength of some, stands at its own. Returns "" or why
@@ -24,7 +26,7 @@ std::string land_on_strength(Walker& walker, const Candidate& beyond) {
   const auto equation = make_event_equation(walker.system(), Initiation::awaited);
   const Attempt tried = walker.attempt(*equation, 1, beyond.state);
   if (!tried.converged) return tried.reason;
-  if (!lies_between(tried.state.load_factor, walker.state(), beyond.state))
+  if (!lies_on_way(tried.state.load_factor, walker.here(), beyond))
     return "the load at which the first point reaches its strength was not found";
   Candidate candidate = walker.evaluate(tried);
   if (std::string why = objection_to(candidate.excess, walker.system()); !why.empty()) return why;

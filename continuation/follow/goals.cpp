@@ -182,10 +182,11 @@ double share_of_goals(const PathState& path) {
 
 namespace {
 
-/// A load that falls although nothing gives way: no rupture has been followed.
+/// A load that falls although nothing gives way: no rupture has been followed. Where strength is lost at once the load goes up
+/// and down like teeth of a saw, and the path goes on from a low one as long as the structure bears load.
 void end_where_turned_round(PathState& path) {
   if (path.ending.kind == Ending::Kind::running && has_fallen(path) && has_turned_round(path) &&
-      !may_reload(path))
+      !path.releases_at_once && !may_reload(path))
     stop_turned_round(path);
 }
 

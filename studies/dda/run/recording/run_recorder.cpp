@@ -12,6 +12,7 @@
 #include "studies/dda/figures/pictures.hpp"
 #include "studies/dda/figures/stability_pictures.hpp"
 #include "studies/dda/record/stability_record.hpp"
+#include "studies/dda/record/warnings/closed_slits.hpp"
 #include "studies/dda/record/warnings/coarse_zones.hpp"
 #include "studies/dda/record/warnings/cracks_left_out.hpp"
 #include "studies/dda/record/warnings/large_movements.hpp"
@@ -326,10 +327,10 @@ void RunRecorder::look_back() {
   for (const CoarseZone& zone : cracked_coarse_zones(simulation_))
     notices_.push_back(text(simulation_, zone));
   std::ranges::move(unlikely_numbers(simulation_), std::back_inserter(notices_));
-  for (std::string note :
-       {note_on_turning_contacts(simulation_), note_on_large_movements(simulation_),
-        note_on_shallow_corners(simulation_),
-        note_on_cracks_left_out(simulation_, memory_.peak_state ? &memory_.peak_state->state : nullptr)})
+  const State* peak = memory_.peak_state ? &memory_.peak_state->state : nullptr;
+  for (std::string note : {note_on_turning_contacts(simulation_), note_on_large_movements(simulation_),
+                           note_on_closed_slits(simulation_, peak), note_on_shallow_corners(simulation_),
+                           note_on_cracks_left_out(simulation_, peak)})
     if (!note.empty()) notices_.push_back(std::move(note));
   notices_.insert(notices_.end(), offered_.begin(), offered_.end());
   for (std::size_t i = known; i < notices_.size(); ++i) log_.warning("notice", {{"text", notices_[i]}});
