@@ -4,12 +4,19 @@
 #include <cmath>
 
 #include "continuation/solve/contact_step.hpp"
+#include "continuation/solve/equations/cracked_equations.hpp"
+#include "continuation/solve/reduced.hpp"
 #include "continuation/solve/whole_step.hpp"
 
 namespace dda {
 
 HeldEquilibrium::HeldEquilibrium(Stepper& stepper, const Functional& held, double value)
-    : stepper_(stepper), held_(held), value_(value), control_(make_gauge_equation(held)) {}
+    : stepper_(stepper), held_(held), value_(value), control_(make_gauge_equation(held)) {
+  const Equilibrium& equilibrium = stepper.system().equilibrium();
+  only_touches_ = true;
+  for (std::size_t p = 0; p < equilibrium.num_active() && only_touches_; ++p)
+    only_touches_ = changes_by_contact_alone(equilibrium.point(p));
+}
 
 std::optional<State> HeldEquilibrium::solve(const State& at) {
   System& system = stepper_.system();
@@ -18,10 +25,15 @@ std::optional<State> HeldEquilibrium::solve(const State& at) {
   control_->start_at(ControlPoint::at(at, *system.laws_at(at)),
                      now == 0 && value_ == 0 ? 1 : std::max(std::abs(now), std::abs(value_)));
   const StepGoal goal{at, *control_, value_ - now, at};
-  auto found = taken(whole_step(stepper_, {at, *control_, goal.step, on_gauge(goal)}, Method::line_search));
-  if (found || !system.has_contacts()) return found;
+  const auto by_contacts = [&] {
+    system.set_multipliers(at.multipliers);
+    return taken(contact_step(stepper_, goal, Thoroughness::full));
+  };
+  const bool walks_first = only_touches_ && system.has_contacts() && num_cracked(system, at) <= few_cracked;
+  if (auto found = walks_first ? by_contacts() : std::nullopt) return found;
   system.set_multipliers(at.multipliers);
-  return taken(contact_step(stepper_, goal, Thoroughness::full));
+  auto found = taken(whole_step(stepper_, {at, *control_, goal.step, on_gauge(goal)}, Method::line_search));
+  return found || walks_first || !system.has_contacts() ? found : by_contacts();
 }
 
 /// The guess, or where the gauge is met after one iteration in full: a line search weighs the residual alone.

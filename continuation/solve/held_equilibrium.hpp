@@ -7,8 +7,9 @@
 
 namespace dda {
 
-/// Equilibrium with one linear gauge prescribed and the load factor free, by Newton's method with a line
-/// search; where joints are in contact and that runs in circles, contact and friction solved exactly.
+/// Equilibrium with one linear gauge prescribed and the load factor free: by Newton's method with a line search; where joints
+/// are in contact, contact and friction are solved exactly, first where no damage grows beside them, else where Newton's
+/// method runs in circles.
 class HeldEquilibrium {
  public:
   HeldEquilibrium(Stepper& stepper, const Functional& held, double value);
@@ -27,6 +28,7 @@ class HeldEquilibrium {
   const Functional& held_;
   double value_;
   std::unique_ptr<ControlEquation> control_;
+  bool only_touches_ = false;  ///< no damage grows in any joint
   int iterations_ = 0;
 };
 

@@ -12,10 +12,6 @@
 namespace dda {
 namespace {
 
-/// Up to so many points that have cracked contacts are solved before Newton's method is tried on all
-/// unknowns.
-constexpr std::size_t few_points = 200;
-
 /// ‖R‖ over the force level: of all blocks where the step is audited, where their displacements are known
 /// anyway, and where the points alone do not settle it.
 double relative_residual(System& system, const StepGoal& goal, const Reduced& found, double tolerance) {
@@ -69,7 +65,7 @@ Attempt StepTries::find() {
       return std::move(out_);
     }
   }
-  const bool contacts_first = touches_ && num_cracked_ <= few_points;
+  const bool contacts_first = touches_ && num_cracked_ <= few_cracked;
   if (contacts_first) by_contacts();
   by_all(reduced ? reduced->state : goal_.guess);
   // At a rupture the tangent is singular on the far side of the kink: only from this one can it be reached.

@@ -208,7 +208,7 @@ class Restart(InScratch):
         grown = np.flatnonzero(whole.curve["control"] == "growth")
         self.assertGreater(len(grown), 4)
         last = len(whole.curve) - 1
-        steps = {step + k for step in grown for k in (-1, 0, 1)} | set(range(3, last, 9))
+        steps = {step + k for step in grown for k in (-1, 0, 1)} | set(range(3, last, 27))
         expected = datasets(whole.folder)
         for step in sorted(int(step) for step in steps if 0 < step < last):
             with self.subTest(step=step):
@@ -234,7 +234,7 @@ class Restart(InScratch):
         lintel = ddapath.read_deck(Path(__file__).resolve().parent / "cracked_lintel.yaml")
         whole = self.run_(deck=lintel, name="whole")
         self.assertGreater((whole.curve["control"] == "growth").sum(), 4)
-        for step in range(2, len(whole.curve) - 1, 5):
+        for step in range(2, len(whole.curve) - 1, 12):
             with self.subTest(step=step):
                 run = self.run_(deck=lintel | {"path": lintel["path"] | {"stop": {"load_below": 0.2, "after_steps": step}}}, name="part")
                 resume(run.folder, "path.stop.after_steps=0")

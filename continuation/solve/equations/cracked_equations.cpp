@@ -14,6 +14,10 @@
 
 namespace dda {
 
+bool changes_by_contact_alone(const InterfacePoint& point) {
+  return point.is_separate() || point.law->releases_at_once();
+}
+
 CrackedEquations::CrackedEquations(const System& system, LinearSystem& linear, const ControlSum& control)
     : system_(system),
       linear_(linear),
@@ -30,7 +34,7 @@ CrackedEquations::CrackedEquations(const System& system, LinearSystem& linear, c
     if (!live_change_.empty()) pair_of(live_, i) += equilibrium.opening(points_[i], live_change_);
   }
   only_touch_ = std::ranges::all_of(
-      points_, [&](std::size_t p) { return system.equilibrium().point(p).is_separate(); });
+      points_, [&](std::size_t p) { return changes_by_contact_alone(system.equilibrium().point(p)); });
   if (!control.gauge) return;
   gauge_live_ = control.gauge->value(linear_.reference_solution(), 1) - control.gauge->constant;
   if (!live_change_.empty()) gauge_live_ += control.gauge->value(live_change_, 0) - control.gauge->constant;

@@ -13,6 +13,10 @@
 
 namespace dda {
 
+/// Whether no damage grows in a point within an equilibrium: it was never bonded, or loses its strength between one and the
+/// next. Where that is so of all, the equations are linear from piece to piece of contact and friction.
+bool changes_by_contact_alone(const InterfacePoint& point);
+
 /// Equilibrium of the points with columns under one control, everything else being linear.
 ///
 ///     F = q − q_dead − (λ − λ₀) q_ref − m + G (z − z₀),     z = W (t(q; h) − D_base (q − m)),     N(q, λ) = 0
@@ -57,7 +61,7 @@ class CrackedEquations final : public WalkedEquations {
   /// and no other way to it is sought than the straight one.
   Iterate go_on_walking(const Rule& rule);
   std::size_t num_points() const { return points_.size(); }
-  /// Whether all of them are contacts, without damage.
+  /// Whether all of them change by contact alone.
   bool only_touch() const { return only_touch_; }
   /// Makes the z and λ found so far the origin z₀, λ₀, d_dead being solved for with them: they may be large, as where
   /// points slide that are held in the base, and then so are the errors of Z and G in their products, and the rounding
