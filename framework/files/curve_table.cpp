@@ -86,6 +86,25 @@ CurveTable CurveTable::resume(const fs::path& path, std::vector<Column> columns,
   return {FileWriter(path, FileWriter::Mode::append), std::move(columns), num_rows};
 }
 
+void CurveTable::add_column(const fs::path& path, const Column& column, std::size_t place,
+                            const TableCell& cell) {
+  const CsvTable table = read_csv(path);
+  const fs::path units_file = fs::path(path).replace_extension(".units.json");
+  const auto known = nlohmann::json::parse(read_whole(units_file));
+  std::vector<Column> columns;
+  for (const std::string& name : table.names()) columns.push_back({name, known.value(name, "")});
+  columns.insert(columns.begin() + static_cast<std::ptrdiff_t>(place), column);
+  std::string text = header_of(columns);
+  for (std::size_t row = 0; row < table.num_rows(); ++row) {
+    std::vector<TableCell> cells;
+    for (const Column& each : columns)
+      cells.push_back(each.name == column.name ? cell : table.texts(each.name)[row]);
+    text += csv_line(cells);
+  }
+  write_units(path, columns);  // a name too many harms nobody where a kill comes between the two
+  write_whole(path, text, Flush::to_system);
+}
+
 void CurveTable::append(std::span<const TableCell> row) {
   if (row.size() != columns_.size()) {
     throw std::invalid_argument(fmt::format("{} cells for {} columns", row.size(), columns_.size()));

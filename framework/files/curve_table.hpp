@@ -37,6 +37,9 @@ class CurveTable {
   /// Throws InputError when its columns differ or it has fewer rows.
   static CurveTable resume(const std::filesystem::path& path, std::vector<Column> columns,
                            std::size_t num_rows);
+  /// Puts a column before column `place` of a table that is not open, with the same cell in every row.
+  static void add_column(const std::filesystem::path& path, const Column& column, std::size_t place,
+                         const TableCell& cell);
 
   /// One cell per column, in their order.
   void append(std::span<const TableCell> row);

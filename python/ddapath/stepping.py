@@ -157,9 +157,10 @@ class Path:
 
     def load(self, *loads, name="loading"):
         """Holds all that acts as it is, and goes on with other loads, dictionaries as in `stages` of a deck, whose load factor
-        begins at 0. What a displacement drives, an earlier stage has to have driven along the same direction. InputError for
-        loads that cannot serve, for a path with a folder, which has the loads of its deck, and while stages of the deck are
-        yet to come; the path then goes on as it did."""
+        begins at 0. What a displacement drives, an earlier stage has to have driven along the same direction. In a run folder
+        they are a stage of `effective_deck.yaml` behind those of the deck, and the run is that of a deck that has it. InputError for
+        loads that cannot serve, while stages of the deck are yet to come, and in a folder before the first step; the path
+        then goes on as it did."""
         self._follower.go_on_with(json.dumps({"name": name, "loads": decks.plain(list(loads))}))
 
     @property

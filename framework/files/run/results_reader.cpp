@@ -107,4 +107,11 @@ ResultsTexts ResultsReader::provenance() const {
   });
 }
 
+std::vector<std::int64_t> ResultsReader::model(const std::string& table) const {
+  return reading(folder_ / mesh_file, [&](const Hdf5File& file) {
+    const std::string name = "/model/" + table;
+    return file.has(name) ? file.integers(name) : std::vector<std::int64_t>{};
+  });
+}
+
 }  // namespace dda

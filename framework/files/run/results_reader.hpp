@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -27,6 +28,8 @@ class ResultsReader {
   std::vector<std::int64_t> integers(int step, const std::string& table) const;
   std::string unit(int step, const std::string& field) const;
   ResultsTexts provenance() const;
+  /// A table of the model; empty where there is none of this name.
+  std::vector<std::int64_t> model(const std::string& table) const;
 
  private:
   std::filesystem::path folder_;

@@ -241,12 +241,16 @@ void make_room(const fs::path& fields, int last_step) {
 ResultsWriter::ResultsWriter(const fs::path& folder, const ResultsMesh& mesh, const ResultsTexts& provenance)
     : ResultsWriter(folder) {
   make_folder(folder / fields_folder);
-  write_file(folder / mesh_file, [&](Hdf5File& file) {
+  renew(mesh, provenance);
+  write_xdmf();
+}
+
+void ResultsWriter::renew(const ResultsMesh& mesh, const ResultsTexts& provenance) {
+  write_file(folder_ / mesh_file, [&](Hdf5File& file) {
     write_mesh(file, mesh);
     for (const auto& [name, text] : provenance) file.write("/provenance/" + name, std::vector{text});
     read_mesh(file);
   });
-  write_xdmf();
 }
 
 ResultsWriter ResultsWriter::resume(const fs::path& folder, int last_step) {

@@ -22,6 +22,8 @@ class ResultsWriter {
   /// written. Throws InputError when there is no mesh, or a file is damaged.
   static ResultsWriter resume(const std::filesystem::path& folder, int last_step);
 
+  /// Writes the mesh anew, whose model's tables have become others; blocks and segments are the same.
+  void renew(const ResultsMesh& mesh, const ResultsTexts& provenance);
   /// Adds a step; steps must increase. Throws std::invalid_argument for sizes that do not fit the mesh.
   void store(const Snapshot& snapshot);
   std::vector<int> steps() const;

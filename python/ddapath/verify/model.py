@@ -128,7 +128,8 @@ class Model:
         out.sides = cuts.pieces_of_sides(self, cut)
         out.points = Points(out)
         nodes = list(out.jumps.node_of_cut)
-        out.loads = {part: np.concatenate([force, np.pad(cut.forces[part][nodes], ((0, 0), (0, 3)))])
+        none = np.zeros((len(cut.cuts), 3))  # of a stage that came once the step was stored
+        out.loads = {part: np.concatenate([force, np.pad(cut.forces.get(part, none)[nodes], ((0, 0), (0, 3)))])
                      for part, force in self.loads.items()}
         felt = cut.spring_parts
         node = np.array([out.jumps.node_of_cut[number] for number in felt["cut"]], dtype=int)
@@ -145,10 +146,12 @@ class Model:
         self.references = ["reference", *(f"reference_{number}" for number in self.stages[1:])]
 
     def load_factors(self, fields):
-        """Of every stage that is followed: those before are held, those to come are 0."""
+        """Of every stage that is followed: those before are held, those to come are 0, as are those that came once it was stored."""
         if not self.stages:
             return np.array([fields.load_factor])
-        return np.array([fields.numbers[f"load_factor_{number}"] for number in self.stages])
+        first, *others = self.stages
+        known = fields.numbers
+        return np.array([known.get(f"load_factor_{first}", fields.load_factor), *(known.get(f"load_factor_{number}", 0.0) for number in others)])
 
     def _set_blocks(self, tables):
         materials = [self.deck["materials"][name] for name in tables["region_materials"]]

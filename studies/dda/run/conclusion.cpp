@@ -1,8 +1,10 @@
 #include "studies/dda/run/conclusion.hpp"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "framework/messages/interrupt.hpp"
+#include "studies/dda/figures/model_picture.hpp"
 
 namespace dda {
 namespace {
@@ -16,6 +18,13 @@ void follow_primary(const DeckFile& deck, const RunFolder& folder, const RunMemo
   overrides.emplace_back("path.branch=follow");
   const RunOptions options{.folder = folder.file("primary"), .overwrite = true, .quiet = true};
   run_deck(deck_from_text(deck.text, deck.path, overrides), options);
+}
+
+/// The structure as asked, with the loads that have come since the folder was made.
+void draw_new_stages(const DeckFile& deck, const RunFolder& folder) {
+  if (!std::filesystem::exists(folder.file("model.svg"))) return;  // large structures have none
+  Timings timings;
+  write_model_picture(folder, Simulation(deck.deck, timings));
 }
 
 /// What follows the path where the deck has a motion; how the run ends.
@@ -57,6 +66,7 @@ RunResult conclude_run(const FollowedPath& followed, Ending ending, const Motion
     if (const Ending moved = move_on(followed, options); moved.kind != Ending::Kind::goal_reached)
       ending = moved;
   offer_motion(simulation, recorder);
+  if (recorder.has_new_stages()) draw_new_stages(deck, folder);
   return {folder.path(), ending, recorder.finish(ending), recorder.measures(), recorder.trace()};
 }
 

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
+
 #include "studies/dda/figures/model_picture.hpp"
 #include "studies/dda/run/conclusion.hpp"
 #include "studies/dda/run/new_run.hpp"
@@ -16,6 +19,24 @@ DeckFile with_path(DeckFile deck, Timings& timings) {
     throw InputError(Position{deck.path.string()},
                      "has no `stages`: there is no path to follow, only a motion, which `dda run` computes");
   return deck;
+}
+
+/// Where the path stands, as a goal that it has not passed before: the load factor while the load is higher than ever in its
+/// stage, else a gauge that is farther from where it was when the stage began.
+std::map<std::string, double> goal_here(const Simulation& simulation) {
+  const Walker& walker = simulation.walker();
+  const auto& travels = simulation.path().memory().travels;
+  const auto is_farthest = [&](const std::string& name, double now) {
+    const auto travel = travels.find(name);
+    return travel != travels.end() && travel->second.farthest == now && travel->second.from != now;
+  };
+  const auto gauges = simulation.gauges().gauges;
+  const auto found = std::ranges::find_if(gauges, [&](const NamedGauge& gauge) {
+    return is_farthest(gauge.name, walker.value(gauge.functional));
+  });
+  if (found == gauges.end() || is_farthest("load", walker.value(simulation.loading().load)))
+    return {{"load_factor", walker.state().load_factor}};
+  return {{found->name, walker.value(found->functional)}};
 }
 
 }  // namespace
@@ -69,17 +90,18 @@ void SteppedRun::switch_control(ControlChoice control) {
 }
 
 void SteppedRun::go_on_with(StageParameters stage) {
-  if (is_recorded())
-    throw InputError(stage.where,
-                     "a run in a folder has the loads of its deck; follow this one without a folder");
   if (has_ended()) throw InputError(stage.where, "the path has ended: " + ending_.reason);
   Deck& deck = deck_.deck;
   const auto leg = static_cast<std::size_t>(simulation_.path().memory().leg);
   if (leg + 1 < deck.legs().size())
     throw InputError(stage.where,
                      fmt::format("stage '{}' of the deck is yet to come", deck.legs()[leg + 1].name));
+  if (is_recorded() && simulation_.walker().effort().accepted == 0)
+    throw InputError(
+        stage.where,
+        "no step has been taken yet: in a run that is recorded these loads are a stage of its deck");
   const std::vector<StageParameters> before = deck.stages;
-  deck.stages.back().until = {{"load_factor", simulation_.walker().state().load_factor}};
+  deck.stages.back().until = goal_here(simulation_);
   deck.stages.push_back(std::move(stage));
   try {
     simulation_.go_on_with_last_stage("as told");
@@ -87,6 +109,10 @@ void SteppedRun::go_on_with(StageParameters stage) {
     deck.stages = before;
     throw;
   }
+  if (!is_recorded()) return;
+  const std::string effective = effective_deck(deck_);
+  recorder_->go_on_with_stage(effective);
+  write_decks(*folder_, deck_, effective);
 }
 
 RunResult SteppedRun::conclude() {

@@ -33,9 +33,9 @@ class SteppedRun {
   void interrupt_when(std::function<bool()> asked) { simulation_.path().interrupt_when(std::move(asked)); }
   /// Goes on by another control. Throws InputError for one that cannot serve here; the path then keeps the one it has.
   void switch_control(ControlChoice control);
-  /// Holds all that acts and goes on with a stage behind those of the deck. Throws InputError where the run is recorded, whose
-  /// loads are those of its deck, where it has ended, where stages of the deck are yet to come, and for loads that cannot serve;
-  /// the path then goes on as it did.
+  /// Holds all that acts and goes on with a stage behind those of the deck. Throws InputError where the path has ended, where
+  /// stages of the deck are yet to come, of a recorded one before its first step, and for loads that cannot serve; the path then
+  /// goes on as it did.
   void go_on_with(StageParameters stage);
 
   bool is_recorded() const { return recorder_ != nullptr; }

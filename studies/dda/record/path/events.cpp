@@ -128,6 +128,12 @@ PathEvents::Station PathEvents::between(const Station& now, double share) const 
 
 void PathEvents::begin_stage(const Walker& walker) { before_ = station(walker, before_.step); }
 
+void PathEvents::number_stages(int number) {
+  stage_ = number;
+  for (Json& event : list_)
+    if (number > 0 && !event.contains("stage")) event["stage"] = number;
+}
+
 std::set<EventKind> PathEvents::add(const Point& point, const Walker& walker, bool is_last) {
   const Station now = station(walker, point.step);
   remember_sizes(now);

@@ -26,8 +26,8 @@ class PathEvents {
   void remember_sizes(const CsvTable& curve);
   /// The loads are others from here on: what they do is no extremum of what those before did.
   void begin_stage(const Walker& walker);
-  /// Events have this number as their `stage` from here on; 0: they have none.
-  void number_stages(int number) { stage_ = number; }
+  /// Events have this number as their `stage` from here on, and those before that had none; 0: they have none.
+  void number_stages(int number);
   /// Adds what lies between the last point and this one, and tells what happens at it.
   std::set<EventKind> add(const Point& point, const Walker& walker, bool is_last);
   /// One object per event: kind, step, load, load_factor, dissipated_energy, gauges, …; in the order of the

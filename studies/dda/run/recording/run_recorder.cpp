@@ -7,7 +7,6 @@
 
 #include "framework/files/whole_file.hpp"
 #include "framework/messages/provenance.hpp"
-#include "studies/dda/case/model_tables.hpp"
 #include "studies/dda/figures/paraview_state.hpp"
 #include "studies/dda/figures/pictures.hpp"
 #include "studies/dda/figures/stability_pictures.hpp"
@@ -30,22 +29,6 @@ namespace {
 /// What a run may lose when it is killed or the machine goes down; a shorter run is sooner repeated [s].
 constexpr double bearable_loss = 1.0;
 
-Measures measures_of(const Simulation& simulation, const RecordedColumns& others) {
-  const Deck& deck = simulation.deck();
-  const Loading& loading = simulation.loading();
-  Dimension dimension = loading.all_are_forces ? dimension::force : dimension::none;
-  for (const NamedGauge& gauge : loading.gauges)
-    if (gauge.name == deck.path.load_gauge) dimension = gauge.dimension;
-  return {loading, simulation.path().load_gauge(), unit_of(dimension, deck.units), deck.units, others};
-}
-
-ResultsTexts texts_of(const DeckFile& deck, const std::string& effective) {
-  auto out = to_texts(provenance());
-  out["deck"] = deck.text;
-  out["effective_deck"] = effective;
-  return out;
-}
-
 /// Of the run that has never switched.
 nlohmann::ordered_json primary_summary(const fs::path& file) {
   const auto other = nlohmann::ordered_json::parse(read_whole(file));
@@ -53,30 +36,6 @@ nlohmann::ordered_json primary_summary(const fs::path& file) {
           {"status", other["status"]},
           {"peak", other["peak"]},
           {"dissipated_energy", other["dissipated_energy"]}};
-}
-
-RecordedColumns joined(RecordedColumns first, const RecordedColumns& second) {
-  std::ranges::copy(second, std::back_inserter(first));
-  return first;
-}
-
-RecordedColumns written(RecordedColumns all) {
-  std::erase_if(all, [](const RecordedColumn& column) { return !column.cell; });
-  return all;
-}
-
-CurveTable open_curve(const RunFolder& folder, const RecordedColumns& recorded,
-                      const std::optional<RunMemory>& memory) {
-  const auto file = folder.file("curve.csv");
-  const std::vector<Column> columns(recorded.begin(), recorded.end());
-  if (!memory) return {file, columns};
-  return CurveTable::resume(file, columns, static_cast<std::size_t>(memory->last_step) + 1);
-}
-
-ResultsMesh mesh_of(const Fields& fields, const Simulation& simulation) {
-  ResultsMesh mesh = fields.mesh();
-  mesh.model = model_tables(simulation.body(), simulation.deck(), simulation.equilibrium());
-  return mesh;
 }
 
 }  // namespace
@@ -91,15 +50,14 @@ RunRecorder::RunRecorder(const RunFolder& folder, Simulation& simulation, const 
       memory_(memory.value_or(RunMemory{})),
       interfaces_(simulation.equilibrium(), simulation.deck().units, memory_),
       indicator_(simulation, memory_.indicator),
-      measures_(measures_of(simulation, columns_of_parts())),
-      columns_(written(joined(measures_.columns(), columns_of_parts()))),
+      measures_(measures_here()),
+      columns_(columns_of_rows()),
       fields_(simulation.body(), simulation.deck(), simulation.equilibrium(), simulation.deck().units),
       events_(measures_, simulation.walker(), memory_.last_step, memory_.events),
       log_(folder.file("log.jsonl"), memory ? FileWriter::Mode::append : FileWriter::Mode::create),
-      curve_(open_curve(folder, columns_, memory)),
-      results_(memory
-                   ? ResultsWriter::resume(folder.path(), memory->last_step)
-                   : ResultsWriter(folder.path(), mesh_of(fields_, simulation), texts_of(deck, effective_))) {
+      curve_(open_curve(!memory)),
+      results_(memory ? ResultsWriter::resume(folder.path(), memory->last_step)
+                      : ResultsWriter(folder.path(), mesh(), texts())) {
   simulation.path().report_to([this](const std::string& event, const std::string& text) {
     log_.info(event, {{"step", memory_.last_step + 1}, {"text", text}});
   });
@@ -110,6 +68,7 @@ RunRecorder::RunRecorder(const RunFolder& folder, Simulation& simulation, const 
     const std::vector<int> steps = results_.steps();
     last_stored_ = steps.empty() ? -1 : steps.back();
     last_ = measures_.measure(simulation.walker(), memory_.last_step, "resumed", 0);
+    renew_stages();
     events_.remember_sizes(read_csv(folder.file("curve.csv")));
     log_.info("resumed", {{"step", memory_.last_step}});
   } else {
@@ -138,20 +97,6 @@ void RunRecorder::write_stiffness() const {
   write_whole(folder_.file("stiffness.txt"), "Start\n" + text + "\nEnd\n" + end.text, Flush::to_system);
   const nlohmann::ordered_json both{{"start", numbers}, {"end", end.numbers}};
   write_whole(folder_.file("stiffness.json"), both.dump() + "\n", Flush::to_system);
-}
-
-RecordedColumns RunRecorder::columns_of_parts() const {
-  return joined(columns_of_stages(), joined(interfaces_.columns(), indicator_.columns()));
-}
-
-RecordedColumns RunRecorder::columns_of_stages() const {
-  if (stage_number() == 0) return {};
-  return {{{column::stage, ""}, [this](const RecordedStep&) { return std::int64_t{stage_number()}; }}};
-}
-
-int RunRecorder::stage_number() const {
-  if (simulation_.deck().followed_stages().size() < 2) return 0;
-  return static_cast<int>(simulation_.followed_stage()) + 1;
 }
 
 void RunRecorder::append_row(const Measurement& now, const Point& point) {
@@ -240,7 +185,7 @@ void RunRecorder::store_peak() {
 
 /// Figures draw the peak in the structure of the end, and modes are looked for in those before.
 void RunRecorder::follow(const Growth& growth) {
-  measures_ = measures_of(simulation_, columns_of_parts());
+  measures_ = measures_here();
   indicator_.follow(growth);
   memory_.indicator = indicator_.memory();
   if (!memory_.peak_state) return;
@@ -249,31 +194,6 @@ void RunRecorder::follow(const Growth& growth) {
   peak.history = growth.of_points(peak.history);
   for (std::vector<double>& mode : peak.modes) mode = indicator_.followed(mode, growth);
   if (!peak.state.multipliers.empty()) peak.state.multipliers = growth.of_points(peak.state.multipliers);
-}
-
-/// What it has stored is drawn and checked with its own loads.
-void RunRecorder::end_stage(const StageEnd& end) {
-  const auto scope = timings_.measure("output");
-  store_peak();
-  store_here();
-  memory_.peak_state.reset();
-  memory_.is_peak_stored = true;
-  const bool has_rows = memory_.peak_stage == static_cast<int>(memory_.stages.size());
-  memory_.stages.push_back({.number = stage_number(),
-                            .end = memory_.last_step,
-                            .load_factor = end.load_factor,
-                            .load = last_.load,
-                            .peak_step = has_rows ? memory_.peak.step : memory_.last_step,
-                            .peak_load = has_rows ? memory_.peak.load : 0,
-                            .reason = end.reason});
-}
-
-void RunRecorder::begin_stage() {
-  measures_ = measures_of(simulation_, columns_of_parts());
-  memory_.stages.back().next = {stage_number(), simulation_.walker().here().load};
-  events_.begin_stage(simulation_.walker());
-  events_.number_stages(stage_number());
-  trace_.push_back(trace_point(simulation_.walker(), measures_));
 }
 
 void RunRecorder::store(const StoredState& at, const Measurement& measured) {

@@ -33,6 +33,10 @@ class RunRecorder {
   void record(const Point& point);
   /// The deck is another one from the next restart on, by a control that Python has switched to.
   void go_on_with(std::string effective) { effective_ = std::move(effective); }
+  /// The deck has another stage, which has begun: every table that tells stages apart, and the restart file, know it from here.
+  void go_on_with_stage(std::string effective);
+  /// Whether the run had stages fewer when its folder was made.
+  bool has_new_stages() const { return has_new_stages_; }
   /// What else is to stand among the notices.
   void add_notice(std::string text) { offered_.push_back(std::move(text)); }
   /// No step of the path comes any more, whatever follows it.
@@ -75,8 +79,18 @@ class RunRecorder {
   Flush durability() const;
   void log_step(const Point& point, const Measurement& now);
   void look_for_crawling();
-  /// Those of the parts that look at each step.
+  /// Makes the model's tables those of the stages that there are now.
+  void renew_stages();
+  /// By what the loads of the present stage are measured.
+  Measures measures_here() const;
+  /// Those of the parts that look at each step, and all of them that are written.
   RecordedColumns columns_of_parts() const;
+  RecordedColumns columns_of_rows() const;
+  /// New, or behind the last row of a run that goes on.
+  CurveTable open_curve(bool is_new) const;
+  ResultsMesh mesh() const;
+  /// Where the run comes from.
+  ResultsTexts texts() const;
   void append_row(const Measurement& now, const Point& point);
   bool is_due(const Point& point) const;
   StoredState here() const;
@@ -98,6 +112,7 @@ class RunRecorder {
   CurveTable curve_;
   ResultsWriter results_;
   int last_stored_ = -1;
+  bool has_new_stages_ = false;
   double restart_written_ = -1e9;  ///< when [s]
   Measurement last_;
   std::vector<TornPiece> torn_;
