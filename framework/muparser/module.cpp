@@ -85,6 +85,11 @@ ExpressionFault fault_of(const mu::ParserError& error, const std::string& text) 
   const std::string token = error.GetToken();
   if (error.GetCode() == mu::ecUNASSIGNABLE_TOKEN && begins_like_name(token))
     return {"", at, token, is_before_parenthesis(text, at + token.size())};
+  if (error.GetCode() == mu::ecMISSING_PARENS &&
+      std::ranges::count(text, '(') > std::ranges::count(text, ')'))
+    return {
+        "a parenthesis is open; an expression with commas stands in quotes, as a comma ends it in {} and []",
+        text.find('('), "", false};
   if (text.find("**") != std::string::npos) return {"powers are written with ^", text.find("**"), "", false};
   return {words(error), at, "", false};
 }
