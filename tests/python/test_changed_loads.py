@@ -24,7 +24,7 @@ deck, folder, at, until = sys.argv[1], sys.argv[2], int(sys.argv[3]), int(sys.ar
 loads = [load | {"force": [40, -0.5]} for load in ddapath.read_deck(deck)["stages"][-1]["loads"]]
 for point in (path := ddapath.follow(deck, {"path.stop.after_steps": 12, "record.fields_every": 1}, folder=folder)):
     if point.step == at:
-        path.load(*loads, name="more")
+        path.load(*loads, name="more 3")
     if point.step == until:
         os.kill(os.getpid(), signal.SIGKILL)
 """
@@ -78,7 +78,7 @@ class ChangedLoads(unittest.TestCase):
 
     def test_loads_that_change_behind_the_peak(self):
         """There the load factor has been passed before: the stage ends by a gauge that has not."""
-        settings = LIMIT | {"path.stop.after_steps": 40}
+        settings = LIMIT | {"path.stop.after_steps": 50}
         whole = list(ddapath.follow(DECK, settings))
         peak = max(whole, key=lambda point: point.load).step
         run = self.changed("told", {peak + 3}, settings=settings)
