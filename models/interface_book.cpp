@@ -161,10 +161,28 @@ void InterfaceBook::add_crack_normal(const Vec2& normal, Interface& interface) {
   interface.crack_normal = normal.normalized();
 }
 
+/// It is there before anything moves, so that something must press the bodies together before a load is followed.
+void InterfaceBook::add_water_between_bodies(const WaterParameters& water, Interface& interface) {
+  interface.water = water;
+  interface.water->opening = 0;
+  if (water.opening)
+    findings_.add(
+        interface.where,
+        "`opening` of `water` is that of a crack: between bodies that only touch all of it is there from "
+        "the beginning");
+  if (model_.num_dead_stages() == 0)
+    findings_.add(
+        interface.where,
+        "`water` between bodies that only touch parts them unless something presses on them: a stage "
+        "that is applied in full, as their weight, comes first");
+}
+
 void InterfaceBook::add_water(const WaterParameters& water, Interface& interface) {
+  if (interface.law->contact({}, 1)) return add_water_between_bodies(water, interface);
   if (!interface.law->can_crack() || !interface.law->widening(0, 1))
-    return findings_.add(interface.where,
-                         "`water` needs a law that softens: what it presses on is the crack");
+    return findings_.add(
+        interface.where,
+        "`water` needs a law that softens, whose crack it presses on, or one of bodies that only touch");
   interface.water = water;
   if (water.opening) return;
   const double end = interface.law->rupture_kappa(1);

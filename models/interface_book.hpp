@@ -67,6 +67,7 @@ class InterfaceBook {
   void check_plane(const InterfaceParameters& p, const Interface& made);
   void add_field(const FieldParameters& field, Interface& interface);
   void add_crack_normal(const Vec2& normal, Interface& interface);
+  void add_water_between_bodies(const WaterParameters& water, Interface& interface);
   void add_water(const WaterParameters& water, Interface& interface);
   void check_names();
   std::string unknown_material(const std::string& name) const;

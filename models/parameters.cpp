@@ -14,7 +14,10 @@ void check_interface(const InterfaceParameters& p, const Position& where, Findin
 
 Schema<WaterParameters> water_schema() {
   using P = WaterParameters;
-  return Schema<P>("Water that follows into the cracks of an interface and presses their faces apart.")
+  return Schema<P>(
+             "Water that follows into the cracks of an interface, or stands between bodies that only touch, "
+             "and "
+             "presses their faces apart.")
       .value("pressure", &P::pressure, formula_kind(dimension::stress),
              {.text = "Pressure of the water there, a number or an expression of x and y: up to a level H "
                       "\"rho*g*(H - y)\". Where it is not positive there is no water. It stays as it is "
@@ -27,7 +30,7 @@ Schema<WaterParameters> water_schema() {
            .text =
                "Opening at which a crack bears the whole pressure; it grows in proportion from nothing where "
                "the crack begins. Without it that at which its traction has vanished, which laws without an "
-               "end do not have."});
+               "end do not have, and that bodies that only touch need none of."});
 }
 
 Kind<InterfaceParameters> interface_kind() {

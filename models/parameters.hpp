@@ -24,7 +24,7 @@ namespace dda {
 /// two ends; its middle.
 enum class PointRule { gauss, gauss_2, vertices, midpoint };
 
-/// Water that follows into the cracks of an interface.
+/// Water that follows into the cracks of an interface, or is between bodies that only touch.
 struct WaterParameters {
   Formula pressure;
   std::optional<double> opening;  ///< at which the pressure is whole; that of rupture when not given [L]

@@ -32,7 +32,11 @@ std::size_t size_of(const std::vector<Remembered>& memory) {
 }  // namespace
 
 WaterFilledLaw::WaterFilledLaw(std::shared_ptr<const InterfaceLaw> law, double pressure, double opening)
-    : law_(std::move(law)), full_(pressure), opening_(opening), behind_(size_of(law_->memory())) {}
+    : law_(std::move(law)),
+      is_crack_(law_->widening(0, 1).has_value()),
+      full_(pressure),
+      opening_(opening),
+      behind_(size_of(law_->memory())) {}
 
 std::vector<Remembered> WaterFilledLaw::memory() const {
   std::vector<Remembered> out = law_->memory();
@@ -40,7 +44,8 @@ std::vector<Remembered> WaterFilledLaw::memory() const {
   return out;
 }
 
-WaterFilledLaw::Shift WaterFilledLaw::frozen(const History& h) const {
+WaterFilledLaw::Shift WaterFilledLaw::frozen(const History& h, double k) const {
+  if (!is_crack_) return {full_ / k, Vec2::Zero()};
   return {h.memory.as<WaterMemory>(behind_).shift, Vec2::Zero()};
 }
 
@@ -69,8 +74,9 @@ double WaterFilledLaw::solved(const Vec2& q, const History& h, double k, double 
 }
 
 WaterFilledLaw::Shift WaterFilledLaw::shift(const Vec2& q, const History& h, double k) const {
+  if (!is_crack_) return frozen(h, k);
   const double reached = kappa(h, k);
-  Shift out = frozen(h);
+  Shift out = frozen(h, k);
   double opening = law_->equivalent_opening(out.of(q), h, k);
   if (opening < reached * (1 - upon_surface) || (opening <= reached && !h.loading)) return out;
   if (opening > reached) {
@@ -85,6 +91,7 @@ WaterFilledLaw::Shift WaterFilledLaw::shift(const Vec2& q, const History& h, dou
 
 /// The one at which the water is whole is a corner, too.
 double WaterFilledLaw::next_corner(const History& h, double k) const {
+  if (!is_crack_) return law_->next_corner(h, k);
   const double corner = law_->next_corner(h, k), reached = kappa(h, k);
   const Widening wide = *law_->widening(reached, k);
   if (wide.opening >= opening_) return corner;
@@ -121,7 +128,7 @@ Response WaterFilledLaw::respond(const Vec2& q, const History& h, double k) cons
 }
 
 Response WaterFilledLaw::respond_frozen(const Vec2& q, const History& h, double k) const {
-  const Shift water = frozen(h);
+  const Shift water = frozen(h, k);
   Response out = law_->respond_frozen(water.of(q), h, k);
   out.traction.x() -= k * water.c;
   return out;
@@ -158,6 +165,7 @@ unsigned WaterFilledLaw::piece(const Vec2& q, const History& h, double k) const 
 
 History WaterFilledLaw::grown(const History& h, double k, double factor) const {
   History out = law_->grown(h, k, factor);
+  if (!is_crack_) return out;
   auto water = h.memory.as<WaterMemory>(behind_);
   water.shift = at(kappa(out, k), k).pressure / k;
   out.memory.keep(water, behind_);
@@ -167,13 +175,13 @@ History WaterFilledLaw::grown(const History& h, double k, double factor) const {
 std::optional<Contact> WaterFilledLaw::contact(const History& h, double k) const {
   std::optional<Contact> out = law_->contact(h, k);
   if (!out) return out;
-  out->shift = frozen(h).c;
+  out->shift = frozen(h, k).c;
   out->pressure = k * out->shift;
   return out;
 }
 
 double WaterFilledLaw::supplied(const History& h) const { return h.memory.as<WaterMemory>(behind_).work; }
 
-double WaterFilledLaw::water_pressure(const History& h, double k) const { return k * frozen(h).c; }
+double WaterFilledLaw::water_pressure(const History& h, double k) const { return k * frozen(h, k).c; }
 
 }  // namespace dda

@@ -16,18 +16,19 @@ namespace dda {
 ///
 ///     c = (p/k) s(w(κ(q + c n))),    ∂c/∂q = b a/(1 − b a_n),    b = (p/k) s' dw/dκ,    a = ∂κ/∂q
 ///
-/// with one solution for k above the steepest slope p/w_f + that of t₀. The water does the work ∫ P dw_n [F/L], by
+/// with one solution for k above the steepest slope p/w_f + that of t₀. Between bodies that only touch there is no damage: water is
+/// there from the beginning, P = p, c = p/k, whether they touch or not. The water does the work ∫ P dw_n [F/L], by
 /// trapezoids from history to history, which is exact where damage grows along a straight line of t₀ and w_n.
 class WaterFilledLaw final : public InterfaceLaw {
  public:
-  /// `pressure` p > 0 [F/L²]; `opening` w_f > 0 [L]. The law must tell its `widening`.
+  /// `pressure` p > 0 [F/L²]; `opening` w_f > 0 [L] of a law that tells its `widening`, else it says nothing.
   WaterFilledLaw(std::shared_ptr<const InterfaceLaw> law, double pressure, double opening);
 
   std::vector<Remembered> memory() const override;
   double shear_weight() const override { return law_->shear_weight(); }
   Vec2 intact_stiffness(double k) const override { return law_->intact_stiffness(k); }
   double steepest_slope() const override {
-    return law_->steepest_slope() + law_->widening(0, 1)->gain * full_ / opening_;
+    return law_->steepest_slope() + (is_crack_ ? law_->widening(0, 1)->gain * full_ / opening_ : 0);
   }
   bool can_crack() const override { return law_->can_crack(); }
 
@@ -73,9 +74,10 @@ class WaterFilledLaw final : public InterfaceLaw {
   Shift shift(const Vec2& q, const History& h, double k) const;
   double solved(const Vec2& q, const History& h, double k, double least) const;
   /// Of the water that is there.
-  Shift frozen(const History& h) const;
+  Shift frozen(const History& h, double k) const;
 
   std::shared_ptr<const InterfaceLaw> law_;
+  bool is_crack_;  ///< else bodies that only touch
   double full_, opening_;
   std::size_t behind_;  ///< numbers that the law of the solid remembers
 };

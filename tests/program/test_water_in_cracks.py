@@ -74,6 +74,22 @@ class Water(unittest.TestCase):
         run = self.run_of(SLID)
         self.assertAlmostEqual(run.curve.load.iloc[-1] / ((600 - 160) * math.tan(math.radians(35))), 1, delta=1e-9)
 
+    def test_water_between_bodies_that_only_touch(self):
+        """All of it from the beginning: pushed, the block slides at what friction makes of the rest of the pressure; lifted, it
+        parts at it."""
+        dry, lift = {"type": "friction", "friction_angle": 35}, [{"type": "edge_traction", "boundary": "top", "traction": [0, 1]}]
+        for treatment in ("consistent", "penalty", "lagrange", "augmented_lagrangian"):
+            with self.subTest(treatment=treatment):
+                change = {"interfaces.base.law": dry, "interfaces.base.treatment": treatment}
+                run = self.run_of(SLID, change)
+                self.assertAlmostEqual(run.curve.load.iloc[-1] / ((600 - 160) * math.tan(math.radians(35))), 1, delta=1e-6)
+                np.testing.assert_allclose(run.fields().points.water_pressure, 80)
+                run = self.run_of(SLID, change | {"stages": [SLID["stages"][0], {"name": "lifted", "loads": lift}],
+                                                  "gauges": {"slip": {"type": "displacement", "at": [1, 1], "direction": [0, 1]}}})
+                self.assertAlmostEqual(run.curve.load.iloc[-1] / (600 - 160), 1, delta=1e-6)
+                missing = (run.curve.external_work - run.curve.stored_energy - run.curve.dissipated_energy).abs().max()
+                self.assertLess(missing, 1e-4 * run.curve.external_work.abs().max())
+
     def test_a_dam_slides_on_what_the_uplift_leaves_of_its_weight(self):
         weight, uplift = 24 * 30 * (24 + 5) / 2, 9.81 * 30 * 24
         run = self.run_of(DAM)
@@ -107,7 +123,10 @@ class Water(unittest.TestCase):
         self.assertLess(load_of_wet, 0.95 * self.run_of(DAM, bending).curve.load.iloc[-1])
 
     def test_what_does_not_know_it_is_refused(self):
-        for change, said in (({"interfaces.base.law": {"type": "friction", "friction_angle": 30}}, "`water` needs a law that softens"),
+        for change, said in (({"interfaces.base.law": {"type": "friction", "friction_angle": 30}, "stages": SLID["stages"][1:]},
+                              "parts them unless something presses on them"),
+                             ({"interfaces.base.law": {"type": "friction", "friction_angle": 30}, "interfaces.base.water.opening": 1e-3},
+                              "is that of a crack"),
                              ({"interfaces.base.law": {"type": "mohr_coulomb", "tensile_strength": 1, "cohesion": 2, "friction_angle": 30}},
                               "`water` needs a law that softens"),
                              ({"interfaces.base.water.opening": 1e-9}, "or a larger `opening` of its `water`"),
