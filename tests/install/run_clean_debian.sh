@@ -1,5 +1,5 @@
 #!/bin/bash
-# The Debian package in a Debian that has nothing else: installed by apt, and some installed studies run.
+# The Debian package in a Debian that has nothing else: installed by apt, some installed studies and the first notebook run.
 #   run_clean_debian.sh BUILD
 # Exit code 77: it cannot be tried here.
 set -euo pipefail
@@ -13,6 +13,7 @@ cpack -G DEB --config "$build/CPackConfig.cmake" -B "$work/cpack" >"$work/cpack.
 sources >"$work/sources"
 mmdebstrap --variant=apt bookworm "$work/root" - <"$work/sources" 2>"$work/mmdebstrap.log" || { cat "$work/mmdebstrap.log"; exit 77; }
 cp "$work"/cpack/*.deb "$work/root/root/ddapath.deb"
+cp "$(dirname "$0")/../python/notebooks.py" "$work/root/root/"
 cp /etc/resolv.conf /etc/hosts "$work/root/etc/" 2>/dev/null || true
 
 cat >"$work/root/root/try.sh" <<'TRY'
@@ -30,6 +31,10 @@ dda verify runs/notched-beam runs/falling-beam
 dda animate runs/falling-beam --out fall.gif
 dda new beam && dda run beam.yaml --quiet
 python3 -c 'import ddapath; print(ddapath.find_program(), ddapath.read_run("runs/beam").status)'
+apt-get -qq install -y --no-install-recommends python3-scipy >/root/apt.log 2>&1 || { cat /root/apt.log; exit 1; }   # for `stiffness`
+mkdir first && cd first
+python3 /root/notebooks.py /usr/share/ddapath/notebooks/first-beam.ipynb
+[ -s figure-1.png ] && [ -s figure-2.png ]
 TRY
 mount -t proc proc "$work/root/proc"
 trap 'umount "$work/root/proc"; rm -rf "$work"' EXIT

@@ -2,32 +2,23 @@
 
 import contextlib
 import io
-import json
 import os
 import tempfile
 import unittest
 from pathlib import Path
 
-import matplotlib
-
-matplotlib.use("agg")
+import notebooks
 
 FOLDER = Path(__file__).resolve().parents[2] / "examples/notebooks"
 
 
-def cells(name):
-    notebook = json.loads((FOLDER / f"{name}.ipynb").read_text(encoding="utf-8"))
-    return [("".join(cell["source"]), cell) for cell in notebook["cells"] if cell["cell_type"] == "code"]
-
-
 def executed(name):
-    """The variables that a notebook leaves, and what its cells print."""
-    variables, printed, home = {"__name__": "__main__"}, io.StringIO(), Path.cwd()
+    """The variables that a notebook leaves, what its cells print, and the files that it leaves."""
+    printed, home = io.StringIO(), Path.cwd()
     with tempfile.TemporaryDirectory() as scratch, contextlib.redirect_stdout(printed):
         os.chdir(scratch)
         try:
-            for number, (source, _) in enumerate(cells(name)):
-                exec(compile(source, f"{name}.ipynb, code cell {number}", "exec"), variables)
+            variables = notebooks.executed(FOLDER / f"{name}.ipynb")
             left = sorted(Path(scratch).iterdir())
         finally:
             os.chdir(home)
@@ -38,7 +29,7 @@ class Notebooks(unittest.TestCase):
     def test_all_are_run_here_and_stored_without_output(self):
         self.assertEqual(sorted(file.stem for file in FOLDER.glob("*.ipynb")), ["first-beam", "own-law", "size-effect"])
         for file in FOLDER.glob("*.ipynb"):
-            for source, cell in cells(file.stem):
+            for source, cell in notebooks.cells(file):
                 self.assertEqual((cell["outputs"], cell["execution_count"]), ([], None), source)
 
     def test_first_beam(self):
