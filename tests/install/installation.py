@@ -1,5 +1,6 @@
 """An installation of the build that the environment variable BUILD names, in a folder of its own."""
 import os
+import shutil
 import subprocess
 import tempfile
 from pathlib import Path
@@ -27,3 +28,13 @@ def install(prefix):
     if done.returncode != 0:
         raise RuntimeError(done.stdout + done.stderr)
     return prefix
+
+
+def built_plugin(prefix, folder):
+    """The example of a plugin, copied to a folder and compiled there against an installation: its library."""
+    shutil.copytree(prefix / "share/ddapath/plugin", folder)
+    for step in (["-B", "build", "-DCMAKE_BUILD_TYPE=Release", f"-DCMAKE_PREFIX_PATH={prefix}"], ["--build", "build"]):
+        done = called("cmake", *step, folder=folder)
+        if done.returncode != 0:
+            raise RuntimeError(done.stdout + done.stderr)
+    return folder / "build" / "straight_softening.so"

@@ -6,7 +6,7 @@ import shutil
 import unittest
 from pathlib import Path
 
-from installation import ROOT, called, install, scratch
+from installation import ROOT, built_plugin, called, install, scratch
 
 LAW = "interfaces.joints.law.type"
 
@@ -22,12 +22,8 @@ class Plugin(unittest.TestCase):
         cls.work = scratch(cls)
         cls.prefix = install(cls.work / "prefix")
         cls.program = cls.prefix / "bin" / "dda"
-        cls.example = shutil.copytree(cls.prefix / "share/ddapath/plugin", cls.work / "my law")
-        cls.library = cls.example / "build" / "straight_softening.so"
-        for step in (["-B", "build", "-DCMAKE_BUILD_TYPE=Release", f"-DCMAKE_PREFIX_PATH={cls.prefix}"], ["--build", "build"]):
-            done = called("cmake", *step, folder=cls.example)
-            if done.returncode != 0:
-                raise RuntimeError(done.stdout + done.stderr)
+        cls.example = cls.work / "my law"
+        cls.library = built_plugin(cls.prefix, cls.example)
 
     def dda(self, *words):
         return called(self.program, *words, folder=self.work)
@@ -79,6 +75,20 @@ for name, path in zip(("plugin", "python", "program"), paths):
                 largest = max(abs(row[column]) for row in curves["program"])
                 for mine, theirs in zip(curves[name], curves["program"]):
                     self.assertLessEqual(abs(mine[column] - theirs[column]), 1e-12 * largest, (name, column, mine[0]))
+
+    def test_the_table_of_what_a_law_costs(self):
+        """The numbers are not judged; that all laws are one curve is."""
+        if not list((self.prefix / "lib/ddapath").glob("_core.*.so")):
+            self.skipTest("built without pybind11")
+        script = f"import law_cost; law_cost.load({str(self.library)!r}); print(law_cost.table(runs=1, share=0.01))"
+        done = called("/usr/bin/python3", "-B", "-c", script, folder=self.work,
+                      environment={"DDA": str(self.program), "PYTHONPATH": str(ROOT / "tests/benchmark")})
+        self.assertEqual(done.returncode, 0, done.stderr)
+        rows = [line.strip("| ").split(" | ") for line in done.stdout.splitlines() if line.startswith("| ")][1:]
+        self.assertEqual(len(rows), 4)
+        for name, evaluation, path, difference in rows:
+            self.assertGreater(min(float(evaluation), float(path)), 0, name)
+            self.assertLessEqual(float(difference), 1e-12, name)
 
     def test_the_run_tells_which_it_had(self):
         mine, theirs = self.run_with_both()
