@@ -102,14 +102,15 @@ class Browser:
             raise BrowserError(f"{method}: {answer['error']['message']}")
         return answer["result"]
 
-    def open(self, path, width=1280, height=900, dark=False):
-        return Page(self, path, (width, height), dark)
+    def open(self, path, width=1280, height=900, dark=False, before=""):
+        """A page; `before` is a script that runs before those of its own."""
+        return Page(self, path, (width, height), dark, before)
 
 
 class Page:
     """An open page of a fixed size [px]; `errors` holds all that it complained of."""
 
-    def __init__(self, browser, path, size, dark):
+    def __init__(self, browser, path, size, dark, before=""):
         self.browser = browser
         self.target = browser.call("Target.createTarget", url="about:blank")["targetId"]
         self.session = browser.call("Target.attachToTarget", targetId=self.target, flatten=True)["sessionId"]
@@ -118,6 +119,8 @@ class Page:
         width, height = size
         self.call("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": "dark" if dark else "light"}])
         self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
+        if before:
+            self.call("Page.addScriptToEvaluateOnNewDocument", source=before)
         self.call("Page.navigate", url=path.resolve().as_uri())
         self.wait("document.readyState === 'complete'")
 
@@ -145,6 +148,20 @@ class Page:
     def mouse(self, kind, x, y, **more):
         self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, **more)
         self.drawn()
+
+    def click(self, selector):
+        """A press at the middle of an element, wherever the pointer finds it."""
+        left, top, width, height = self.scroll_to(selector)
+        for kind in ("mousePressed", "mouseReleased"):
+            self.mouse(kind, left + width / 2, top + height / 2, button="left", clickCount=1)
+
+    def type(self, text):
+        """Into what has the focus."""
+        self.call("Input.insertText", text=text)
+        self.drawn()
+
+    def close(self):
+        self.browser.call("Target.closeTarget", targetId=self.target)
 
     def key(self, name):
         self.call("Input.dispatchKeyEvent", type="keyDown", key=name, code=name)

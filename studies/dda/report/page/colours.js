@@ -16,7 +16,7 @@ const IN_THE_DARK = {
   grey: "#8f9499",
   faint: "#2d3237",
   block: "#343a40",
-  edge: "#5d646b",
+  edge: "#646b72",
   black: "#f4f4f4"
 };
 const DARK_SCREEN = window.matchMedia("(prefers-color-scheme: dark)");
@@ -25,6 +25,13 @@ const {ink: INK, grey: GREY, faint: FAINT, paper: PAPER} = SCREEN;
 const PALETTE = [...STYLE.palette.slice(0, -1), SCREEN.black];
 
 const PAPER_COLOURS = new Map(Object.keys(ON_PAPER).map((name) => [SCREEN[name], ON_PAPER[name]]));
+
+/** What is most stands out most: the colours of cracks, from the pale to the dark on paper, are turned round in the dark. */
+const CRACK_COLOURS = DARK_SCREEN.matches ? [...STYLE.maps.crack].reverse() : STYLE.maps.crack;
+CRACK_COLOURS.forEach((colour, step) => PAPER_COLOURS.set(colour, STYLE.maps.crack[step]));
+
+/** The part of the colours of numbers that stands out: on paper without the palest, on a dark screen without the darkest. */
+const OF_NUMBERS = {paper: [0, 0.92], dark: [0.37, 1]};
 
 /** A colour of the screen as it is on paper, to which figures are saved. */
 function onPaper(colour) {
@@ -39,12 +46,20 @@ function colourStep(part) {
   return Math.min(COLOUR_STEPS - 1, Math.max(0, Math.floor(part * COLOUR_STEPS)));
 }
 
+/** The colour of a number at `part` in 0 to 1 of all, and in PAPER_COLOURS the one that it has on paper. */
+function colourOfNumber(part) {
+  const at = ([low, high]) => STYLE.maps.viridis[colourStep(low + part * (high - low))];
+  const [shown, saved] = [at(DARK_SCREEN.matches ? OF_NUMBERS.dark : OF_NUMBERS.paper), at(OF_NUMBERS.paper)];
+  PAPER_COLOURS.set(shown, saved);
+  return shown;
+}
+
 /** Values and what they look like. */
 class ColourScale {
   constructor(map, range, label) {
     this.label = label;
     this.range = range[0] === range[1] ? [range[0], range[0] + (Math.abs(range[0]) || 1)] : range;
-    this.colours = STYLE.maps[map];
+    this.colours = map === "crack" ? CRACK_COLOURS : STYLE.maps[map];
   }
 
   /** Symmetric about zero, so that its middle colour means none. */

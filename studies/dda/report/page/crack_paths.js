@@ -78,7 +78,9 @@ function crackTable(cracks, lengthUnit) {
       title: "crack",
       text: (crack) => String(cracks.indexOf(crack)),
       element: (crack) =>
-          element("span", {style: `color:${crackColour(cracks.indexOf(crack))}`}, `● ${cracks.indexOf(crack)}`)
+          element(
+              "span", {}, element("i", {class: "dot", style: `background:${crackColour(cracks.indexOf(crack))}`}),
+              String(cracks.indexOf(crack)))
     },
     {title: "from", text: ({path}) => placeText(path[0])},
     {title: "to", text: ({path}) => placeText(path[path.length - 1])},

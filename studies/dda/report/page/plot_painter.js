@@ -126,7 +126,10 @@ class PlotPainter {
                       .map(({x, y, label, fill}) => ({x: this.frame.toX(x), y: this.frame.toY(y), label, fill}))
                       .filter(({x, y}) => Number.isFinite(x + y) && this.frame.holds(x, y));
     for (const {x, y, fill} of shown) this.surface.circle(x, y, 4.5, {stroke: INK, fill: fill ?? PAPER, width: 1.5});
-    const curves = shown.length > 0 ? this.samples() : [];
+    // A mark is worse to write over than a piece of a curve.
+    const weight = 20;
+    const places = shown.flatMap(({x, y}) => Array.from({length: weight}, () => [x, y]));
+    const curves = shown.length > 0 ? [...this.samples(), ...places] : [];
     for (const {x, y, label} of shown)
       if (label) this.label(x, y, label, {taken, curves});
   }

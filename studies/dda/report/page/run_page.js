@@ -80,7 +80,7 @@ class RunPage {
     const source = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(this.data.model)}`;
     const picture =
         element("img", {id: "model-picture", src: source, alt: "Blocks, interfaces, supports, loads and gauges"});
-    return section("model", "Model", picture);
+    return section("model", "Model", element("div", {class: "scroll"}, picture));
   }
 
   motionSection() {

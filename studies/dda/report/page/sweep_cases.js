@@ -98,11 +98,11 @@ class Sweep {
     if (!key) return {colour: () => PALETTE[0], entries: []};
     const values = this.valuesOf(key);
     const areNumbers = values.every((value) => typeof value === "number");
-    // Numbers follow a scale that leaves out its palest end; few words have colours of their own.
-    const part = (i) => (values.length > 1 ? (0.92 * i) / (values.length - 1) : 0);
+    // Numbers follow a scale; few words have colours of their own.
+    const part = (i) => (values.length > 1 ? i / (values.length - 1) : 0);
     const colours = values.map(
         (_, i) =>
-            (areNumbers || values.length > PALETTE.length ? STYLE.maps.viridis[colourStep(part(i))] : PALETTE[i]));
+            (areNumbers || values.length > PALETTE.length ? colourOfNumber(part(i)) : PALETTE[i]));
     const colour = (one) => colours[values.indexOf(one.setting(key))] ?? GREY;
     return {
       colour,
