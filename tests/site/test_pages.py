@@ -10,13 +10,12 @@ import unittest
 from pathlib import Path
 
 import yaml
-from blocks import blocks, commands
+from blocks import PAGES, Block, blocks, commands
+from fragments import laid_over
 from messages import endings
 
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = str(Path(sys.argv.pop(1)).resolve())
-PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", ROOT / "python/README.md", ROOT / "tests/robustness/README.md",
-         *sorted((ROOT / "docs").rglob("*.md")), *sorted((ROOT / "studies").glob("*/README.md"))]
 
 
 def blocks_of(page):
@@ -50,6 +49,43 @@ class Decks(unittest.TestCase):
         shown = [block for block in blocks_of(ROOT / "docs/manual/deck.md") if is_deck(block)]
         study = (ROOT / "studies/notched-beam/deck.yaml").read_text(encoding="utf-8")
         self.assertEqual([yaml.safe_load(block.text) for block in shown], [yaml.safe_load(study)])
+
+
+class Fragments(unittest.TestCase):
+    """Every deck that is not whole, over one that is."""
+
+    def told(self, block, base):
+        with tempfile.TemporaryDirectory() as folder:
+            return dda("check", str(laid_over(block, base, Path(folder).resolve())))
+
+    def base_of(self, block, page, folder):
+        for other in blocks_of(page):
+            if other.title == block.over:
+                (folder / other.title).write_text(other.text, encoding="utf-8")
+                return folder / other.title
+        return ROOT / block.over
+
+    def test_they_pass_the_check(self):
+        count = 0
+        for page in PAGES:
+            for block in blocks_of(page):
+                if block.language != "yaml" or is_deck(block):
+                    continue
+                with self.subTest(page=page.relative_to(ROOT).as_posix(), line=block.line), tempfile.TemporaryDirectory() as folder:
+                    self.assertTrue(block.over, "a comment above the fragment is to name the deck that it is laid over")
+                    done = self.told(block, self.base_of(block, page, Path(folder).resolve()))
+                    self.assertEqual(done.returncode, 0, done.stderr)
+                    count += 1
+        self.assertGreaterEqual(count, 22)
+
+    def test_a_mistake_in_one_is_found(self):
+        base = ROOT / "tests/site/bases/unloaded_beam.yaml"
+        for text, said in (("stages:\n  - {name: loading, loads: [...], until: {cmud: 0.05}}\n", "cmud"),
+                           ("interfaces: {ligament: {law: {fracture_enery: 0.1}}}\n", "fracture_energy"),
+                           ("supports: {left: {at: [-200, 0], fix: z}}\n", "fix")):
+            done = self.told(Block("yaml", "", text, 1), base)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertIn(said, done.stderr)
 
 
 class Commands(unittest.TestCase):
