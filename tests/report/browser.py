@@ -112,7 +112,8 @@ class Page:
 
     def __init__(self, browser, path, size, dark, before=""):
         self.browser = browser
-        self.target = browser.call("Target.createTarget", url="about:blank")["targetId"]
+        self.context = browser.call("Target.createBrowserContext")["browserContextId"]  # what pages store is not another's
+        self.target = browser.call("Target.createTarget", url="about:blank", browserContextId=self.context)["targetId"]
         self.session = browser.call("Target.attachToTarget", targetId=self.target, flatten=True)["sessionId"]
         for domain in ("Page", "Runtime", "Log", "Network"):
             self.call(f"{domain}.enable")
@@ -155,13 +156,31 @@ class Page:
         for kind in ("mousePressed", "mouseReleased"):
             self.mouse(kind, left + width / 2, top + height / 2, button="left", clickCount=1)
 
+    def follow(self, selector, address):
+        """A press on a link, and the page whose path ends so."""
+        left, top, width, height = self.scroll_to(selector)
+        for kind in ("mousePressed", "mouseReleased"):
+            self.call("Input.dispatchMouseEvent", type=kind, x=left + width / 2, y=top + height / 2, button="left", clickCount=1)
+        end = time.monotonic() + self.browser.patience
+        while not self.has_arrived(address):
+            if time.monotonic() > end:
+                raise BrowserError(f"never came to {address}")
+            time.sleep(0.02)
+        self.drawn()
+
+    def has_arrived(self, address):
+        try:
+            return self.run(f"location.pathname.endsWith({address!r}) && document.readyState === 'complete'")
+        except BrowserError:  # between two documents there is none to ask
+            return False
+
     def type(self, text):
         """Into what has the focus."""
         self.call("Input.insertText", text=text)
         self.drawn()
 
     def close(self):
-        self.browser.call("Target.closeTarget", targetId=self.target)
+        self.browser.call("Target.disposeBrowserContext", browserContextId=self.context)
 
     def key(self, name):
         self.call("Input.dispatchKeyEvent", type="keyDown", key=name, code=name)

@@ -25,7 +25,7 @@ ELSEWHERE = {
     # Studies, whose short forms are tests.
     "./bootstrap study bodies-in-motion": "tests/studies/test_bodies_in_motion.py",
     "./bootstrap study classic-and-free-flight": "tests/studies/test_classic_and_free_flight.py",
-    "./bootstrap study crack-paths": "",
+    "./bootstrap study crack-paths": "an hour; tests/studies/test_every_deck.py runs its decks",
     "./bootstrap study falling-beam": "tests/studies/test_falling_beam.py",
     "./bootstrap study kitoh-beam": "tests/studies/test_kitoh_beam.py",
     "./bootstrap study many-ranks": "tests/studies/test_many_ranks.py",

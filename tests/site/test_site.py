@@ -1,5 +1,6 @@
 """The documentation site, built strictly: no page needs the network, every link and anchor leads somewhere, formulas are
-set and the search finds things, opened as files in a browser. `test_site.py PROGRAM`.
+set, menu, search and colours work on every screen, opened as files in a browser. `test_site.py PROGRAM`; pictures of
+pages are left in the folder that the environment's PICTURES names, if there is one.
 """
 
 import posixpath
@@ -16,6 +17,7 @@ PROGRAM = str(Path(sys.argv.pop(1)).resolve())
 sys.path.insert(0, str(ROOT / "tests/report"))
 sys.path.insert(0, str(ROOT / "docs/site"))
 
+import appearance  # noqa: E402
 from browser import Browser  # noqa: E402
 from html_pages import loads_of_style, read_site  # noqa: E402
 from links import relinked  # noqa: E402
@@ -124,22 +126,78 @@ class InABrowser(Built):
                 self.assertEqual([url for url in opened.requests() if not url.startswith(("file:", "data:"))], [])
                 browser.call("Target.closeTarget", targetId=opened.target)
 
-    def test_the_search_finds_what_is_asked(self):
-        with Browser() as browser:
-            page = browser.open(self.site / "index.html")
-            page.run("(() => { const field = document.querySelector('[data-md-component=search-query]'); field.focus();"
-                     "field.value = 'bifurcation'; field.dispatchEvent(new Event('keyup')); })()")
-            page.wait("document.querySelectorAll('.md-search-result__link').length > 0")
-            found = page.run("[...document.querySelectorAll('.md-search-result__link')].map((one) => one.href).join(' ')")
-            self.assertIn("stability", found)
-            self.assertEqual(page.errors(), [])
 
-    def test_pages_fit_a_phone(self):
-        with Browser() as browser:
-            for name in ("index.html", "first-beam.html", "reference/deck.html", "theory/laws.html", "stopped.html"):
-                page = browser.open(self.site / name, width=400)
-                page.drawn()
-                self.assertLessEqual(page.run("document.documentElement.scrollWidth"), 400, name)
+class EveryScreen(Built):
+    """Narrow and wide, light and dark: pages are looked at, and what can be clicked on each of them is clicked."""
+
+    PAGES = ("index.html", "first-beam.html", "gallery.html", "reference/deck.html", "theory/laws.html", "manual/plugins.html",
+             "stopped.html", "studies/kitoh-beam/index.html", "sources/tests/program/beam.yaml.html")
+
+    @classmethod
+    def setUpClass(cls):
+        cls.browser = cls.enterClassContext(Browser())
+
+    def open(self, name, width, dark):
+        page = self.browser.open(self.site / name, width, dark=dark)
+        page.drawn()
+        return page
+
+    def test_pages(self):
+        for width, dark in appearance.COMBINATIONS:
+            for name in self.PAGES:
+                with self.subTest(page=name, width=width, dark=dark):
+                    page = self.open(name, width, dark)
+                    appearance.keep_a_picture(page, name.replace("/", "-"), width, dark)
+                    appearance.assert_it_fits(self, page)
+                    appearance.assert_words_are_legible(self, page)
+                    self.assertEqual(page.errors(), [])
+                    page.close()
+
+    def go_by_the_menu(self, page, width):
+        """To the controls' page: by tab and list where there is room for them, else by the menu, section by section."""
+        if width < 1220:
+            page.click("label.md-header__button[for=__drawer]")
+            page.wait("document.querySelector('.md-sidebar--primary').getBoundingClientRect().left === 0")
+            page.click("label.md-nav__link[for=__nav_3]")
+            page.wait("document.querySelector('#__nav_3 ~ nav').getBoundingClientRect().left === 0")
+        else:
+            page.follow(".md-tabs__link[href='manual/index.html']", "/manual/index.html")
+        appearance.assert_words_are_legible(self, page)
+        page.follow(".md-sidebar--primary .md-nav__link[href$='controls.html']", "/manual/controls.html")
+
+    def go_by_the_search(self, page, width):
+        if width < 960:
+            page.click("label.md-header__button[for=__search]")
+            page.wait("document.getElementById('__search').checked && document.getAnimations().every((one) => one.playState !== 'running')")
+        page.click(".md-search__input")
+        page.wait("document.activeElement.matches('.md-search__input')")
+        page.type("bifurcation")
+        page.key("n")
+        page.wait("document.querySelectorAll('.md-search-result__link').length > 0")
+        found = page.run("[...document.querySelectorAll('.md-search-result__link')].map((one) => one.href)")
+        self.assertIn("stability", " ".join(found))
+        page.follow(".md-search-result__link", urlsplit(found[0]).path.rsplit("/", 1)[1])
+
+    def change_colours(self, page, dark):
+        """There and back again."""
+        brightness = "getComputedStyle(document.body).backgroundColor.match(/\\d+/g).slice(0, 3).reduce((a, b) => a + Number(b), 0)"
+        for is_dark in (not dark, dark):
+            page.click("[data-md-component=palette] label:not([hidden])")
+            page.wait(f"({brightness} < 382) === {str(is_dark).lower()}")
+            appearance.assert_words_are_legible(self, page)
+
+    def test_menu_search_and_colours(self):
+        for width, dark in appearance.COMBINATIONS:
+            with self.subTest(width=width, dark=dark):
+                page = self.open("index.html", width, dark)
+                self.change_colours(page, dark)
+                self.go_by_the_menu(page, width)
+                appearance.assert_it_fits(self, page)
+                self.go_by_the_search(page, width)
+                appearance.assert_it_fits(self, page)
+                appearance.assert_words_are_legible(self, page)
+                self.assertEqual(page.errors(), [])
+                page.close()
 
 
 class Links(unittest.TestCase):
