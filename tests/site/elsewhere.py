@@ -42,5 +42,5 @@ ELSEWHERE = {
 TOO_LONG = {
     "dda animate runs/fall": "a film of a minute; tests/python/test_animation.py makes a short one",
     "dda sweep reinforced.yaml": "three long paths; tests/studies has the study reinforced-beam",
-    "dda verify runs/fall": "a minute; tests/studies has verified motions",
+    "dda verify runs/fall": "a minute; tests/program verifies motions",
 }
