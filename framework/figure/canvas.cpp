@@ -86,9 +86,9 @@ void Canvas::rectangle(const Box& box, const std::string& fill, const std::strin
 }
 
 void Canvas::circle(double x, double y, double radius) {
-  body_ += fmt::format(
-      "<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"white\" stroke=\"{}\" stroke-width=\"1.5\"/>\n",
-      coordinate(x), coordinate(y), coordinate(radius), ink);
+  body_ +=
+      fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"{}\" stroke=\"{}\" stroke-width=\"1.5\"/>\n",
+                  coordinate(x), coordinate(y), coordinate(radius), paper, ink);
 }
 
 void Canvas::text(double x, double y, std::string_view text, const TextStyle& style) {
@@ -96,9 +96,11 @@ void Canvas::text(double x, double y, std::string_view text, const TextStyle& st
   const std::string turn = style.rotate == 0 ? ""
                                              : fmt::format(" transform=\"rotate({} {} {})\"", style.rotate,
                                                            coordinate(x), coordinate(y));
-  const char* halo =
-      style.halo ? " paint-order=\"stroke\" stroke=\"#ffffff\" stroke-width=\"3\" stroke-linejoin=\"round\""
-                 : "";
+  const std::string halo =
+      style.halo
+          ? fmt::format(" paint-order=\"stroke\" stroke=\"{}\" stroke-width=\"3\" stroke-linejoin=\"round\"",
+                        paper)
+          : "";
   body_ += fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"{}\"{}{}{}>{}</text>\n",
                        coordinate(x), coordinate(y), coordinate(style.size), name_of(style.anchor),
                        style.bold ? " font-weight=\"bold\"" : "", halo, turn, escaped(text));
@@ -110,12 +112,23 @@ void Canvas::path(const std::string& data, const std::string& fill, const LineSt
                        data, fill, stroke_of(style));
 }
 
+void Canvas::hatch(const std::string& data) {
+  if (data.empty()) return;
+  // Each has a pattern of its own, which no other picture of a page can take the place of.
+  const std::string name = fmt::format("hatching-{}", body_.size());
+  body_ += fmt::format(
+      "<pattern id=\"{0}\" width=\"6\" height=\"6\" patternUnits=\"userSpaceOnUse\" "
+      "patternTransform=\"rotate(45)\"><path d=\"M0 0V6\" stroke=\"{1}\" stroke-width=\"1.2\"/></pattern>\n"
+      "<path d=\"{2}\" fill=\"url(#{0})\"/>\n",
+      name, grey, data);
+}
+
 std::string Canvas::document(double width, double height) const {
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
       "font-family=\"Helvetica, Arial, 'DejaVu Sans', sans-serif\" fill=\"{2}\">\n"
-      "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n{3}</svg>\n",
-      coordinate(width), coordinate(height), ink, body_);
+      "<rect width=\"100%\" height=\"100%\" fill=\"{3}\"/>\n{4}</svg>\n",
+      coordinate(width), coordinate(height), ink, paper, body_);
 }
 
 }  // namespace dda::svg

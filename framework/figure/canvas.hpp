@@ -52,6 +52,8 @@ class Canvas {
   void text(double x, double y, std::string_view text, const TextStyle& style);
   /// `data` in SVG path commands.
   void path(const std::string& data, const std::string& fill, const LineStyle& style);
+  /// Hatches the inside of a path.
+  void hatch(const std::string& data);
   /// The whole document on white.
   std::string document(double width, double height) const;
 

@@ -62,13 +62,17 @@ std::string path_of(const View& view, const Fill& fill) {
   return data + 'Z';
 }
 
-/// All polygons of one tint are one path.
+/// All polygons of one tint are one path, and all that are held.
 void paint_polygons(Canvas& canvas, const View& view, const Drawing& drawing) {
   std::map<int, std::string> by_tint;
   for (const Fill& fill : drawing.polygons) by_tint[fill.tint] += path_of(view, fill);
   for (const auto& [tint, all] : by_tint)
     canvas.path(all, tint < 0 ? block_fill : tints[static_cast<std::size_t>(tint) % tints.size()],
-                {"#a0a0a0", 0.4});
+                {block_edge, 0.4});
+  std::string held;
+  for (const Fill& fill : drawing.polygons)
+    if (fill.is_held) held += path_of(view, fill);
+  canvas.hatch(held);
 }
 
 void paint_marks(Canvas& canvas, const View& view, const Drawing& drawing) {

@@ -12,6 +12,7 @@ struct Fill {
   std::vector<Vec2> outline = {};
   bool is_marked = false;  ///< gets a red outline, above everything
   int tint = -1;           ///< place among the tints
+  bool is_held = false;    ///< gets a hatching
 };
 
 /// A segment coloured by its value, or in a colour of the palette; NaN is drawn light grey. Width in points.
@@ -23,20 +24,22 @@ struct Stroke {
 };
 
 /// What stands at a place: a force (an arrow whose length tells its size), what is held along a direction (a
-/// triangle), what is measured along one (a dot with a tail).
-enum class Mark { force, held, measured };
+/// triangle), what moves along one (an arrow with an open head), what is measured along one (a dot with a tail),
+/// turns (a bow around a dot) or is strained along a direction (an arrow with two heads).
+enum class Mark { force, held, moved, measured, turned, strained };
 
 struct Symbol {
   Mark mark = Mark::force;
   Vec2 at = Vec2::Zero();
-  Vec2 along = Vec2::Zero();  ///< direction, and of a force its size, in any unit
-  int colour = 0;             ///< place in the palette
-  std::string name = {};      ///< beside the first of that name; "" for none
+  Vec2 along =
+      Vec2::Zero();       ///< direction, and of a force its size, in any unit; of what turns of no meaning
+  int colour = 0;         ///< place in the palette
+  std::string name = {};  ///< beside the first of that name; "" for none
 };
 
-/// A line of the legend: the colour of a tint, or of the palette.
+/// A line of the legend: the colour of a tint, or of the palette; a hatching has none.
 struct KeyEntry {
-  enum class Kind { fill, line, force, held, measured };
+  enum class Kind { fill, line, hatching, force, held, moved, measured, turned, strained };
   Kind kind = Kind::fill;
   int colour = 0;
   std::string name = {};

@@ -16,11 +16,16 @@ inline constexpr int blue = 0, vermilion = 1, black = palette.size() - 1;  ///< 
 inline constexpr std::array tints = {"#dbe9f4", "#f8e2d3", "#d5ece3", "#f5e6ee",
                                      "#faeed3", "#e3f2fb", "#e0e0e0"};
 
+inline constexpr const char* paper = "#ffffff";
 inline constexpr const char* ink = "#222222";
 inline constexpr const char* faint = "#e3e3e3";
 inline constexpr const char* grey = "#808080";
-inline constexpr const char* block_fill = "#eeeeee";    ///< of blocks without a value
+inline constexpr const char* block_fill = "#eeeeee";  ///< of blocks without a value
+inline constexpr const char* block_edge = "#a0a0a0";
 inline constexpr const char* mark_outline = "#e00000";  ///< of blocks that have been torn out
+
+/// Jumps of cracks that a picture does not show, as part of the structure's size in it; those have a hairline.
+inline constexpr double hairline = 2e-3;
 
 /// Lengths on and off [px].
 inline constexpr std::array dashes = {5, 9}, dots = {1, 4};
@@ -29,6 +34,8 @@ inline constexpr std::array dashes = {5, 9}, dots = {1, 4};
 inline constexpr double small_text = 10, normal_text = 11.5, large_text = 14;
 
 inline constexpr int colour_steps = 64;  ///< of a colour bar
+
+inline constexpr double minor_tick = 4;  ///< length of minor ticks [px]
 
 /// Parts of a range that axes add at both ends.
 inline constexpr double axis_margin = 0.05;

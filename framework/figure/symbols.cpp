@@ -11,6 +11,7 @@ namespace {
 
 // All lengths in pixels.
 constexpr double shortest_arrow = 16, longest_arrow = 46, head = 7, triangle = 9, dot = 3, tail = 16;
+constexpr double moving_arrow = 34, bow = 8, half_of_strain = 14;
 constexpr double apart = 11;      ///< of symbols that are both painted
 constexpr double text_size = 10;  ///< of names
 static_assert(longest_arrow < symbol_reach);
@@ -23,6 +24,42 @@ std::string triangle_at(const Vec2& tip, const Vec2& towards, double length) {
   for (const Vec2& corner : {tip, Vec2(back + beside), Vec2(back - beside)})
     out += (out.empty() ? "M" : "L") + coordinate(corner.x()) + " " + coordinate(corner.y());
   return out + "Z";
+}
+
+/// A way on the picture.
+struct Way {
+  Vec2 from, to;
+  Vec2 direction() const { return (to - from).normalized(); }
+};
+
+void paint_arrow(Canvas& canvas, const Way& way, const std::string& colour, bool is_open = false) {
+  const Vec2 neck = way.to - (is_open ? 1.0 : 0.8) * head * way.direction();
+  canvas.line({way.from.x(), way.from.y(), neck.x(), neck.y()}, {colour, is_open ? 1.5 : 2});
+  canvas.path(triangle_at(way.to, way.direction(), head), is_open ? paper : colour,
+              {colour, is_open ? 1.3 : 0.5});
+}
+
+void paint_held(Canvas& canvas, const Vec2& at, const Vec2& inward, const std::string& colour) {
+  canvas.path(triangle_at(at, inward, triangle), paper, {colour, 1.3});
+}
+
+void paint_measured(Canvas& canvas, const Way& way, const std::string& colour) {
+  canvas.line({way.from.x(), way.from.y(), way.to.x(), way.to.y()}, {colour, 1.5});
+  canvas.circle(way.from.x(), way.from.y(), dot);
+}
+
+/// Three quarters of a circle, counter-clockwise.
+void paint_turn(Canvas& canvas, const Vec2& at, const std::string& colour) {
+  const std::string radius = coordinate(bow);
+  canvas.path("M" + coordinate(at.x() + bow) + " " + coordinate(at.y()) + "A" + radius + " " + radius +
+                  " 0 1 0 " + coordinate(at.x()) + " " + coordinate(at.y() + bow),
+              "none", {colour, 1.5});
+  canvas.path(triangle_at(at + Vec2(head, bow), {1, 0}, head), colour, {colour, 0.5});
+  canvas.circle(at.x(), at.y(), dot);
+}
+
+void paint_strain(Canvas& canvas, const Vec2& at, const Vec2& along, const std::string& colour) {
+  for (const double way : {-1.0, 1.0}) paint_arrow(canvas, {at, at + way * half_of_strain * along}, colour);
 }
 
 /// A symbol on the picture, y downwards.
@@ -73,20 +110,28 @@ class SymbolPainter {
 
   void paint(const Placed& placed) {
     const std::string colour = colour_of(placed.symbol->colour);
-    switch (placed.symbol->mark) {
+    const auto& [symbol, at, direction, size] = placed;
+    const auto reach = [&](double length) { return Vec2(at + length * direction); };
+    switch (symbol->mark) {
       case Mark::force:
         return paint_force(placed, colour);
       case Mark::held: {
-        const Vec2 inward = is_outward(placed) ? Vec2(-placed.direction) : placed.direction;
-        canvas_.path(triangle_at(placed.at, inward, triangle), "#ffffff", {colour, 1.3});
-        return keep_free(placed.at, placed.at - triangle * inward);
+        const Vec2 inward = is_outward(placed) ? Vec2(-direction) : direction;
+        paint_held(canvas_, at, inward, colour);
+        return keep_free(at, at - triangle * inward);
       }
-      case Mark::measured: {
-        const Vec2 end = placed.at + tail * placed.direction;
-        canvas_.line({placed.at.x(), placed.at.y(), end.x(), end.y()}, {colour, 1.5});
-        canvas_.circle(placed.at.x(), placed.at.y(), dot);
-        return keep_free(placed.at, end);
-      }
+      case Mark::moved:
+        paint_arrow(canvas_, {at, reach(moving_arrow)}, colour, true);
+        return keep_free(at, reach(moving_arrow));
+      case Mark::measured:
+        paint_measured(canvas_, {at, reach(tail)}, colour);
+        return keep_free(at, reach(tail));
+      case Mark::turned:
+        paint_turn(canvas_, at, colour);
+        return keep_free(at - Vec2(bow, bow), at + Vec2(bow, bow));
+      case Mark::strained:
+        paint_strain(canvas_, at, direction, colour);
+        return keep_free(reach(-half_of_strain), reach(half_of_strain));
     }
   }
 
@@ -95,11 +140,9 @@ class SymbolPainter {
     const double length =
         shortest_arrow + (longest_arrow - shortest_arrow) * placed.size / largest_.at(placed.symbol->colour);
     const Vec2 way = length * placed.direction;
-    const Vec2 start = is_outward(placed) ? placed.at : Vec2(placed.at - way), tip = start + way;
-    const Vec2 neck = tip - 0.8 * head * placed.direction;
-    canvas_.line({start.x(), start.y(), neck.x(), neck.y()}, {colour, 2});
-    canvas_.path(triangle_at(tip, placed.direction, head), colour, {colour, 0.5});
-    keep_free(start, tip);
+    const Vec2 start = is_outward(placed) ? placed.at : Vec2(placed.at - way);
+    paint_arrow(canvas_, {start, start + way}, colour);
+    keep_free(start, start + way);
   }
 
   void keep_free(const Vec2& a, const Vec2& b) {
@@ -129,6 +172,39 @@ class SymbolPainter {
   std::map<int, double> largest_;  ///< force of each colour
 };
 
+constexpr double swatch = 22;  ///< breadth of a sign of the legend [px]
+
+/// The sign of a line of the legend, whose left end is at `left`.
+void paint_sign(Canvas& canvas, const KeyEntry& entry, const Vec2& left) {
+  const std::string colour = colour_of(entry.colour);
+  const Vec2 right = left + Vec2(swatch, 0), middle = (left + right) / 2;
+  const Box box{left.x(), left.y() - 6, swatch, 12};
+  switch (entry.kind) {
+    case KeyEntry::Kind::fill:
+      return canvas.rectangle(
+          box, entry.colour < 0 ? block_fill : tints[static_cast<std::size_t>(entry.colour) % tints.size()],
+          block_edge);
+    case KeyEntry::Kind::hatching:
+      canvas.rectangle(box, "none", block_edge);
+      return canvas.hatch("M" + coordinate(box.x) + " " + coordinate(box.y) + "h" + coordinate(box.width) +
+                          "v" + coordinate(box.height) + "h" + coordinate(-box.width) + "Z");
+    case KeyEntry::Kind::line:
+      return canvas.line({left.x(), left.y(), right.x(), right.y()}, {colour, 2.5});
+    case KeyEntry::Kind::force:
+      return paint_arrow(canvas, {left, right}, colour);
+    case KeyEntry::Kind::moved:
+      return paint_arrow(canvas, {left, right}, colour, true);
+    case KeyEntry::Kind::held:
+      return paint_held(canvas, middle - Vec2(0, triangle / 2), {0, -1}, colour);
+    case KeyEntry::Kind::measured:
+      return paint_measured(canvas, {left + Vec2(dot, 0), right}, colour);
+    case KeyEntry::Kind::turned:
+      return paint_turn(canvas, middle, colour);
+    case KeyEntry::Kind::strained:
+      return paint_strain(canvas, middle, {1, 0}, colour);
+  }
+}
+
 }  // namespace
 
 void paint_symbols(Canvas& canvas, const View& view, const std::vector<Symbol>& symbols) {
@@ -136,37 +212,14 @@ void paint_symbols(Canvas& canvas, const View& view, const std::vector<Symbol>& 
 }
 
 double paint_key(Canvas& canvas, const std::vector<KeyEntry>& key, const Vec2& corner) {
-  constexpr double line = key_line, swatch = 22, size = 11;
-  double widest = 0, y = corner.y() + line / 2;
+  constexpr double size = 11;
+  double widest = 0, y = corner.y() + key_line / 2;
   for (const KeyEntry& entry : key) {
-    const std::string colour = colour_of(entry.colour);
-    const double left = corner.x(), right = left + swatch;
-    switch (entry.kind) {
-      case KeyEntry::Kind::fill:
-        canvas.rectangle(
-            {left, y - 6, swatch, 12},
-            entry.colour < 0 ? block_fill : tints[static_cast<std::size_t>(entry.colour) % tints.size()],
-            "#a0a0a0");
-        break;
-      case KeyEntry::Kind::line:
-        canvas.line({left, y, right, y}, {colour, 2.5});
-        break;
-      case KeyEntry::Kind::force:
-        canvas.line({left, y, right - head, y}, {colour, 2});
-        canvas.path(triangle_at({right, y}, {1, 0}, head), colour, {colour, 0.5});
-        break;
-      case KeyEntry::Kind::held:
-        canvas.path(triangle_at({left + swatch / 2, y - triangle / 2}, {0, -1}, triangle), "#ffffff",
-                    {colour, 1.3});
-        break;
-      case KeyEntry::Kind::measured:
-        canvas.circle(left + dot, y, dot);
-        canvas.line({left + dot, y, right, y}, {colour, 1.5});
-        break;
-    }
-    canvas.text(right + 8, y + 4, entry.name, {size});
-    widest = std::max(widest, swatch + 8 + text_width(entry.name, size));
-    y += line;
+    paint_sign(canvas, entry, {corner.x(), y});
+    const double text = swatch + 8;
+    canvas.text(corner.x() + text, y + 4, entry.name, {size});
+    widest = std::max(widest, text + text_width(entry.name, size));
+    y += key_line;
   }
   return widest;
 }

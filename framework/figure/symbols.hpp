@@ -12,7 +12,7 @@ inline constexpr double symbol_reach = 54;
 /// Height of a line of the legend [px].
 inline constexpr double key_line = 18;
 
-/// Paints forces, of one colour by their size, holds and measures. Of those of one kind and direction that stand closer than a symbol's breadth one
+/// Paints forces, of one colour by their size, and the other marks. Of those of one kind and direction that stand closer than a symbol's breadth one
 /// is painted: a load along a side looks like one. Names find room beside them, clear of each other.
 void paint_symbols(Canvas& canvas, const View& view, const std::vector<Symbol>& symbols);
 

@@ -66,7 +66,7 @@ class Run:
     animate(file, fps, speed, path, magnification)   writes the motion as a GIF or MP4, see ddapath.animation
     """
 
-    TABLE = "curve"
+    TABLE = FIGURE = "curve"
 
     def __init__(self, folder):
         self.folder = Path(folder)
@@ -140,8 +140,8 @@ class Run:
         return fields_to_meshio(self.fields(step))
 
     def _repr_svg_(self):
-        """The curve, for a notebook; None as long as there is no figure."""
-        file = self.folder / f"{self.TABLE}.svg"
+        """The curve, of a motion its end, for a notebook; None as long as there is no figure."""
+        file = self.folder / f"{self.FIGURE}.svg"
         return file.read_text(encoding="utf-8") if file.exists() else None
 
     def _repr_html_(self):
@@ -179,7 +179,7 @@ class Motion(Run):
     fields(step)   displacement, velocity and rotation of the blocks; the last ones if no step is given
     """
 
-    TABLE = "motion"
+    TABLE, FIGURE = "motion", "end"
 
 
 def read_run(folder):

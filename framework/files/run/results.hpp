@@ -51,6 +51,9 @@ struct ResultsTable {
   std::size_t width = 1;  ///< columns
 };
 
+/// The model's table with the material of each region, a text.
+inline constexpr const char* region_materials_table = "region_materials";
+
 /// The geometry that fields are given on, and the model's tables; written once.
 struct ResultsMesh {
   std::vector<std::vector<Vec2>> blocks;       ///< outline of every block, reference position [L]

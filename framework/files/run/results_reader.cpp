@@ -68,6 +68,13 @@ ResultsMesh ResultsReader::mesh() const {
   });
 }
 
+std::vector<std::string> ResultsReader::region_materials() const {
+  return reading(folder_ / mesh_file, [](const Hdf5File& file) {
+    const std::string table = std::string("/model/") + region_materials_table;
+    return file.has(table) ? file.texts(table) : std::vector<std::string>{};
+  });
+}
+
 CutBlocks ResultsReader::cut(int step) const {
   return reading(folder_ / step_file(step), [](const Hdf5File& file) {
     CutBlocks out;

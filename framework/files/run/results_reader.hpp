@@ -17,7 +17,10 @@ class ResultsReader {
  public:
   explicit ResultsReader(const std::filesystem::path& folder);
 
+  /// Without the model's tables.
   ResultsMesh mesh() const;
+  /// The material of each region; empty where the folder does not say.
+  std::vector<std::string> region_materials() const;
   /// Numbers of the stored steps, increasing.
   const std::vector<int>& steps() const { return steps_; }
   bool has(int step, const std::string& field) const;

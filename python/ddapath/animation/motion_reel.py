@@ -79,7 +79,8 @@ class MotionReel:
     def colours(self):
         """Of every block, by material."""
         region = self._motion.fields(self._steps[0]).mesh.region
-        return fills(names_of(region, materials_of(self._run)), self.held)
+        materials = materials_of(self._run)
+        return fills(names_of(region, materials), self.held, materials or ())
 
     def begin(self, stage):
         stage.clear()

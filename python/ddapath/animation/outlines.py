@@ -62,12 +62,13 @@ def between(before, after, share):
 
 def materials_of(run):
     """The material of each region, a list of names; None where the run does not say."""
-    try:
-        with opened(run.folder / MESH) as file:
-            if "model/region_materials" in file:
-                return [text_of(name) for name in file["model/region_materials"][()]]
-    except NothingStored:
-        pass  # a motion without a path has no fields of one
+    for folder in (run.folder, run.folder / "motion"):
+        try:
+            with opened(folder / MESH) as file:
+                if "model/region_materials" in file:
+                    return [text_of(name) for name in file["model/region_materials"][()]]
+        except NothingStored:
+            pass  # of a path and a motion one may be there alone
     regions = run.deck["scene"].get("regions")
     return [region["material"] for region in regions] if regions else None
 

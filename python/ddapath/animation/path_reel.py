@@ -115,8 +115,8 @@ class PathReel:
         """The Blocks of a stored step, with its cracks."""
         fields = self._fields(step)
         region = fields.polygon_regions
-        held = self._is_held(region)
-        blocks = Blocks(axes, fills(names_of(region, materials_of(self._run)), held), held)
+        held, materials = self._is_held(region), materials_of(self._run)
+        blocks = Blocks(axes, fills(names_of(region, materials), held, materials or ()), held)
         polygons = fields.polygons(self.scale)
         blocks.show(polygons)
         blocks.hold(polygons)

@@ -40,11 +40,12 @@ def light(colour):
     return tuple(LIGHT + (1 - LIGHT) * part for part in to_rgb(colour))
 
 
-def fills(materials, held):
-    """A light colour for every block by its material; those that are held have none of their own."""
-    used = dict.fromkeys(name for name, still in zip(materials, held) if not still)
-    of_name = {name: light(PALETTE[i % len(PALETTE)]) for i, name in enumerate(used)}
-    return np.array([of_name.get(name, to_rgb(HELD_FILL)) for name in materials])
+def fills(materials, held, in_order=()):
+    """A light colour for every block by its material; those that are held have none. `in_order`: materials of the regions,
+    in whose order the palette is used, as in the other figures."""
+    known = dict.fromkeys([*in_order, *materials])
+    of_name = {name: light(PALETTE[i % len(PALETTE)]) for i, name in enumerate(known)}
+    return np.array([to_rgb(HELD_FILL) if still else of_name[name] for name, still in zip(materials, held)])
 
 
 def used_colours():

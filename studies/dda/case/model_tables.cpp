@@ -33,9 +33,7 @@ void add_sides(const Assembly& assembly, const InterfaceSet& interfaces, std::ve
   out.push_back({"side/stiffness", std::move(stiffness), {}, {}, 1});
   out.push_back({"side/interface", {}, std::move(interface), {}, 1});
   out.push_back({"interface_names", {}, {}, interfaces.names, 1});
-  std::vector<std::string> materials;
-  for (const Region& region : assembly.regions) materials.push_back(region.material);
-  out.push_back({"region_materials", {}, {}, std::move(materials), 1});
+  out.push_back(region_materials(assembly));
 }
 
 /// Forces of a stage, or of several, and the stress that is there without strain.
@@ -281,6 +279,12 @@ void add_springs_on_jumps(const Body& body, const LoadProgramme& programme, cons
 }
 
 }  // namespace
+
+ResultsTable region_materials(const Assembly& assembly) {
+  std::vector<std::string> materials;
+  for (const Region& region : assembly.regions) materials.push_back(region.material);
+  return {region_materials_table, {}, {}, std::move(materials), 1};
+}
 
 std::vector<ResultsTable> model_tables(const Body& body, const ModelParameters& model,
                                        const Equilibrium& equilibrium) {

@@ -28,6 +28,9 @@ namespace dda {
 std::vector<ResultsTable> model_tables(const Body& body, const ModelParameters& model,
                                        const Equilibrium& equilibrium);
 
+/// The material of each region, which a motion has as well.
+ResultsTable region_materials(const Assembly& assembly);
+
 /// The same of the cuts that there are at a step, in the order in which they came: tables in the step's own file.
 ///
 ///     cuts/ends [c,4], block, crack, is_provisional [c]

@@ -13,6 +13,7 @@
 #include "models/equilibrium/loading.hpp"
 #include "models/load/eigenstress.hpp"
 #include "studies/dda/figures/material_colours.hpp"
+#include "studies/dda/figures/model_marks.hpp"
 #include "studies/dda/figures/pictures.hpp"
 
 namespace dda {
@@ -34,7 +35,8 @@ class ModelPicture {
     add_interfaces();
     add_supports();
     if (simulation_.deck().has_path()) add_stages();
-    add_gauges();
+    add_motion(whole_);
+    add_gauges(whole_);
     drawing_.caption =
         fmt::format("{} blocks, {} unknowns", equilibrium_.num_blocks(), equilibrium_.num_unknowns());
     return svg::to_svg(drawing_);
@@ -49,8 +51,7 @@ class ModelPicture {
     const MaterialColours colours = material_colours(body_.assembly);
     for (const Block& block : body_.assembly.blocks)
       drawing_.polygons.push_back({.outline = block.outline.vertices, .tint = colours.of(block)});
-    for (std::size_t i = 0; i < colours.names.size(); ++i)
-      add_key(KeyEntry::Kind::fill, static_cast<int>(i), colours.names[i]);
+    add_to_key(colours, drawing_);
   }
 
   /// Those that can crack, slide or open; bonds are lines between blocks like others.
@@ -92,21 +93,8 @@ class ModelPicture {
       const ActingForce acting = acts_at(row);
       symbol.at = body_.block(node).moments.centroid + acting.offset;
       symbol.along = acting.force;
-      drawing_.symbols.push_back(symbol.mark == Mark::force ? beside_others(symbol) : symbol);
+      drawing_.symbols.push_back(symbol.mark == Mark::force ? beside_others(whole_, symbol) : symbol);
     }
-  }
-
-  /// Moved aside where another stage has an arrow in the same place and direction.
-  svg::Symbol beside_others(svg::Symbol arrow) const {
-    constexpr double near = 2e-3, step = 0.012;  // of the structure's size
-    const Vec2 along = arrow.along.normalized(), aside(along.y(), -along.x());
-    const auto is_hidden = [&](const svg::Symbol& other) {
-      return other.mark == Mark::force && other.colour != arrow.colour &&
-             (other.at - arrow.at).norm() < near * equilibrium_.extent() &&
-             other.along.normalized().dot(along) > 1 - near;
-    };
-    while (std::ranges::any_of(drawing_.symbols, is_hidden)) arrow.at += step * equilibrium_.extent() * aside;
-    return arrow;
   }
 
   /// From and until which stage each spring of a support is there: ", from 'a'", ", until 'b'", or nothing.
@@ -213,36 +201,44 @@ class ModelPicture {
     const auto count = static_cast<std::size_t>(std::ranges::count_if(acting.rows, is_body_force));
     if (count < 2) return 0;
     svg::Symbol all{.mark = Mark::force, .at = Vec2::Zero(), .along = Vec2::Zero(), .colour = colour};
-    double area = 0;
+    Middle middle;
     for (const auto& part : acting.rows) {
       if (!is_body_force(part)) continue;
-      const Moments& block = body_.block(part.first).moments;
       all.along += part.second.head<2>();
-      all.at += block.area * block.centroid;
-      area += block.area;
+      middle.include(body_.block(part.first));
     }
-    all.at /= area;
-    drawing_.symbols.push_back(beside_others(all));
+    all.at = middle.place();
+    if (is_downward(all.along)) all.name = "g";
+    drawing_.symbols.push_back(beside_others(whole_, all));
     std::erase_if(acting.rows, is_body_force);
     return count;
   }
 
-  void add_gauges() {
-    for (const NamedGauge& gauge : simulation_.gauges().gauges) {
-      if (gauge.dimension != dimension::length) continue;
-      add_symbols(gauge.functional, {.mark = Mark::measured, .colour = svg::blue, .name = gauge.name});
-    }
-    if (std::ranges::any_of(drawing_.symbols, [](const svg::Symbol& s) { return s.mark == Mark::measured; }))
-      add_key(KeyEntry::Kind::measured, svg::blue, "measured");
+  static bool is_downward(const Vec2& force) {
+    constexpr double straight = 1e-6;
+    return force.y() < 0 && std::abs(force.x()) < straight * -force.y();
   }
 
   const Simulation& simulation_;
   const Equilibrium& equilibrium_;
   const Body& body_;
   svg::Drawing drawing_;
+  const ModelDrawing whole_{drawing_, simulation_};
 };
 
 }  // namespace
+
+svg::Symbol beside_others(const ModelDrawing& in, svg::Symbol arrow) {
+  const double extent = in.simulation.equilibrium().extent();
+  constexpr double near = 2e-3, step = 0.012;  // of the structure's size
+  const Vec2 along = arrow.along.normalized(), aside(along.y(), -along.x());
+  const auto is_hidden = [&](const svg::Symbol& other) {
+    return other.mark == Mark::force && other.colour != arrow.colour &&
+           (other.at - arrow.at).norm() < near * extent && other.along.normalized().dot(along) > 1 - near;
+  };
+  while (std::ranges::any_of(in.drawing.symbols, is_hidden)) arrow.at += step * extent * aside;
+  return arrow;
+}
 
 ActingForce acts_at(const Vec6& row) {
   ActingForce out;

@@ -97,12 +97,10 @@ constexpr std::array<CrackQuantity, 2> crack_quantities{
     {{"opening", "", [](const Vec2& w) { return std::max(w.x(), 0.0); }},
      {"sliding", "-sliding", [](const Vec2& w) { return std::abs(w.y()); }}}};
 
-/// Openings that a picture does not show, as part of the structure's size in it.
-constexpr double hairline = 2e-3;
 constexpr double rounding = 1e-9;                          ///< of the least jump that is seen
 constexpr double hairline_width = 0.6, crack_width = 1.5;  // [pt]
 
-/// Draws one deformed state, shifted. Blocks have the colour of their material where there are several.
+/// Draws one deformed state, shifted. Blocks have the colour of their material.
 class DeformedState {
  public:
   DeformedState(const Fields& fields, const StoredState& at, Vec2 shift, double scale)
@@ -111,7 +109,7 @@ class DeformedState {
         shift_(std::move(shift)),
         scale_(scale),
         colours_(material_colours(fields.body().assembly)),
-        visible_(hairline * bounds(fields).size() / scale) {}
+        visible_(svg::hairline * bounds(fields).size() / scale) {}
 
   DeformedState& coloured_by(const CrackQuantity& quantity) {
     quantity_ = &quantity;
@@ -136,7 +134,7 @@ class DeformedState {
       if (!shows(fields_.body().block(BlockId(b)).moments.centroid)) continue;
       for (const auto& part : fields_.moved_parts(BlockId(b), at_.state.d)) {
         svg::Fill fill;
-        if (colours_.names.size() > 1) fill.tint = colours_.of(fields_.body().block(BlockId(b)));
+        fill.tint = colours_.of(fields_.body().block(BlockId(b)));
         fill.is_marked = std::ranges::find(marked_, BlockId(b)) != marked_.end();
         for (const auto& [x, u] : part) fill.outline.push_back(moved(x, u));
         drawing.polygons.push_back(std::move(fill));
@@ -204,6 +202,7 @@ svg::Drawing deformed(const Fields& fields, const PictureContent& content, const
                    .caption = fmt::format("end: displacements × {:g}", of_end),
                    .stroke_label = with_unit(quantity.name, fields.mesh().length_unit)};
   DeformedState(fields, end, Vec2::Zero(), of_end).coloured_by(quantity).marking(torn).add_to(out);
+  explain(material_colours(fields.body().assembly), out);
   if (!memory.peak_state || memory.peak_state->step == end.step) return out;
   const double of_peak = magnification(fields, memory.peak_state->state);
   const Vec2 above(0, 1.2 * height + 0.1 * box.size());
@@ -226,6 +225,7 @@ svg::Drawing detail_of(const Fields& fields, const Detail& detail, const StoredS
                    .caption = fmt::format("step {}, displacements × {:g}", end.step, scale),
                    .stroke_label = with_unit(quantity.name, fields.mesh().length_unit)};
   DeformedState(fields, end, -scale * motion.mean, scale).within(box).coloured_by(quantity).add_to(out);
+  explain(material_colours(fields.body().assembly), out);
   return out;
 }
 

@@ -9,6 +9,7 @@
 #include "framework/figure/drawing.hpp"
 #include "framework/files/run/results_reader.hpp"
 #include "framework/files/whole_file.hpp"
+#include "studies/dda/figures/material_colours.hpp"
 #include "studies/dda/figures/stability_lines.hpp"
 #include "studies/dda/record/stability_record.hpp"
 
@@ -138,6 +139,7 @@ class ModeSheet {
               {eigenvalues_.value(row, i), eigenvalues_.origin(row, i)});
       down += height();
     }
+    explain(colours_, out);
     return out;
   }
 
@@ -151,6 +153,7 @@ class ModeSheet {
   /// Outlines of blocks, of those that are cut of their parts, and how each vertex moves.
   struct Shape {
     std::vector<std::vector<Vec2>> outlines;
+    std::vector<std::size_t> blocks;  ///< to which they belong
     std::vector<Vec2> moves;
 
     void scale(double factor) {
@@ -162,23 +165,23 @@ class ModeSheet {
     Shape out;
     const CutBlocks cut = results_.cut(step);
     const auto add = [&](const std::vector<Vec2>& outline, const std::vector<double>& moved,
-                         std::size_t first) {
+                         std::size_t first, std::size_t block) {
       out.outlines.push_back(outline);
+      out.blocks.push_back(block);
       for (std::size_t v = first; v < first + outline.size(); ++v)
         out.moves.emplace_back(moved[3 * v], moved[3 * v + 1]);
     };
     const std::vector<double> of_blocks = results_.values(step, name);
     for (std::size_t b = 0, first = 0; b < fields_.body().assembly.num_blocks(); ++b) {
       const std::vector<Vec2> outline = fields_.outline(BlockId{b});
-      if (!std::ranges::binary_search(cut.part_block, b)) add(outline, of_blocks, first);
+      if (!std::ranges::binary_search(cut.part_block, b)) add(outline, of_blocks, first, b);
       first += outline.size();
     }
     if (cut.parts.empty()) return out;
     const std::vector<double> of_parts = results_.values(step, "parts/" + name);
-    std::size_t vertex = 0;
-    for (const auto& outline : cut.parts) {
-      add(outline, of_parts, vertex);
-      vertex += outline.size();
+    for (std::size_t part = 0, vertex = 0; part < cut.parts.size(); ++part) {
+      add(cut.parts[part], of_parts, vertex, cut.part_block[part]);
+      vertex += cut.parts[part].size();
     }
     return out;
   }
@@ -205,9 +208,9 @@ class ModeSheet {
            const std::vector<std::string>& texts) const {
     const double scale = largest();
     auto move = shape.moves.begin();
-    for (const auto& outline : shape.outlines) {
-      svg::Fill fill;
-      for (const Vec2& x : outline) fill.outline.push_back(x + shift + scale * *move++);
+    for (std::size_t i = 0; i < shape.outlines.size(); ++i) {
+      svg::Fill fill{.tint = colours_.of(fields_.body().block(BlockId{shape.blocks[i]}))};
+      for (const Vec2& x : shape.outlines[i]) fill.outline.push_back(x + shift + scale * *move++);
       out.polygons.push_back(std::move(fill));
     }
     Vec2 below(box_.low.x() + 0.5 * size().x(), box_.low.y() - largest());
@@ -220,6 +223,7 @@ class ModeSheet {
   const ResultsReader& results_;
   const Fields& fields_;
   Eigenvalues eigenvalues_;
+  MaterialColours colours_ = material_colours(fields_.body().assembly);
   std::string unit_;
   Box box_;
 };

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "framework/files/run/base64.hpp"
+#include "studies/dda/figures/material_colours.hpp"
 #include "studies/dda/report/report.hpp"
 
 namespace dda::report {
@@ -127,15 +128,31 @@ std::pair<std::vector<std::uint16_t>, std::vector<double>> flat(const Outlines& 
   return {std::move(counts), std::move(vertices)};
 }
 
-Json geometry(const ResultsMesh& mesh) {
+/// Names of materials, and for each block the place of its own among them.
+void add_materials(const ResultsReader& results, const ResultsMesh& mesh, Json& out) {
+  const MaterialColours colours = material_colours(results.region_materials());
+  const auto known = static_cast<int>(colours.of_region.size());
+  std::vector<std::uint16_t> of_block;
+  for (const int region : mesh.block_region) {
+    if (region < 0 || region >= known) return;
+    of_block.push_back(static_cast<std::uint16_t>(colours.of_region[static_cast<std::size_t>(region)]));
+  }
+  if (of_block.size() != mesh.blocks.size()) return;
+  out["materials"] = colours.names;
+  out["material_of"] = base64_of(std::span<const std::uint16_t>(of_block));
+}
+
+Json geometry(const ResultsReader& results, const ResultsMesh& mesh) {
   const auto [counts, vertices] = flat(mesh.blocks);
   std::vector<double> segments;
   for (const auto& [start, end] : mesh.segments)
     segments.insert(segments.end(), {start.x(), start.y(), end.x(), end.y()});
-  return {{"length_unit", mesh.length_unit},
-          {"counts", base64_of(std::span<const std::uint16_t>(counts))},
-          {"vertices", singles(vertices)},
-          {"segments", singles(segments)}};
+  Json out{{"length_unit", mesh.length_unit},
+           {"counts", base64_of(std::span<const std::uint16_t>(counts))},
+           {"vertices", singles(vertices)},
+           {"segments", singles(segments)}};
+  add_materials(results, mesh, out);
+  return out;
 }
 
 constexpr std::size_t coded(std::size_t bytes) { return (bytes + 2) / 3 * 4; }
@@ -195,7 +212,7 @@ std::vector<std::size_t> thinned(std::span<const std::size_t> sizes, std::size_t
 
 Json data_of_blocks(const ResultsReader& results, int peak_step, const Limits& limits) {
   const ResultsMesh mesh = results.mesh();
-  Json out = geometry(mesh);
+  Json out = geometry(results, mesh);
   const std::size_t geometry_size = out.dump().size();
   const std::size_t room = limits.fields > geometry_size ? limits.fields - geometry_size : 0;
   std::vector<std::size_t> sizes;

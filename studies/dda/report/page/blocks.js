@@ -2,7 +2,7 @@
 
 /** Fields that blocks may show, each from the stress (xx, yy, xy). */
 const BLOCK_FIELDS = {
-  none: {text: "none"},
+  material: {text: "material"},
   xx: {text: "stress σxx", label: "σxx", value: (xx) => xx},
   yy: {text: "stress σyy", label: "σyy", value: (xx, yy) => yy},
   xy: {text: "stress σxy", label: "σxy", value: (xx, yy, xy) => xy},
@@ -29,6 +29,8 @@ class Blocks {
     this.numBlocks = this.offsets.length - 1;
     this.numStored = data.stored;
     this.steps = data.steps;
+    this.materials = data.materials ?? [];
+    this.materialOf = data.material_of ? decoded(data.material_of, Uint16Array) : null;
     this.tornOut = (tornOut ?? []).flatMap((piece) => piece.blocks);
     this.states = new Map();
     this.centres = centresOf(this.vertices, this.offsets);
@@ -65,6 +67,11 @@ class Blocks {
     if (!parts) return whole;
     const ofParts = outlinesOf(parts, place(movedVertices(parts, parts.motion, magnification)));
     return [...whole, ...ofParts.map((outline, i) => ({block: parts.blocks[i], outline}))];
+  }
+
+  /** The colour of a block's material. */
+  tintOf(block) {
+    return this.materialOf ? tintOf(this.materialOf[block]) : SCREEN.block;
   }
 
   /** A field over the blocks, null when nothing is to be shown. */

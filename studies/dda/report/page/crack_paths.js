@@ -43,7 +43,7 @@ class CrackPathFigure {
   }
 
   paintOn(surface, width) {
-    const options = {index: this.blocks.steps.length - 1, magnification: 0, field: "none", view: this.viewKept};
+    const options = {index: this.blocks.steps.length - 1, magnification: 0, field: "material", view: this.viewKept};
     const painter = new PicturePainter(this.blocks, options, {field: null, cracks: null, list: []});
     painter.paint(surface, width, this.height);
     this.view = painter.view;

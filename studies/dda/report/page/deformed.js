@@ -8,7 +8,7 @@ class DeformedFigure {
     Object.assign(this, {blocks, shown, name, stepText, id, isTrue});
     this.automatic = isTrue ? 1 : this.automaticMagnification();
     const cracks = isTrue ? "none" : "opening";
-    this.options = {magnification: this.automatic, field: "none", cracks, everyStep: true, view: null};
+    this.options = {magnification: this.automatic, field: "material", cracks, everyStep: true, view: null};
     this.canvas =
         element("canvas", {role: "img", tabindex: 0, "aria-label": "Deformed blocks and cracks at the chosen step"});
     this.stage = element("div", {class: "stage"}, this.canvas);
@@ -56,7 +56,7 @@ class DeformedFigure {
       chooser(
           "cracks by", [["opening", "opening"], ["sliding", "sliding"], ["damage", "damage"], ["none", "not shown"]],
           "opening", (value) => this.set("cracks", value)),
-      this.blocks.stressUnit ? chooser("blocks by", fields, "none", (value) => this.set("field", value)) : null,
+      this.blocks.stressUnit ? chooser("blocks by", fields, "material", (value) => this.set("field", value)) : null,
       checkbox("one scale for all steps", true, (value) => this.set("everyStep", value)),
     ];
     return element(
@@ -100,8 +100,10 @@ class DeformedFigure {
     this.note = element(
         "span", {hidden: true},
         " The half percent of the blocks with the highest and the lowest stress has the colour of the scale's end.");
+    this.materials = materialLegend(this.blocks);
     return element(
-        "figcaption", {}, `${plural(numBlocks, "block")}. Wheel or two fingers: closer; drag: move.${thinned}`,
+        "figcaption", {}, this.materials, `${plural(numBlocks, "block")}. Wheel or two fingers: closer; drag: move.${thinned}`,
+        this.isTrue ? "" : " Thin lines: cracks whose jump is too small to be seen.",
         this.blocks.tornOut.length > 0 ? " Red: torn out." : "", this.note);
   }
 
@@ -128,7 +130,8 @@ class DeformedFigure {
     this.slider.value = this.shown.value;
     this.slider.setAttribute("aria-valuetext", `step ${step}`);
     this.told.textContent = this.stepText(step);
-    this.note.hidden = this.options.field === "none";
+    this.note.hidden = this.options.field === "material";
+    this.materials.hidden = !this.note.hidden;
     this.draw();
   }
 
@@ -179,4 +182,11 @@ class DeformedFigure {
     new PicturePainter(this.blocks, this.current(), scales).paint(surface, width, this.height);
     return {name: fileName(this.name, this.id, this.blocks.steps[this.shown.value].step), text: surface.document()};
   }
+}
+
+/** Which colour is which material, where there are several. */
+function materialLegend({materials}) {
+  const out = legend(materials.length > 1 ? materials.map((name, i) => [name, tintOf(i)]) : []);
+  out.classList.add("materials");
+  return out;
 }

@@ -75,7 +75,7 @@ class PicturePainter {
     const bins = new Map();
     for (const {block, outline} of moved) {
       if (!isInView(outline, width, height)) continue;
-      const fill = values ? scales.field.colourOfBin(scales.field.binOf(values[block])) : SCREEN.block;
+      const fill = values ? scales.field.colourOfBin(scales.field.binOf(values[block])) : blocks.tintOf(block);
       if (!bins.has(fill)) bins.set(fill, []);
       bins.get(fill).push(outline);
     }
@@ -96,17 +96,30 @@ class PicturePainter {
     if (!scales.cracks) return;
     const ends = this.onPicture(blocks.crackEnds(options.index, options.magnification));
     const values = blocks.ofCracks(options.index, options.cracks);
+    const isWide = this.areWide();
     const bins = new Map();
     values.forEach((value, p) => {
       const bin = scales.cracks.binOf(value);
-      if (!bins.has(bin)) bins.set(bin, []);
-      bins.get(bin).push(ends.subarray(4 * p, 4 * p + 4));
+      if (!bins.has(bin)) bins.set(bin, {wide: [], hair: []});
+      bins.get(bin)[isWide[p] ? "wide" : "hair"].push(ends.subarray(4 * p, 4 * p + 4));
     });
     // The widest are drawn last, on top.
     const sorted = [...bins].sort(([one], [other]) => one - other);
     // A pale edge keeps a crack visible on blocks of its own colour.
-    if (scales.field) sorted.forEach(([, tracks]) => surface.tracks(tracks, {stroke: PAPER, width: 4.2}));
-    for (const [bin, tracks] of sorted) surface.tracks(tracks, {stroke: scales.cracks.colourOfBin(bin), width: 2.4});
+    if (scales.field) sorted.forEach(([, {wide}]) => surface.tracks(wide, {stroke: PAPER, width: 4.2}));
+    for (const [bin, {wide, hair}] of sorted) {
+      const stroke = scales.cracks.colourOfBin(bin);
+      surface.tracks(hair, {stroke, width: 0.9});
+      surface.tracks(wide, {stroke, width: 2.4});
+    }
+  }
+
+  /** Of each crack whether its jump, magnified, is large enough to be seen; the others are hairlines. */
+  areWide() {
+    const {blocks, options: {index, magnification}} = this;
+    const [opening, sliding] = ["opening", "sliding"].map((name) => blocks.ofCracks(index, name));
+    const least = STYLE.hairline * blocks.box.size;
+    return Array.from(opening, (value, p) => magnification * Math.hypot(value, sliding[p]) >= least);
   }
 }
 
@@ -145,7 +158,7 @@ function paintBar(surface, scale, {x, y, width}) {
 function scalesOf(blocks, {index, field, cracks, everyStep}) {
   const over = (range) => (everyStep ? blocks.rangeOverSteps(range) : range(index));
   const scales = {field: null, cracks: null};
-  if (field !== "none" && blocks.field(index, field))
+  if (blocks.field(index, field))
     scales.field = ColourScale.signed(
         over((i) => innerRange(blocks.field(i, field))), withUnit(BLOCK_FIELDS[field].label, blocks.stressUnit));
   if (cracks === "damage") scales.cracks = new ColourScale("crack", [0, 1], "damage of the interface");

@@ -77,10 +77,13 @@ class RunPage {
   /** What was asked: blocks, interfaces, supports, loads, gauges. */
   modelSection() {
     if (!this.data.model) return null;
-    const source = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(this.data.model)}`;
+    const {model, name} = this.data;
+    const source = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(onScreen(model))}`;
     const picture =
         element("img", {id: "model-picture", src: source, alt: "Blocks, interfaces, supports, loads and gauges"});
-    return section("model", "Model", element("div", {class: "scroll"}, picture));
+    const buttons = savingButtons(() => ({name: fileName(name, "model"), text: model}));
+    return section("model", "Model", element("div", {class: "toolbar"}, buttons),
+                   element("div", {class: "scroll"}, picture));
   }
 
   motionSection() {

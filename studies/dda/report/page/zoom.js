@@ -79,7 +79,12 @@ function figureButtons(actions, middle, vectors) {
   return element(
       "span", {class: "group"}, button("+", "Closer", () => actions.zoom(1.5, ...middle())),
       button("−", "Farther", () => actions.zoom(1 / 1.5, ...middle())),
-      button("Reset", "Show everything again", () => actions.reset()),
-      button("Save SVG", "Save this figure as vector graphics", () => saveVectors(vectors())),
-      button("Save PNG", "Save this figure as an image", () => savePixels(vectors())));
+      button("Reset", "Show everything again", () => actions.reset()), ...savingButtons(vectors));
+}
+
+function savingButtons(vectors) {
+  return [
+    button("Save SVG", "Save this figure as vector graphics", () => saveVectors(vectors())),
+    button("Save PNG", "Save this figure as an image", () => savePixels(vectors()))
+  ];
 }

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "continuation/handover/beginning.hpp"
+#include "continuation/handover/regions.hpp"
 #include "continuation/motion/motion.hpp"
 #include "framework/figure/drawing.hpp"
 #include "framework/figure/plot.hpp"
@@ -17,7 +18,9 @@
 #include "framework/messages/interrupt.hpp"
 #include "framework/messages/progress.hpp"
 #include "framework/messages/provenance.hpp"
+#include "studies/dda/case/model_tables.hpp"
 #include "studies/dda/case/motion_columns.hpp"
+#include "studies/dda/figures/material_colours.hpp"
 #include "studies/dda/record/fields.hpp"
 #include "studies/dda/run/motion/motion_restart.hpp"
 
@@ -177,7 +180,8 @@ class MotionRecorder {
                     .block_region = {},
                     .region_names = region_names(moved.pieces.body().assembly),
                     .segments = {},
-                    .length_unit = moved.deck.units.length};
+                    .length_unit = moved.deck.units.length,
+                    .model = {region_materials(moved.pieces.body().assembly)}};
     for (const Block& block : moved.blocks()) {
       out.blocks.push_back(block.outline.vertices);
       out.block_region.push_back(block.region);
@@ -228,7 +232,13 @@ class MotionRecorder {
   svg::Drawing picture() const {
     svg::Drawing out{.title = moved_.deck.title,
                      .caption = fmt::format("after {:.4g} s of motion, at true scale", motion_.time())};
-    for (std::size_t b = 0; b < motion_.poses().size(); ++b) out.polygons.push_back({.outline = outline(b)});
+    const MaterialColours colours = material_colours(moved_.pieces.body().assembly);
+    for (std::size_t b = 0; b < motion_.poses().size(); ++b)
+      out.polygons.push_back(
+          {.outline = outline(b),
+           .tint = colours.of(moved_.blocks()[b]),
+           .is_held = is_held(moved_.pieces.body(), *moved_.deck.motion, moved_.blocks()[b].region)});
+    explain(colours, out);
     return out;
   }
 

@@ -132,5 +132,23 @@ TEST(Drawing, SymbolsThatWouldCoverEachOtherAreDrawnOnceAndNamedOnce) {
   EXPECT_GT(count("fill=\"#ffffff\""), 20u);
 }
 
+TEST(Drawing, HeldBlocksAreHatched) {
+  Drawing drawing = two_blocks();
+  EXPECT_THAT(to_svg(drawing), Not(HasSubstr("<pattern")));
+  drawing.polygons[0].is_held = true;
+  EXPECT_THAT(to_svg(drawing), HasSubstr("<pattern"));
+}
+
+TEST(Drawing, EveryMarkIsDrawnAndNamedInTheColourAskedFor) {
+  for (const Mark mark :
+       {Mark::force, Mark::held, Mark::moved, Mark::measured, Mark::turned, Mark::strained}) {
+    Drawing drawing = two_blocks();
+    drawing.symbols = {{.mark = mark, .at = {1, 0.5}, .along = {1, 1}, .colour = 4, .name = "mark"}};
+    const std::string svg = to_svg(drawing);
+    EXPECT_THAT(svg, HasSubstr(std::string("stroke=\"") + palette[4]));
+    EXPECT_THAT(svg, HasSubstr(">mark<"));
+  }
+}
+
 }  // namespace
 }  // namespace dda::svg
