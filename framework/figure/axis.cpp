@@ -62,6 +62,59 @@ std::string scale_of(double offset, int exponent) {
                      std::abs(offset));
 }
 
+/// digit · 10^exponent, as long as that has few zeros in digits.
+std::string decade_label(int digit, int exponent) {
+  if (exponent < large_exponent && exponent > small_exponent)
+    return label_of(digit * std::pow(10.0, exponent), std::max(0, -exponent));
+  const std::string power = fmt::format("10{}", superscript(exponent));
+  return digit == 1 ? power : fmt::format("{}·{}", digit, power);
+}
+
+/// The whole numbers in a range, from its first to its last.
+struct Decades {
+  int first, last;
+
+  explicit Decades(const Range& range)
+      : first(static_cast<int>(std::ceil(range.low - rounding))),
+        last(static_cast<int>(std::floor(range.high + rounding))) {}
+  int count() const { return last - first + 1; }
+};
+
+/// Ticks at digits of decades, where `label(digit, exponent)` gives what is written there.
+template <class Label>
+std::vector<Tick> ticks_of_digits(const Range& range, const Label& label) {
+  std::vector<Tick> out;
+  const Decades decades(range);
+  for (int exponent = decades.first - 1; exponent <= decades.last; ++exponent)
+    for (int digit = 1; digit < 10; ++digit) {
+      const double value = exponent + std::log10(digit);
+      if (value < range.low - rounding || value > range.high + rounding) continue;
+      std::string text = label(digit, exponent);
+      const bool is_minor = text.empty();
+      out.push_back({value, std::move(text), is_minor});
+    }
+  return out;
+}
+
+/// Decades, each few of them with a label where they are many; digits between those that all have one.
+std::vector<Tick> ticks_of_decades(const Range& range, int wanted) {
+  const int stride = (Decades(range).count() + wanted - 1) / wanted;
+  std::vector<Tick> out = ticks_of_digits(range, [&](int digit, int exponent) {
+    return digit == 1 && exponent % stride == 0 ? decade_label(digit, exponent) : std::string();
+  });
+  const auto is_between = [](const Tick& tick) { return tick.value != std::round(tick.value); };
+  if (stride > 1) std::erase_if(out, is_between);
+  return out;
+}
+
+/// Of a range so short that logarithms are nearly even.
+Axis nearly_even_axis(const Range& range, int wanted) {
+  Axis out = make_axis({std::pow(10.0, range.low), std::pow(10.0, range.high), false}, wanted);
+  out.range = range;
+  for (Tick& tick : out.ticks) tick.value = std::log10(tick.value);
+  return out;
+}
+
 }  // namespace
 
 void Range::include(double value) {
@@ -103,6 +156,16 @@ Axis make_axis(const Range& range, int wanted) {
     axis.ticks.push_back({n * step, label_of((n * step - offset) / unit, decimals)});
   }
   return axis;
+}
+
+Axis make_logarithmic_axis(const Range& range, int wanted) {
+  if (Decades(range).count() > 1) return {range, ticks_of_decades(range, wanted), {}};
+  std::vector<Tick> ticks = ticks_of_digits(range, [](int digit, int exponent) {
+    const bool is_round = std::ranges::find(round_digits, digit) != round_digits.end();
+    return is_round ? decade_label(digit, exponent) : std::string();
+  });
+  const auto with_labels = std::ranges::count(ticks, false, &Tick::is_minor);
+  return with_labels > 1 ? Axis{range, std::move(ticks), {}} : nearly_even_axis(range, wanted);
 }
 
 }  // namespace dda::svg

@@ -15,10 +15,11 @@ struct Range {
   Range widened(double part) const;
 };
 
-/// A number on an axis and what is written there.
+/// A number on an axis and what is written there; nothing is at a minor one.
 struct Tick {
   double value;
   std::string label;
+  bool is_minor = false;
 };
 
 /// Round numbers across a range, and the factor or offset taken out of their labels.
@@ -37,5 +38,10 @@ double round_down(double value);
 
 /// About `wanted` ticks on a range that is not empty.
 Axis make_axis(const Range& range, int wanted);
+
+/// A logarithmic axis: `range` and the values of its ticks are logarithms to the base of ten, labels are numbers. Decades have
+/// labels, at most about `wanted` of them, and the digits 2 to 9 between them minor ticks; below two decades 2 and 5 have
+/// labels as well, and where no two of these are in the range round numbers as `make_axis` has them.
+Axis make_logarithmic_axis(const Range& range, int wanted);
 
 }  // namespace dda::svg

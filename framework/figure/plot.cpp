@@ -50,8 +50,8 @@ class PanelPainter {
       : canvas_(canvas),
         panel_(panel),
         frame_(frame),
-        x_(make_axis(range(&Series::x, &Marker::x), most_ticks)),
-        y_(make_axis(range(&Series::y, &Marker::y), most_ticks)) {}
+        x_(axis(panel.is_logarithmic_x, range(&Series::x, &Marker::x))),
+        y_(axis(panel.is_logarithmic_y, range(&Series::y, &Marker::y))) {}
 
   /// Room for tick labels and axis label left of the frame.
   static double left_room(const Panel& panel) {
@@ -77,49 +77,71 @@ class PanelPainter {
   }
 
  private:
+  static Axis axis(bool is_logarithmic, const Range& range) {
+    return is_logarithmic ? make_logarithmic_axis(range, most_ticks) : make_axis(range, most_ticks);
+  }
+
+  /// What stands for a number on its axis; not finite where there is none.
+  static double on_axis(bool is_logarithmic, double value) {
+    return is_logarithmic ? std::log10(value) : value;
+  }
+  double on_x(double x) const { return on_axis(panel_.is_logarithmic_x, x); }
+  double on_y(double y) const { return on_axis(panel_.is_logarithmic_y, y); }
+  bool is_drawn(double x, double y) const { return std::isfinite(on_x(x)) && std::isfinite(on_y(y)); }
+
   Range range(std::vector<double> Series::*values, double Marker::*value) const {
+    const bool is_logarithmic = value == &Marker::x ? panel_.is_logarithmic_x : panel_.is_logarithmic_y;
     Range result;
     for (const Series& series : panel_.series) {
       for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
-        if (std::isfinite(series.x[i]) && std::isfinite(series.y[i])) result.include((series.*values)[i]);
+        if (is_drawn(series.x[i], series.y[i])) result.include(on_axis(is_logarithmic, (series.*values)[i]));
       }
     }
-    for (const Marker& marker : panel_.markers) result.include(marker.*value);
+    for (const Marker& marker : panel_.markers) result.include(on_axis(is_logarithmic, marker.*value));
     return result.widened(axis_margin);
   }
 
-  double px(double x) const {
-    return frame_.x + frame_.width * ((x - x_.range.low) / (x_.range.high - x_.range.low));
+  /// Of what stands for a number on its axis.
+  double across(double on_x) const {
+    return frame_.x + frame_.width * ((on_x - x_.range.low) / (x_.range.high - x_.range.low));
   }
-  double py(double y) const {
-    return frame_.bottom() - frame_.height * ((y - y_.range.low) / (y_.range.high - y_.range.low));
+  double down(double on_y) const {
+    return frame_.bottom() - frame_.height * ((on_y - y_.range.low) / (y_.range.high - y_.range.low));
   }
+  double px(double x) const { return across(on_x(x)); }
+  double py(double y) const { return down(on_y(y)); }
 
   void grid() {
-    canvas_.rectangle(frame_, "white", "none");
-    for (const Tick& tick : x_.ticks) {
-      canvas_.line({px(tick.value), frame_.y, px(tick.value), frame_.bottom()}, {faint, 0.8});
-    }
-    for (const Tick& tick : y_.ticks) {
-      canvas_.line({frame_.x, py(tick.value), frame_.right(), py(tick.value)}, {faint, 0.8});
-    }
-    if (y_.range.low < 0 && y_.range.high > 0)
-      canvas_.line({frame_.x, py(0), frame_.right(), py(0)}, {grey, 0.8});
-    if (x_.range.low < 0 && x_.range.high > 0)
-      canvas_.line({px(0), frame_.y, px(0), frame_.bottom()}, {grey, 0.8});
+    canvas_.rectangle(frame_, paper, "none");
+    for (const Tick& tick : x_.ticks) line_up(across(tick.value), tick.is_minor);
+    for (const Tick& tick : y_.ticks) line_across(down(tick.value), tick.is_minor);
+    if (!panel_.is_logarithmic_y && y_.range.low < 0 && y_.range.high > 0)
+      canvas_.line({frame_.x, down(0), frame_.right(), down(0)}, {grey, 0.8});
+    if (!panel_.is_logarithmic_x && x_.range.low < 0 && x_.range.high > 0)
+      canvas_.line({across(0), frame_.y, across(0), frame_.bottom()}, {grey, 0.8});
     canvas_.rectangle(frame_, "none", ink);
+  }
+
+  /// Through the frame; of minor ticks short ones at its sides.
+  void line_up(double x, bool is_minor) {
+    canvas_.line({x, is_minor ? frame_.bottom() - minor_tick : frame_.y, x, frame_.bottom()},
+                 {is_minor ? ink : faint, 0.8});
+  }
+  void line_across(double y, bool is_minor) {
+    canvas_.line({frame_.x, y, is_minor ? frame_.x + minor_tick : frame_.right(), y},
+                 {is_minor ? ink : faint, 0.8});
   }
 
   void labels() {
     double free_from = -1e9;
     for (const Tick& tick : x_.ticks) {
-      const double half = text_width(tick.label, small_text) / 2;
-      if (px(tick.value) - half < free_from) continue;
-      canvas_.text(px(tick.value), frame_.bottom() + 15, tick.label, {small_text, Anchor::middle});
-      free_from = px(tick.value) + half + 4;
+      const double half = text_width(tick.label, small_text) / 2, x = across(tick.value);
+      if (tick.is_minor || x - half < free_from) continue;
+      canvas_.text(x, frame_.bottom() + 15, tick.label, {small_text, Anchor::middle});
+      free_from = x + half + 4;
     }
     for (const Tick& tick : y_.ticks) {
-      canvas_.text(frame_.x - 6, py(tick.value) + 3.5, tick.label, {small_text, Anchor::end});
+      canvas_.text(frame_.x - 6, down(tick.value) + 3.5, tick.label, {small_text, Anchor::end});
     }
     titles();
   }
@@ -143,7 +165,7 @@ class PanelPainter {
     std::vector<Track> result;
     bool broken = true;
     for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
-      const bool finite = std::isfinite(series.x[i]) && std::isfinite(series.y[i]);
+      const bool finite = is_drawn(series.x[i], series.y[i]);
       if (finite && broken) result.emplace_back();
       if (finite) result.back().emplace_back(px(series.x[i]), py(series.y[i]));
       broken = !finite;
@@ -190,7 +212,7 @@ class PanelPainter {
     }
   }
 
-  static bool shown(const Marker& marker) { return std::isfinite(marker.x) && std::isfinite(marker.y); }
+  bool shown(const Marker& marker) const { return is_drawn(marker.x, marker.y); }
 
   Canvas& canvas_;
   const Panel& panel_;

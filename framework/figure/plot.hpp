@@ -22,12 +22,14 @@ struct Marker {
   std::string label;
 };
 
-/// One pair of axes. Labels include their unit: "deflection [mm]".
+/// One pair of axes. Labels include their unit: "deflection [mm]". On a logarithmic one points that are not positive are not
+/// drawn.
 struct Panel {
   std::string title = {};
   std::string x_label = {}, y_label = {};
   std::vector<Series> series = {};
   std::vector<Marker> markers = {};
+  bool is_logarithmic_x = false, is_logarithmic_y = false;
 };
 
 /// Several panels side by side, at most three in a row; series of one name share a colour and one legend.

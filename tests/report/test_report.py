@@ -1,22 +1,14 @@
 """Reports of real runs, looked at in a browser: test_report.py PROGRAM AXES."""
 
-import csv
 import json
 import os
 import shutil
 import subprocess
-import sys
-import tempfile
 import unittest
-from pathlib import Path
 from random import Random
 
-import sweep_folder
-from browser import Browser
+from report_case import ATTACK, AXES, ROOT, ReportCase, dda
 
-ROOT = Path(__file__).resolve().parents[2]
-BEAM = ROOT / "tests/program/beam.yaml"
-BAR = ROOT / "studies/softening-bar/deck.yaml"
 CRACKED = ROOT / "tests/program/cracked_beam.yaml"
 THROWN = """
 scene: {type: polygons, regions: [{name: block, material: stone, vertices: [[0, 0], [1, 0], [1, 1], [0, 1]]}]}
@@ -24,15 +16,6 @@ thickness: 1
 materials: {stone: {type: linear_elastic, young_modulus: 1e7, density: 2.5}}
 motion: {time: 0.5, gravity: [0, -9.81], contact: {friction: 0}, velocities: [{regions: [block], velocity: [1, 1], spin: 3}]}
 """
-ATTACK = "</script><script>window.stolen = 1</script><img src=x onerror=window.stolen=1>"
-PROGRAM, AXES = "dda", "axes"
-
-
-def dda(*arguments, code=0):
-    result = subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=240, check=False)
-    if result.returncode != code:
-        raise AssertionError(f"dda {arguments}: {result.returncode} instead of {code}\n{result.stderr}")
-    return result.stdout + result.stderr
 
 
 def parts_of_last_step(folder, scale):
@@ -44,38 +27,7 @@ def parts_of_last_step(folder, scale):
     return json.loads(said.stdout)
 
 
-class Reports(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(cls.folder.cleanup)
-        cls.work = Path(cls.folder.name)
-        cls.browser = cls.enterClassContext(Browser())
-        dda("run", BEAM, "--folder", cls.work / "beam", "--quiet", "--set", "record.eigenvalues.count=2", "--set", f"title='{ATTACK}'")
-        cls.rows = list(csv.DictReader((cls.work / "beam/curve.csv").read_text(encoding="utf-8").splitlines()))
-        cls.summary = json.loads((cls.work / "beam/summary.json").read_text())
-
-    def report(self, folder):
-        dda("report", folder)
-        return Path(folder) / "report.html"
-
-    def open(self, folder, width=1280):
-        page = self.browser.open(self.report(folder), width)
-        page.wait("document.body.dataset.ready === 'true'")
-        page.drawn()
-        return page
-
-    def check(self, page):
-        """Nothing went wrong, nothing was loaded, nothing sticks out."""
-        self.assertEqual(page.errors(), [])
-        asked = [address for address in page.requests() if not address.startswith("data:")]  # the model's picture is in the page
-        self.assertEqual([address for address in asked if not address.startswith(("file:", "about:"))], [])
-        self.assertEqual(len(asked), 1)
-        self.assertLessEqual(page.run("document.documentElement.scrollWidth - window.innerWidth"), 0)
-
-    def text(self, page, selector="body"):
-        return page.run(f"document.querySelector({json.dumps(selector)}).innerText")
-
+class Reports(ReportCase):
     def test_what_is_said_of_a_run(self):
         page = self.open(self.work / "beam")
         self.assertIn("Goal reached: load below 10 % of its peak.", self.text(page, "#status"))
@@ -91,10 +43,6 @@ class Reports(unittest.TestCase):
         self.assertEqual(self.text(page, "h1"), ATTACK)
         self.assertIsNone(page.run("window.stolen"))
         self.assertEqual(page.run("document.querySelectorAll('img:not(#model-picture)').length"), 0)
-
-    def pixels(self, page, figure):
-        """The drawn picture, to be compared with another."""
-        return page.run(f"document.querySelector('#{figure} canvas').toDataURL()")
 
     def test_the_slider_changes_the_drawn_step(self):
         page = self.open(self.work / "beam")
@@ -118,11 +66,6 @@ class Reports(unittest.TestCase):
         page.wait(f"document.querySelector('#deformed canvas').dataset.step === '{last}' && "
                   "document.querySelector('.player button').textContent === '▶'")
         self.check(page)
-
-    def choose(self, page, figure, label, value):
-        page.run(f"""(() => {{ const one = [...document.querySelectorAll('#{figure} label')].find((l) => l.textContent.startsWith('{label}'))
-            .querySelector('select'); one.value = '{value}'; one.dispatchEvent(new Event('change')); }})()""")
-        page.drawn()
 
     def test_fields_and_magnification_change_the_picture(self):
         page = self.open(self.work / "beam")
@@ -207,18 +150,6 @@ class Reports(unittest.TestCase):
         self.assertEqual(page.run(frame), whole)
         self.check(page)
 
-    def saved(self, page, figure):
-        """Name and text of the SVG that the figure's button would save."""
-        return self.given(page, figure, "SVG", "await blob.text()")
-
-    def given(self, page, figure, kind, what):
-        """Name of the file that a figure's button would save, and what a script makes of its `blob`."""
-        page.run("window.given = null; "
-                 f"window.download = async (name, blob) => {{ const made = {what}; window.given = [name, made]; }}")
-        page.run(f"[...document.querySelectorAll('#{figure} button')].find((one) => one.textContent === 'Save {kind}').click()")
-        page.wait("window.given !== null")
-        return page.run("window.given")
-
     def test_figures_are_saved_as_vectors(self):
         page = self.open(self.work / "beam")
         for figure in ("curve", "deformed", "energies", "balance"):
@@ -246,6 +177,24 @@ class Reports(unittest.TestCase):
         page = self.open(self.work / "beam")
         self.assertEqual(page.run("document.querySelector('section').id"), "model")
         self.assertGreater(page.run("document.querySelector('#model-picture').naturalWidth"), 300)
+        self.assertEqual(self.corner_of_model(page), [255, 255, 255])
+        self.check(page)
+
+    def test_materials_have_the_colours_of_the_figures_in_files(self):
+        deck = self.work / "two.yaml"
+        deck.write_text(THROWN.replace("regions: [{", "regions: [{name: ground, material: rock, vertices: [[-1, -1], [2, -1], [2, -0.5], [-1, -0.5]]}, {")
+                        .replace("materials: {", "materials: {rock: {type: linear_elastic, young_modulus: 1e7}, ")
+                        .replace("motion: {", "motion: {held: [ground], "))
+        dda("run", deck, "--folder", self.work / "two", "--quiet")
+        end = (self.work / "two/motion/end.svg").read_text(encoding="utf-8")
+        page = self.open(self.work / "two")
+        self.assertEqual(page.run("thePage.figures.motion.blocks.materials"), ["rock", "stone"])
+        colours = page.run("[0, 1].map((block) => thePage.figures.motion.blocks.tintOf(block))")
+        self.assertEqual(len(set(colours)), 2)
+        for colour in colours:
+            self.assertEqual(end.count(f'fill="{colour}"'), 2)  # the blocks and the legend
+            self.assertIn(f'fill="{colour}"', self.saved(page, "moving")[1])
+        self.assertIn("rock", self.text(page, "#moving figcaption"))
         self.check(page)
 
     def test_a_dark_screen(self):
@@ -255,9 +204,12 @@ class Reports(unittest.TestCase):
         self.assertLess(red + green + blue, 120)
         corner = page.run("[...document.querySelector('#curve canvas').getContext('2d').getImageData(2, 2, 1, 1).data]")
         self.assertEqual(corner[:3], [red, green, blue])
+        self.assertEqual(self.corner_of_model(page), [red, green, blue])
         _, text = self.saved(page, "curve")
         self.assertIn('fill="#fff"', text)
         self.assertNotIn("#e4e6e8", text)  # the ink of the dark: files are for paper
+        _, text = self.saved(page, "model")
+        self.assertEqual(text, (self.work / "beam/model.svg").read_text(encoding="utf-8"))
         self.assertEqual(page.errors(), [])
 
     def test_located_events_are_marked(self):
@@ -287,10 +239,13 @@ class Reports(unittest.TestCase):
             length = random.choice([1, 2, 5, random.uniform(1, 10)]) * 10.0 ** random.randint(-9, 9)
             low = random.choice([0, -length / 2, random.uniform(-1e3, 1e3), 10.0 ** random.randint(-3, 9)])
             if low + length > low + 1e-9 * abs(low):
-                ranges.append([low, low + length, random.randint(2, 9)])
+                ranges.append([low, low + length, random.randint(2, 9), False])
+        for _ in range(1000):
+            low, length = random.uniform(-12, 12), random.choice([random.uniform(0.01, 2), random.uniform(1, 30), random.randint(1, 9)])
+            ranges.append([random.choice([low, round(low)]), low + length, random.randint(2, 9), True])
         answer = subprocess.run([AXES], input=json.dumps(ranges), capture_output=True, text=True, check=True)
-        of_page = self.open(self.work / "beam").run(f"""{ranges}.map(([low, high, wanted]) => {{
-            const {{ticks, scale}} = axisTicks([low, high], wanted);
+        of_page = self.open(self.work / "beam").run(f"""{json.dumps(ranges)}.map(([low, high, wanted, isLogarithmic]) => {{
+            const {{ticks, scale}} = (isLogarithmic ? logarithmicTicks : axisTicks)([low, high], wanted);
             const numbers = [...widened([low, high]), roundDown(high - low), ...ticks.map(({{value}}) => value)];
             return {{labels: ticks.map(({{label}}) => label), scale, numbers}}; }})""")
         for given, expected, page in zip(ranges, json.loads(answer.stdout), of_page, strict=True):
@@ -330,52 +285,6 @@ class Reports(unittest.TestCase):
         self.assertEqual(page.run("document.querySelector('#moving canvas').dataset.step"), "0")
         self.assertIn("external work", self.text(page, "#motion-energies"))
 
-    def test_laws_and_spreads_of_a_sweep(self):
-        page = self.open(self.work / "beam")  # the laws come with every page
-        sizes = [50, 100, 200, 400]
-
-        def told(law, strengths):
-            points = json.dumps(list(zip(sizes, strengths)))
-            return page.run(f"fittedLaw(SWEEP_LAWS.{law}, {points}).words")
-
-        self.assertIn("a = 12, b = −0.5;", told("power", [12 / size**0.5 for size in sizes]))
-        self.assertIn("B = 3, x₀ = 150;", told("size", [3 / (1 + size / 150) ** 0.5 for size in sizes]))
-        self.assertIn("none goes through", told("size", [1, 2, 3, 4]))  # it would grow with size
-        groups = page.run("spreads([[1, 2], [1, 4], [1, 6], [2, 5], [3, NaN]])")
-        self.assertEqual(groups, [{"x": 1, "mean": 4, "deviation": 2, "count": 3}])
-
-    def test_a_sweep(self):
-        folder = self.work / "sweep"
-        sweep_folder.make(PROGRAM, BAR, folder)
-        dda("report", folder / "cases/001")
-        for width in (1280, 400):
-            page = self.open(folder, width)
-            self.assertEqual(self.text(page, "h1"), "Toughness and <b>control</b>")
-            self.assertIn("2 goal reached, 1 stopped early, 1 failed", self.text(page, "#status"))
-            self.assertIn("fracture_energy", self.text(page, "#failures"))
-            self.check(page)
-        for label, value in (("law", "power"), ("divided by", "peak.load")):
-            self.choose(page, "scatter", label, value)
-        self.assertIn("power law y = a xᵇ", self.text(page, "#scatter-words"))
-        page.run("[...document.querySelectorAll('#scatter input')].find((one) => one.type === 'checkbox').click()")
-        page.drawn()
-        self.assertTrue(page.run("thePage.scatter.plot.content.yLabel").startswith("log₁₀ "))
-        self.check(page)
-        links = page.run("[...document.querySelectorAll('#cases a')].map((one) => one.getAttribute('href'))")
-        self.assertEqual(links, ["./cases/001/report.html", "./cases/002/", "./cases/003/"])
-        cases = "[...document.querySelectorAll('#cases tbody tr')].map((one) => one.firstChild.textContent)"
-        self.assertEqual(page.run(cases), ["1", "2", "3", "4"])
-        page.run("[...document.querySelectorAll('#cases th button')].find((one) => one.textContent.startsWith('peak load')).click()")
-        self.assertEqual(page.run(cases)[-1], "4")
-        page.run("document.querySelector('#cases th button').click()")
-        page.run("document.querySelector('#cases th button').click()")
-        self.assertEqual(page.run(cases), ["4", "3", "2", "1"])
-        drawn = self.pixels(page, "scatter")
-        self.choose(page, "scatter", "up", "steps")
-        self.assertNotEqual(self.pixels(page, "scatter"), drawn)
-        self.check(page)
-
 
 if __name__ == "__main__":
-    PROGRAM, AXES = sys.argv.pop(1), sys.argv.pop(1)
     unittest.main(verbosity=2)

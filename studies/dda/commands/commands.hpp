@@ -31,6 +31,8 @@ struct CommandLine {
   std::string find;                            ///< explain
   std::vector<std::string> words;              ///< complete
   std::filesystem::path out = "curves.svg";    ///< plot
+  std::string figure;                          ///< plot: of a run; the curves when empty
+  std::string logarithmic;                     ///< plot: axes, "x", "y" or "xy"
   std::filesystem::path picture;               ///< check: of the model; none when empty
   int ranks = 1;                               ///< check: those whose memory is told
   int jobs = 0;                                ///< runs of a sweep at a time; 0: one per processor

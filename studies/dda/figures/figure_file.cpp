@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
 
 #include "framework/base/errors.hpp"
@@ -33,6 +34,11 @@ int run(std::array<const char*, 7> words) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
 }
 
+fs::path file_of(const fs::path& run, const std::string& name) {
+  const bool is_of_motion = name == "end" || name == "energies";
+  return (is_of_motion ? run / "motion" : run) / (name + ".svg");
+}
+
 }  // namespace
 
 void require_figure_name(const fs::path& file) {
@@ -57,6 +63,23 @@ void write_figure(const fs::path& file, const std::string& svg) {
                                     ? "is made by rsvg-convert, which is not installed (Debian: librsvg2-bin)"
                                     : "rsvg-convert could not make it",
                                 vectors.string()));
+}
+
+const std::vector<std::string>& names_of_run_figures() {
+  static const std::vector<std::string> all{
+      "curve", "deformed", "deformed-sliding", "detail", "detail-sliding", "eigenvalues", "modes",
+      "model", "end",      "energies"};
+  return all;
+}
+
+std::string run_figure(const fs::path& run, const std::string& name) {
+  if (const fs::path file = file_of(run, name); fs::exists(file)) return read_whole(file);
+  std::vector<std::string> there;
+  std::ranges::copy_if(names_of_run_figures(), std::back_inserter(there),
+                       [&](const std::string& other) { return fs::exists(file_of(run, other)); });
+  throw InputError(Position{run.string()}, there.empty() ? "has no figures (yet)"
+                                                         : fmt::format("has no figure '{}'; there are {}",
+                                                                       name, fmt::join(there, ", ")));
 }
 
 }  // namespace dda

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace dda {
 
@@ -12,5 +13,11 @@ void require_figure_name(const std::filesystem::path& file);
 /// with twice as many pixels each way, by librsvg's rsvg-convert. Throws OutputError where that is not installed, or the
 /// file cannot be written.
 void write_figure(const std::filesystem::path& file, const std::string& svg);
+
+/// Names of the figures that a run may leave as .svg in its folder, or in its `motion` there.
+const std::vector<std::string>& names_of_run_figures();
+
+/// One of these of a run, as SVG. Throws InputError where the run has none of the name, and says which it has.
+std::string run_figure(const std::filesystem::path& run, const std::string& name);
 
 }  // namespace dda

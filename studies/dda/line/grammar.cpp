@@ -33,15 +33,6 @@ void use_threads(int count) {
   setenv("OMP_NUM_THREADS", std::to_string(count).c_str(), 1);
 }
 
-/// One of some names, with a suggestion for one that is none of them.
-void take_one_of(CLI::Option* option, const std::vector<std::string>& names) {
-  const auto check = [names](const std::string& given) {
-    if (std::ranges::find(names, given) != names.end()) return std::string();
-    return fmt::format("'{}' is none of {}{}", given, fmt::join(names, ", "), suggest(given, names));
-  };
-  option->type_name(fmt::format("{}", fmt::join(names, "|")))->check(CLI::Validator(check, ""));
-}
-
 /// CLI11's own check names the largest number that there is.
 CLI::Validator above_zero() {
   const auto check = [](const std::string& given) {
@@ -56,6 +47,14 @@ CLI::Validator above_zero() {
 std::string quoted(const std::string& text) { return nlohmann::json(text).dump(); }
 
 }  // namespace
+
+void take_one_of(CLI::Option* option, const std::vector<std::string>& names) {
+  const auto check = [names](const std::string& given) {
+    if (std::ranges::find(names, given) != names.end()) return std::string();
+    return fmt::format("'{}' is none of {}{}", given, fmt::join(names, ", "), suggest(given, names));
+  };
+  option->type_name(fmt::format("{}", fmt::join(names, "|")))->check(CLI::Validator(check, ""));
+}
 
 Grammar::Grammar()
     : app_("Discontinuous deformation analysis of concrete fracture along the whole equilibrium path.",
@@ -284,11 +283,7 @@ void Grammar::add_looking() {
       ->type_name("FILE");
   add_permissions(check);
   add_threads(check);
-  CLI::App* plot = add("plot", "Overlay the load-displacement curves of runs", command_plot);
-  add_runs(plot);
-  plot->add_option("--out", line_.out, "The figure: .svg, .png or .pdf")
-      ->capture_default_str()
-      ->type_name("FILE");
+  add_plot();
   CLI::App* report =
       add("report", "Write one HTML page about a run or a sweep, to be read offline", command_report);
   report->add_option("folder", line_.runs, "The folder of the run or sweep")

@@ -52,6 +52,7 @@ class Grammar {
   void add_new();
   void add_explain();
   void add_looking();
+  void add_plot();
   void add_animate();
   void add_shell();
 
@@ -59,6 +60,9 @@ class Grammar {
   CommandLine line_;
   std::vector<std::pair<CLI::App*, Command>> commands_;
 };
+
+/// Makes an option take one of some names, with a suggestion for one that is none of them.
+void take_one_of(CLI::Option* option, const std::vector<std::string>& names);
 
 /// The first word that is no option of the program itself: the command. The number of words when there is none.
 std::size_t command_position(const std::vector<std::string>& words);

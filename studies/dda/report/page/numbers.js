@@ -85,3 +85,45 @@ function tickLabel(value, decimals) {
   const text = value.toFixed(decimals);
   return /[1-9]/.test(text) ? text.replace("-", "−") : text.replace("-", "");
 }
+
+/** digit · 10^exponent, as long as that has few zeros in digits. */
+function decadeLabel(digit, exponent) {
+  if (exponent < STYLE.largeExponent && exponent > STYLE.smallExponent)
+    return tickLabel(digit * 10 ** exponent, Math.max(0, -exponent));
+  return `${digit === 1 ? "" : `${digit}·`}10${superscript(exponent)}`;
+}
+
+/** The first and the last whole number in a range. */
+function wholeNumbers([low, high]) {
+  return [Math.ceil(low - STYLE.rounding), Math.floor(high + STYLE.rounding)];
+}
+
+/** Ticks at digits of decades, minor ones where `label(digit, exponent)` is empty. */
+function digitTicks(range, label) {
+  const [first, last] = wholeNumbers(range);
+  const ticks = [];
+  for (let exponent = first - 1; exponent <= last; exponent += 1)
+    for (let digit = 1; digit < 10; digit += 1) {
+      const value = exponent + Math.log10(digit);
+      if (value < range[0] - STYLE.rounding || value > range[1] + STYLE.rounding) continue;
+      const text = label(digit, exponent);
+      ticks.push({value, label: text, isMinor: text === ""});
+    }
+  return ticks;
+}
+
+/** The same of a logarithmic axis; its range and the values of its ticks are logarithms to the base of ten. */
+function logarithmicTicks(range, wanted) {
+  const [first, last] = wholeNumbers(range);
+  const stride = Math.ceil((last - first + 1) / wanted);
+  if (last > first) {
+    const isMarked = (digit, exponent) => digit === 1 && exponent % stride === 0;
+    const all = digitTicks(range, (digit, exponent) => (isMarked(digit, exponent) ? decadeLabel(digit, exponent) : ""));
+    return {ticks: stride > 1 ? all.filter(({value}) => Number.isInteger(value)) : all, scale: ""};
+  }
+  const isRound = (digit) => STYLE.roundDigits.includes(digit);
+  const ticks = digitTicks(range, (digit, exponent) => (isRound(digit) ? decadeLabel(digit, exponent) : ""));
+  if (ticks.filter(({isMinor}) => !isMinor).length > 1) return {ticks, scale: ""};
+  const even = axisTicks(range.map((end) => 10 ** end), wanted);
+  return {...even, ticks: even.ticks.map(({value, label}) => ({value: Math.log10(value), label}))};
+}

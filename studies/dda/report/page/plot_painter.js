@@ -39,7 +39,8 @@ class PlotFrame {
   }
 }
 
-/** series: {x, y, colour, width, kindOf(i), dots, starts: point i to where the part before it begins}; marks: {x, y, label, fill}; cursor: {x, y} or null. */
+/** series: {x, y, colour, width, kindOf(i), dots, starts: point i to where the part before it begins}; marks: {x, y, label, fill}; cursor: {x, y} or null; isLogarithmic: all
+ * places are logarithms to the base of ten. */
 class PlotPainter {
   constructor(surface, frame, content) {
     this.surface = surface;
@@ -55,24 +56,42 @@ class PlotPainter {
     this.cursor();
   }
 
+  ticks(range, wanted) {
+    return (this.content.isLogarithmic ? logarithmicTicks : axisTicks)(range, Math.max(2, Math.floor(wanted)));
+  }
+
   axes() {
     const {frame, surface} = this;
-    const across = axisTicks(frame.rangeX, Math.max(2, Math.floor(frame.width / 85)));
-    const up = axisTicks(frame.rangeY, Math.max(2, Math.floor(frame.height / 48)));
+    const across = this.ticks(frame.rangeX, frame.width / 85);
+    const up = this.ticks(frame.rangeY, frame.height / 48);
     const [right, bottom] = [frame.x + frame.width, frame.y + frame.height];
+    const [ofX, ofY] = [across, up].map(({ticks}) => ticks.filter(({isMinor}) => !isMinor));
     surface.tracks(
-        across.ticks.map(({value}) => [frame.toX(value), frame.y, frame.toX(value), bottom]),
-        {stroke: FAINT, width: 0.8});
+        ofX.map(({value}) => [frame.toX(value), frame.y, frame.toX(value), bottom]), {stroke: FAINT, width: 0.8});
     surface.tracks(
-        up.ticks.map(({value}) => [frame.x, frame.toY(value), right, frame.toY(value)]), {stroke: FAINT, width: 0.8});
-    this.zeroLines(right, bottom);
+        ofY.map(({value}) => [frame.x, frame.toY(value), right, frame.toY(value)]), {stroke: FAINT, width: 0.8});
+    if (!this.content.isLogarithmic) this.zeroLines(right, bottom);
+    this.minorTicks(across.ticks, up.ticks, bottom);
     surface.tracks([[frame.x, frame.y, right, frame.y, right, bottom, frame.x, bottom]], {stroke: INK, closed: true});
-    for (const {value, label} of across.ticks) surface.text(frame.toX(value), bottom + 15, label, {anchor: "middle"});
-    for (const {value, label} of up.ticks) surface.text(frame.x - 6, frame.toY(value) + 4, label, {anchor: "end"});
+    for (const {value, label} of ofX) surface.text(frame.toX(value), bottom + 15, label, {anchor: "middle"});
+    for (const {value, label} of ofY) surface.text(frame.x - 6, frame.toY(value) + 4, label, {anchor: "end"});
     surface.text(frame.x + frame.width / 2, bottom + 34, this.content.xLabel, {size: 12, anchor: "middle"});
     surface.text(14, frame.y + frame.height / 2, this.content.yLabel, {size: 12, anchor: "middle", rotate: -90});
     surface.text(right, bottom + 28, across.scale, {anchor: "end"});
     surface.text(frame.x, frame.y - 7, up.scale);
+  }
+
+  /** Short lines at the left and the lower side. */
+  minorTicks(across, up, bottom) {
+    const {frame} = this;
+    const length = STYLE.minorTick;
+    const places = (ticks, to) => ticks.filter(({isMinor}) => isMinor).map(({value}) => to(value));
+    this.surface.tracks(
+        [
+          ...places(across, (value) => frame.toX(value)).map((x) => [x, bottom, x, bottom - length]),
+          ...places(up, (value) => frame.toY(value)).map((y) => [frame.x, y, frame.x + length, y])
+        ],
+        {stroke: INK, width: 0.8});
   }
 
   zeroLines(right, bottom) {

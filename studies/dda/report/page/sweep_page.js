@@ -110,7 +110,7 @@ class SweepPage {
 
   /** Of what is no case: a law, a spread. */
   placeOf(series, i) {
-    return [[this.numbers.label("x"), formatNumber(series.x[i])], [this.numbers.label("y"), formatNumber(series.y[i])]];
+    return ["x", "y"].map((axis) => [this.numbers.label(axis), formatNumber(this.numbers.numberAt(series[axis][i]))]);
   }
 
   settingsOf(one) {
@@ -152,13 +152,15 @@ class SweepPage {
     if (!this.scatter) return;
     const {value} = this.chosen;
     const {numbers, scatter: {plot}} = this;
-    this.showIn(plot, {xLabel: numbers.label("x"), yLabel: numbers.label("y")}, numbers.content(colour, value));
+    const {isLogarithmic} = numbers;
+    this.showIn(
+        plot, {xLabel: numbers.label("x"), yLabel: numbers.label("y"), isLogarithmic}, numbers.content(colour, value));
     plot.setCursor(value && value.row >= 0 ? numbers.place(value) : null);
   }
 
   /** The view is kept while the axes stay. */
   showIn(plot, labels, series) {
-    const sameAxes = plot.content.xLabel === labels.xLabel && plot.content.yLabel === labels.yLabel;
+    const sameAxes = Object.entries(labels).every(([name, value]) => plot.content[name] === value);
     const view = sameAxes ? plot.view : null;
     plot.show({series, ...labels});
     plot.setView(view);

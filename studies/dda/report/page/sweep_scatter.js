@@ -32,8 +32,7 @@ class SweepScatter {
   label(axis) {
     const {axes, columns} = this.shown;
     const titled = (name) => withUnit(this.sweep.shortName(name), columns.find((column) => column.name === name).unit);
-    const text = axis === "y" && this.over ? `${titled(axes.y)} / ${titled(this.over)}` : titled(axes[axis]);
-    return this.isLogarithmic ? `log₁₀ ${text}` : text;
+    return axis === "y" && this.over ? `${titled(axes.y)} / ${titled(this.over)}` : titled(axes[axis]);
   }
 
   /** Points as they are drawn; those that have no logarithm are not. */
@@ -45,6 +44,11 @@ class SweepScatter {
   series(points, style) {
     const drawn = this.drawn(points);
     return {x: drawn.map(([x]) => x), y: drawn.map(([, y]) => y), ...style};
+  }
+
+  /** The number that is drawn at a place. */
+  numberAt(drawn) {
+    return this.isLogarithmic ? 10 ** drawn : drawn;
   }
 
   place(one) {

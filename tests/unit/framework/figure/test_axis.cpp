@@ -72,5 +72,37 @@ TEST(Axis, TinyHugeAndShiftedNumbersAreScaled) {
   EXPECT_EQ(make_axis(between(1e6, 1e6 + 5e-6), 5).scale, "×10⁻⁶ + 1000000");
 }
 
+std::vector<std::string> labels_of(const Axis& axis) {
+  std::vector<std::string> out;
+  for (const Tick& tick : axis.ticks)
+    if (!tick.is_minor) out.push_back(tick.label);
+  return out;
+}
+
+using Labels = std::vector<std::string>;
+
+TEST(LogarithmicAxis, DecadesHaveLabelsAndTheDigitsBetweenThemTicks) {
+  const Axis axis = make_logarithmic_axis(between(-2, 1), 6);
+  EXPECT_EQ(labels_of(axis), (Labels{"0.01", "0.1", "1", "10"}));
+  EXPECT_EQ(axis.ticks.size(), 4u + 3 * 8);
+  EXPECT_NEAR(axis.ticks[1].value, std::log10(0.02), 1e-12);
+  EXPECT_TRUE(axis.ticks[1].is_minor);
+  EXPECT_EQ(labels_of(make_logarithmic_axis(between(-7.5, -5.2), 6)), (Labels{"10⁻⁷", "10⁻⁶"}));
+}
+
+TEST(LogarithmicAxis, OfManyDecadesFewHaveLabels) {
+  const Axis axis = make_logarithmic_axis(between(-9, 9), 6);
+  EXPECT_EQ(labels_of(axis), (Labels{"10⁻⁸", "10⁻⁴", "1", "10000", "10⁸"}));
+  EXPECT_EQ(axis.ticks.size(), 19u);
+}
+
+TEST(LogarithmicAxis, ShortRangesHaveRoundNumbers) {
+  EXPECT_EQ(labels_of(make_logarithmic_axis(between(std::log10(0.8), std::log10(7)), 6)),
+            (Labels{"1", "2", "5"}));
+  const Axis shortest = make_logarithmic_axis(between(std::log10(31), std::log10(38)), 4);
+  EXPECT_EQ(labels_of(shortest), (Labels{"32", "34", "36", "38"}));
+  EXPECT_NEAR(shortest.ticks[0].value, std::log10(32), 1e-12);
+}
+
 }  // namespace
 }  // namespace dda::svg

@@ -108,5 +108,21 @@ TEST(Plot, EmptyAndConstantSeriesAreDrawn) {
   expect_inside(svg);
 }
 
+TEST(Plot, EqualFactorsAreEquallyFarOnLogarithmicAxes) {
+  Panel panel;
+  panel.series = {{"", {-1, 0, 1, 10, 100}, {1, 2, 5, 50, 500}, false, -1}};
+  panel.is_logarithmic_x = panel.is_logarithmic_y = true;
+  const std::string svg = to_svg(Figure{"", {panel}});
+  std::smatch path;
+  ASSERT_TRUE(std::regex_search(
+      svg, path, std::regex("<path d=\"M([0-9.]+) ([0-9.]+)L([0-9.]+) ([0-9.]+)L([0-9.]+) ([0-9.]+)\"")))
+      << "what is not positive is left out";
+  const auto number = [&](int i) { return std::stod(path[static_cast<std::size_t>(i)]); };
+  EXPECT_NEAR(number(3) - number(1), number(5) - number(3), 0.02);
+  EXPECT_NEAR(number(2) - number(4), number(4) - number(6), 0.02);
+  EXPECT_GT(number(3), number(1) + 50);
+  expect_inside(svg);
+}
+
 }  // namespace
 }  // namespace dda::svg
