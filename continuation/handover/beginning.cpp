@@ -7,6 +7,7 @@
 
 #include "continuation/bodies/joined.hpp"
 #include "continuation/handover/finite_poses.hpp"
+#include "continuation/handover/handover.hpp"
 #include "continuation/handover/side_ends.hpp"
 #include "continuation/motion/motion.hpp"
 #include "framework/base/errors.hpp"
@@ -18,9 +19,7 @@ namespace {
 double time_of(const MovingScene& scene, const MotionParameters& parameters, double pull) {
   constexpr double falls = 40;
   if (parameters.time > 0) return parameters.time;
-  if (pull == 0)
-    throw InputError(parameters.where,
-                     "motion.time: nothing pulls at what moves; say how long it is to go on");
+  if (pull == 0) throw InputError(parameters.where, nothing_pulls);
   Eigen::AlignedBox2d box;
   for (const MovingBody& body : scene.bodies)
     for (const Vec2& x : body.core) box.extend(body.centroid + x);

@@ -26,6 +26,10 @@ struct Handover {
   double offset = 0;  ///< s [L]
 };
 
+/// Why a motion until rest is none that nothing sets going.
+inline constexpr const char* nothing_pulls =
+    "motion.time: nothing pulls at what moves; say how long it is to go on";
+
 /// Throws InputError for what could not be handed over: materials without density, blocks narrower than their offset.
 void require_handover(const Body& body, const Equilibrium& equilibrium, const MotionParameters& parameters,
                       const ModelParameters& model);

@@ -116,6 +116,30 @@ void check_integrator(const MotionParameters& parameters, Findings& findings) {
     findings.add(where, "motion.velocities: '" + parameters.integrator.name() + "' knows of no velocities");
 }
 
+/// Whether what is driven can be, as far as its way can be told before.
+void check_drives(const MotionParameters& parameters, Findings& findings) {
+  constexpr int looks = 1000;
+  for (const DriveParameters& drive : parameters.driven) {
+    try {
+      const auto displacement = drive.displacement.make();
+      for (int look = 0; look <= looks && parameters.time > 0; ++look)
+        displacement->at(parameters.time * look / looks);
+    } catch (const InputError& error) {
+      findings.add(error);
+    }
+  }
+}
+
+/// A path may leave loads that pull; without one gravity alone does.
+void check_time(const ModelParameters& model, const MotionParameters& parameters, Findings& findings) {
+  if (parameters.time > 0) return;
+  if (!parameters.stops_at_rest)
+    findings.add(parameters.where,
+                 "motion.time: without `stop_at_rest` a motion needs to be told how long it is");
+  else if (model.stages.empty() && parameters.gravity.isZero(0))
+    findings.add(parameters.where, nothing_pulls);
+}
+
 }  // namespace
 
 void require_handover(const Body& body, const Equilibrium& equilibrium, const MotionParameters& parameters,
@@ -127,21 +151,14 @@ void require_handover(const Body& body, const Equilibrium& equilibrium, const Mo
         parameters.contact.where,
         "motion.contact.friction: no interface tells, or not all of them the same; give that of bodies "
         "which meet");
-  if (parameters.time == 0 && !parameters.stops_at_rest)
-    findings.add(where, "motion.time: without `stop_at_rest` a motion needs to be told how long it is");
+  check_time(model, parameters, findings);
   if (parameters.loads == KeptLoads::dead && !equilibrium.driven_springs().empty())
     findings.add(where, "motion.loads: what is driven stays where it is, `keep`");
   check_integrator(parameters, findings);
   if (std::ranges::all_of(body.assembly.blocks,
                           [&](const Block& block) { return is_held(body, parameters, block.region); }))
     findings.add(place_of_held(parameters), "motion.held: nothing is left that could move");
-  for (const DriveParameters& drive : parameters.driven) {
-    try {
-      drive.displacement.make();
-    } catch (const InputError& error) {
-      findings.add(error);
-    }
-  }
+  check_drives(parameters, findings);
   check_open_close(equilibrium, parameters, findings);
   check_names(body, parameters, findings);
   check_density(body, parameters, model, findings);

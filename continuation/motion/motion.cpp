@@ -144,6 +144,20 @@ void Motion::set_step() {
   m_.dt.now = std::min(m_.dt.now, longest());
   const double left = course_.time - m_.time;
   if (course_.time > 0 && m_.dt.now > (1 - 1e-9) * left) m_.dt.now = left;
+  land_on_kink();
+}
+
+/// A step ends where the velocity of what is driven jumps, and the one before it takes half of what is left rather than nearly all.
+void Motion::land_on_kink() {
+  constexpr double hardly = 1e-6;
+  const double here = m_.time + hardly * m_.dt.now;
+  double left = std::numeric_limits<double>::infinity();
+  for (const Drive& drive : scene_.drives)
+    left = std::min(left, drive.displacement->next_kink(here) - m_.time);
+  if (m_.dt.now > (1 - 1e-9) * left)
+    m_.dt.now = left;
+  else if (m_.dt.now > left / 2)
+    m_.dt.now = left / 2;
 }
 
 Motion::Try Motion::try_step() {

@@ -95,6 +95,7 @@ class Motion {
   bool may_meet(const MeetingSearch::Pair& pair, const std::vector<MeetingSearch::Pair>& bearing) const;
   Inertia aim() const;
   void set_step();
+  void land_on_kink();
   double longest() const;
   double travelled(std::size_t body, double turned) const;
   bool is_driven_on();

@@ -101,7 +101,10 @@ std::vector<double> CsvTable::numbers(std::string_view name) const {
 }
 
 CsvTable read_csv(const std::filesystem::path& path) {
-  const std::vector<Record> records = CsvReader().read(read_whole(path));
+  constexpr std::string_view mark = "\xEF\xBB\xBF";  // of UTF-8, as spreadsheets write it
+  std::string text = read_whole(path);
+  if (text.starts_with(mark)) text.erase(0, mark.size());
+  const std::vector<Record> records = CsvReader().read(text);
   if (records.empty()) throw InputError(Position{path.string()}, "holds no header line");
   const Record& names = records.front();
   std::vector<std::vector<std::string>> columns(names.size());

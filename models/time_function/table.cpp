@@ -21,6 +21,10 @@ class Table final : public TimeFunction {
     const double share = (time - p_.times[i - 1]) / (p_.times[i] - p_.times[i - 1]);
     return p_.values[i - 1] + share * (p_.values[i] - p_.values[i - 1]);
   }
+  double next_kink(double after) const override {
+    const auto next = std::ranges::upper_bound(p_.times, after);
+    return next == p_.times.end() ? std::numeric_limits<double>::infinity() : *next;
+  }
 
  private:
   TableParameters p_;

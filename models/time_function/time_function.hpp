@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 
 #include "framework/deck/family.hpp"
@@ -12,6 +13,8 @@ class TimeFunction {
   virtual ~TimeFunction() = default;
   /// u(t), t ≥ 0 [L].
   virtual double at(double time) const = 0;
+  /// The next time at which the velocity jumps; infinite where it never does again [T].
+  virtual double next_kink(double /*after*/) const { return std::numeric_limits<double>::infinity(); }
 };
 
 using TimeFunctionFamily = Family<TimeFunction>;

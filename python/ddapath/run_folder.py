@@ -24,6 +24,17 @@ def whole_lines(file):
     return text[:text.rfind("\n") + 1]
 
 
+def read_numbers(text):
+    """A table of numbers and words; numbers that are whole but longer than 64 bits, which pandas takes for words, are numbers too."""
+    table = pd.read_csv(io.StringIO(text), float_precision="round_trip")
+    for name in table.columns[table.dtypes == object]:
+        try:
+            table[name] = table[name].astype(float)
+        except (TypeError, ValueError):
+            pass  # words
+    return table
+
+
 def sealed(content):
     """The bytes of an HDF5 file with the line behind them that holds their checksum."""
     return content + b"ddapath checksum %08x\n" % zlib.crc32(content)
@@ -86,7 +97,7 @@ class Run:
     @property
     def curve(self):
         text = whole_lines(self._file(f"{self.TABLE}.csv"))
-        table = pd.read_csv(io.StringIO(text), float_precision="round_trip") if text else pd.DataFrame()
+        table = read_numbers(text) if text else pd.DataFrame()
         units = self.folder / f"{self.TABLE}.units.json"
         table.attrs["units"] = json.loads(units.read_text(encoding="utf-8")) if units.exists() else {}
         return table

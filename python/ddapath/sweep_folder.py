@@ -1,13 +1,12 @@
 """A sweep folder as one table: a row per case, what was varied beside what came out."""
 
-import io
 import json
 from pathlib import Path
 
 import pandas as pd
 
 from .errors import NotFound
-from .run_folder import Run, whole_lines
+from .run_folder import Run, read_numbers, whole_lines
 
 
 def read_sweep(folder):
@@ -45,7 +44,7 @@ def from_csv(file):
     text = whole_lines(file) if file.exists() else ""
     if not text:
         return pd.DataFrame(index=pd.Index([], name="case"))
-    table = pd.read_csv(io.StringIO(text), float_precision="round_trip")
+    table = read_numbers(text)
     table["case"] = table["case"].astype(int)
     return table.set_index("case")
 

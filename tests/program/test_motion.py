@@ -188,6 +188,21 @@ class Driven(unittest.TestCase):
                 curves.append(ddapath.run(deck, folder=Path(scratch) / "run").motion.curve)
         np.testing.assert_allclose(curves[0]["external_work"], curves[1]["external_work"], rtol=1e-9, atol=1e-9)
 
+    def test_steps_end_where_the_velocity_jumps(self):
+        """A block on ground that sets off at v for T = 0.1 s: it is rubbed along by μ g, and slides on as far as it is fast by then.
+
+        Its way, (μ g T)²/(2 μ g) on either side of the ground's stop, hangs on when that sets off and stops; μ g T < v.
+        """
+        ground = {"type": "table", "times": [0, 0.3, 0.4], "values": [0, 0, 0.05]}
+        deck = alone(driven=[{"regions": ["ground"], "direction": [1, 0], "displacement": ground}], time=1, step=0.05, velocities=[])
+        deck["scene"]["regions"][1]["vertices"] = [[0, 0], [1, 0], [1, 1], [0, 1]]
+        deck["gauges"] = {"x": {"type": "displacement", "at": [0.5, 0.5], "direction": [1, 0]}}
+        with tempfile.TemporaryDirectory() as scratch:
+            curve = ddapath.run(deck, folder=Path(scratch) / "run").motion.curve
+        for kink in (0.3, 0.4):
+            self.assertLess(np.abs(curve["time"] - kink).min(), 1e-9)
+        self.assertAlmostEqual(curve["x"].iloc[-1] / 0.04905, 1, delta=0.02)
+
     def test_begins_where_it_is(self):
         deck = copy.deepcopy(SHAKEN)
         deck["motion"]["driven"][0]["displacement"] = {"type": "expression", "value": "0.1*cos(t)"}
@@ -330,9 +345,10 @@ class Units(unittest.TestCase):
 
 class Refused(unittest.TestCase):
     def refusal(self, deck):
-        with tempfile.TemporaryDirectory() as scratch, self.assertRaises(ddapath.InputError) as refused:
-            ddapath.run(deck, folder=Path(scratch) / "run")
-        self.assertFalse((Path(scratch) / "run").exists())
+        with tempfile.TemporaryDirectory() as scratch:
+            with self.assertRaises(ddapath.InputError) as refused:
+                ddapath.run(deck, folder=Path(scratch) / "run")
+            self.assertFalse((Path(scratch) / "run").exists())
         return str(refused.exception)
 
     def test_before_the_path_begins(self):
@@ -359,6 +375,10 @@ class Refused(unittest.TestCase):
         late = {"type": "table", "times": [1, 2], "values": [0, 1]}
         self.assertIn("begins with 0",
                       self.refusal(alone(driven=[{"regions": ["ground"], "direction": [1, 0], "displacement": late}])))
+        self.assertIn("nothing pulls at what moves", self.refusal(alone(gravity=[0, 0], time=0)))
+        root = {"type": "expression", "value": "sqrt(-t)"}
+        self.assertIn("is no finite number at",
+                      self.refusal(alone(driven=[{"regions": ["ground"], "direction": [1, 0], "displacement": root}])))
         self.assertIn("no region is of material 'ston'",
                       self.refusal(alone(contact={"friction": 0, "pairs": [{"between": ["ston", "rock"], "friction": 1}]})))
 

@@ -38,6 +38,16 @@ class Finished(Folder):
         self.assertEqual(len(run.curve), run.summary["steps"] + 1)
         self.assertEqual(run.curve.attrs["units"]["load"], "N")
 
+    def test_whole_numbers_longer_than_64_bits_are_numbers(self):
+        file = self.folder / "curve.csv"
+        header, *rows = file.read_text(encoding="utf-8").splitlines()
+        last = rows[-1].split(",")
+        last[header.split(",").index("load")] = "1249999999999999475712"
+        file.write_text("\n".join([header, *rows[:-1], ",".join(last)]) + "\n", encoding="utf-8")
+        curve = self.read().curve
+        self.assertEqual(curve["load"].iloc[-1], 1249999999999999475712.0)
+        self.assertEqual(curve["control"].dtype, object)
+
     def test_deck_is_the_effective_one(self):
         self.assertEqual(self.read().deck["path"]["stop"]["load_below"], 0.6)
         self.assertEqual(self.read().deck["path"]["control"], "staged")

@@ -241,8 +241,8 @@ class Reports(ReportCase):
             if low + length > low + 1e-9 * abs(low):
                 ranges.append([low, low + length, random.randint(2, 9), False])
         for _ in range(1000):
-            low, length = random.uniform(-12, 12), random.choice([random.uniform(0.01, 2), random.uniform(1, 30), random.randint(1, 9)])
-            ranges.append([random.choice([low, round(low)]), low + length, random.randint(2, 9), True])
+            low = random.choice([random.uniform(-12, 12), random.randint(-12, 12)])
+            ranges.append([low, low + random.choice([random.uniform(0.01, 2), random.uniform(1, 30), random.randint(1, 9)]), random.randint(2, 9), True])
         answer = subprocess.run([AXES], input=json.dumps(ranges), capture_output=True, text=True, check=True)
         of_page = self.open(self.work / "beam").run(f"""{json.dumps(ranges)}.map(([low, high, wanted, isLogarithmic]) => {{
             const {{ticks, scale}} = (isLogarithmic ? logarithmicTicks : axisTicks)([low, high], wanted);

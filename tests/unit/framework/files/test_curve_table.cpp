@@ -121,6 +121,12 @@ TEST(CurveTable, WrongNumberOfCellsIsTheCallersMistake) {
   EXPECT_THROW(table.append(std::vector<TableCell>{1.0}), std::invalid_argument);
 }
 
+TEST(ReadCsv, AMarkOfUtf8IsNoPartOfTheFirstName) {
+  const Scratch scratch;
+  test::put(scratch / "c.csv", "\xEF\xBB\xBFtime,x\n1,2\n");
+  EXPECT_THAT(read_csv(scratch / "c.csv").numbers("time"), ElementsAre(1));
+}
+
 TEST(ReadCsv, NamesWhatIsWrong) {
   const Scratch scratch;
   test::put(scratch / "c.csv", "a,b\n1,2\n3\n");
