@@ -7,7 +7,7 @@ import subprocess
 import unittest
 from random import Random
 
-from report_case import ATTACK, AXES, ROOT, ReportCase, dda
+from report_case import ATTACK, AXES, BEAM, ROOT, ReportCase, dda
 
 CRACKED = ROOT / "tests/program/cracked_beam.yaml"
 THROWN = """
