@@ -169,8 +169,8 @@ for name, path in zip(("plugin", "python", "program"), paths):
         self.assert_refused("old.so: was built for ddapath 0.1.0, headers 0123456789ab", "--plugin", other)
 
     def test_a_name_that_is_taken(self):
-        copy = shutil.copy(self.library, self.work / "copy.so")
-        self.assert_refused("copy.so: cannot be used: law 'straight_softening' is registered twice", "--plugin", self.library, "--plugin", copy)
+        copy = shutil.copy(self.library, self.work / "another.so")
+        self.assert_refused("another.so: cannot be used: law 'straight_softening' is registered twice", "--plugin", self.library, "--plugin", copy)
 
     def test_what_registers_nothing(self):
         done = called("g++", "-std=c++20", "-shared", "-fPIC", self.prefix / "lib/cmake/ddapath/stamp.cpp", "-o", "empty.so",
