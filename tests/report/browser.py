@@ -150,17 +150,21 @@ class Page:
         self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, **more)
         self.drawn()
 
-    def click(self, selector):
-        """A press at the middle of an element, wherever the pointer finds it."""
-        left, top, width, height = self.scroll_to(selector)
-        for kind in ("mousePressed", "mouseReleased"):
-            self.mouse(kind, left + width / 2, top + height / 2, button="left", clickCount=1)
+    def click(self, selector, until=None):
+        """A press at the middle of an element, wherever the pointer finds it; waits until a script is true, if one is given."""
+        self.press(selector)
+        self.drawn()
+        if until:
+            self.wait(until)
 
-    def follow(self, selector, address):
-        """A press on a link, and the page whose path ends so."""
+    def press(self, selector):
         left, top, width, height = self.scroll_to(selector)
         for kind in ("mousePressed", "mouseReleased"):
             self.call("Input.dispatchMouseEvent", type=kind, x=left + width / 2, y=top + height / 2, button="left", clickCount=1)
+
+    def follow(self, selector, address):
+        """A press on a link, and the page whose path ends so."""
+        self.press(selector)
         end = time.monotonic() + self.browser.patience
         while not self.has_arrived(address):
             if time.monotonic() > end:

@@ -2,25 +2,18 @@
 
 import csv
 import json
-import subprocess
 import sys
 import tempfile
 import unittest
 from pathlib import Path
 
 from browser import Browser
+from program import dda
 
 ROOT = Path(__file__).resolve().parents[2]
 BEAM = ROOT / "tests/program/beam.yaml"
 ATTACK = "</script><script>window.stolen = 1</script><img src=x onerror=window.stolen=1>"
-PROGRAM, AXES = sys.argv.pop(1), sys.argv.pop(1)
-
-
-def dda(*arguments, code=0):
-    result = subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=240, check=False)
-    if result.returncode != code:
-        raise AssertionError(f"dda {arguments}: {result.returncode} instead of {code}\n{result.stderr}")
-    return result.stdout + result.stderr
+AXES = sys.argv.pop(1)
 
 
 class ReportCase(unittest.TestCase):

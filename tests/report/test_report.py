@@ -7,7 +7,8 @@ import subprocess
 import unittest
 from random import Random
 
-from report_case import ATTACK, AXES, BEAM, ROOT, ReportCase, dda
+from program import dda
+from report_case import ATTACK, AXES, BEAM, ROOT, ReportCase
 
 CRACKED = ROOT / "tests/program/cracked_beam.yaml"
 THROWN = """

@@ -3,8 +3,6 @@
 Pictures of the pages are left in the folder that the environment's PICTURES names, if there is one.
 """
 
-import subprocess
-import sys
 import tempfile
 import unittest
 from pathlib import Path
@@ -12,20 +10,14 @@ from pathlib import Path
 import appearance
 import sweep_folder
 from browser import Browser
+from program import PROGRAM, dda
 
 ROOT = Path(__file__).resolve().parents[2]
-PROGRAM = "dda"
 # Everything that a page may have: cracks through blocks, eigenvalues, energies, a motion.
 DECK = ROOT / "tests/program/cracked_beam.yaml"
 SETTINGS = ("scene.subdivision={type: voronoi, blocks: 60, seed: 3}", "record.eigenvalues.count=2", "path.then=motion",
             "motion={time: 0.001, frame_every: 0.0001}", "materials.concrete.density=2.4e-9")
 PLOTS = ("curve", "overlay", "scatter", "energies", "balance", "ratios", "eigenvalues", "stiffness", "counts", "motion-energies")
-
-
-def dda(*arguments):
-    done = subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=240, check=False)
-    if done.returncode != 0:
-        raise AssertionError(f"dda {arguments}: {done.returncode}\n{done.stderr}")
 
 
 class EveryScreen(unittest.TestCase):
@@ -96,5 +88,4 @@ class EveryScreen(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    PROGRAM = sys.argv.pop(1)
     unittest.main(verbosity=2)

@@ -4,7 +4,8 @@ import json
 import unittest
 
 import sweep_folder
-from report_case import PROGRAM, ROOT, ReportCase, dda
+from program import PROGRAM, dda
+from report_case import ROOT, ReportCase
 
 BAR = ROOT / "studies/softening-bar/deck.yaml"
 

@@ -156,10 +156,10 @@ class EveryScreen(Built):
     def go_by_the_menu(self, page, width):
         """To the controls' page: by tab and list where there is room for them, else by the menu, section by section."""
         if width < 1220:
-            page.click("label.md-header__button[for=__drawer]")
-            page.wait("document.querySelector('.md-sidebar--primary').getBoundingClientRect().left === 0")
-            page.click("label.md-nav__link[for=__nav_3]")
-            page.wait("document.querySelector('#__nav_3 ~ nav').getBoundingClientRect().left === 0")
+            page.click("label.md-header__button[for=__drawer]",
+                       until="document.querySelector('.md-sidebar--primary').getBoundingClientRect().left === 0")
+            page.click("label.md-nav__link[for=__nav_3]",
+                       until="document.querySelector('#__nav_3 ~ nav').getBoundingClientRect().left === 0")
         else:
             page.follow(".md-tabs__link[href='manual/index.html']", "/manual/index.html")
         appearance.assert_words_are_legible(self, page)
@@ -167,10 +167,10 @@ class EveryScreen(Built):
 
     def go_by_the_search(self, page, width):
         if width < 960:
-            page.click("label.md-header__button[for=__search]")
-            page.wait("document.getElementById('__search').checked && document.getAnimations().every((one) => one.playState !== 'running')")
-        page.click(".md-search__input")
-        page.wait("document.activeElement.matches('.md-search__input')")
+            page.click("label.md-header__button[for=__search]",
+                       until="document.getElementById('__search').checked && document.getAnimations().every((one) => one.playState !== 'running')")
+        page.click(".md-search__input",
+                   until="document.activeElement.matches('.md-search__input')")
         page.type("bifurcation")
         page.key("n")
         page.wait("document.querySelectorAll('.md-search-result__link').length > 0")
@@ -182,8 +182,8 @@ class EveryScreen(Built):
         """There and back again."""
         brightness = "getComputedStyle(document.body).backgroundColor.match(/\\d+/g).slice(0, 3).reduce((a, b) => a + Number(b), 0)"
         for is_dark in (not dark, dark):
-            page.click("[data-md-component=palette] label:not([hidden])")
-            page.wait(f"({brightness} < 382) === {str(is_dark).lower()}")
+            page.click("[data-md-component=palette] label:not([hidden])",
+                       until=f"({brightness} < 382) === {str(is_dark).lower()}")
             appearance.assert_words_are_legible(self, page)
 
     def test_menu_search_and_colours(self):

@@ -17,7 +17,7 @@ struct Faces {
 Vec2 middle(const BoundarySide& side) { return (side.start + side.end) / 2; }
 
 /// Pieces of different blocks that lie on each other come with the same ends the other way round (find_neighbours).
-/// Cost: O(n log n).
+/// Compared are those above one another, by their middles.
 std::vector<Faces> touching_faces(const Assembly& assembly, double tolerance) {
   std::vector<const BoundarySide*> sides;
   for (const BoundarySide& side : assembly.boundary) sides.push_back(&side);
