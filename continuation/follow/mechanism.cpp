@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -327,9 +329,28 @@ bool is_free_beyond(const PathState& path) {
   return has_gone_far || !closes_within(path, far * way / rate);
 }
 
+namespace {
+
+/// A mechanism that hardly anything holds has a tangent that is singular to the last digit: it moves on as it has moved.
+void go_on_as_before(PathState& path, const State& before) {
+  Walker& walker = path.walker;
+  const State& here = walker.state();
+  Tangent along{.d = here.d.combined(1, -1, before.d), .load_factor = here.load_factor - before.load_factor};
+  std::ranges::transform(here.multipliers, before.multipliers, std::back_inserter(along.multipliers),
+                         std::minus{});
+  std::ranges::transform(walker.system().laws(here).opening, walker.system().laws(before).opening,
+                         std::back_inserter(along.opening), std::minus{});
+  walker.turn_to(std::move(along), walker.system().history());
+}
+
+}  // namespace
+
 void note_mechanism(PathState& path, Point& point, const Departure& before) {
   const double load = path.load_of(path.walker.state());
-  if (path.walker.leaving().d.empty()) return;  // singular: the next step says so
+  if (path.walker.leaving().d.empty()) {  // else singular: the next step says so
+    if (path.memory.is_mechanism && stays(path, load, before.state)) go_on_as_before(path, before.state);
+    return;
+  }
   const double beside = way_beside_load(path, before.state, path.walker.state());
   path.memory.moves_beside_load = beside > 0;
   path.memory.beside_way += beside;

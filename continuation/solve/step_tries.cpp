@@ -84,7 +84,7 @@ bool StepTries::a_shorter_step_helps() const {
   if (system_.equilibrium().num_unknown_multipliers() > 0) return false;
   const auto laws = system_.laws_at(goal_.start);
   for (std::size_t p = 0; p < laws->opening.size(); ++p)
-    if (system_.history()[p].dissipated > 0 && laws->opening[p].x() < 0) return false;
+    if (system_.history()[p].dissipated > 0 && laws->traction[p].x() < 0) return false;
   return !touches_;
 }
 

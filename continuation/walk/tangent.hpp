@@ -30,8 +30,10 @@ struct Tangent {
   std::vector<Vec2> multipliers;  ///< rates of iterated multipliers, else empty
   std::vector<Vec2> opening;      ///< q̇ of every active point
 
-  /// Rate of a gauge along the direction.
-  double rate(const Functional& gauge) const { return d.value(gauge, load_factor) - gauge.constant; }
+  /// Rate of a gauge along the direction; 0 of an empty one.
+  double rate(const Functional& gauge) const {
+    return d.empty() ? 0 : d.value(gauge, load_factor) - gauge.constant;
+  }
 
   template <class Self, class Visit>
   static void visit(Self& self, Visit& visit) {

@@ -21,6 +21,7 @@ import ddapath
 import ddapath.verify
 
 DECK = Path(__file__).resolve().parent / "sliding_dam.yaml"
+FAR = DECK.with_name("dam_that_slides_far.yaml")
 WEIGHT = 0.024 * 50 * (40 + 5) / 2  # [MN], of a metre of the dam
 THRUST = 0.1 * 50  # [MN], of the water under a load factor of 1
 SLIDING = 0.55  # [m], where the run ends
@@ -111,6 +112,23 @@ class SlidingDam(unittest.TestCase):
         self.assertAlmostEqual(opening.max(), foundation["widest"]["opening"], places=9)
         self.assertAlmostEqual(sliding.max(), foundation["farthest"]["sliding"], places=6)
         self.assertAlmostEqual(sliding.min(), SLIDING, delta=LITTLE)
+
+
+class DamThatSlidesFar(unittest.TestCase):
+    """Whichever control leads it, it slides on under the thrust that friction bears until it is where it was wanted."""
+
+    WEIGHT = 23.5 * (24 * 25 + 5 * 30 + 5 * 5) / 2  # [kN], of a metre of the dam: shoelace formula
+    THRUST = 9.81 * 30**2 / 2  # [kN], of the water under a load factor of 1
+
+    def test_it_slides_on(self):
+        for control in "staged", "arc_length":
+            with self.subTest(control), tempfile.TemporaryDirectory() as scratch:
+                run = ddapath.run(FAR, {"path.control": control}, folder=Path(scratch) / "dam")
+                last = run.curve.iloc[-1]
+                self.assertEqual((run.status, run.summary["reason"]), ("goal_reached", "crest reached 0.2"))
+                self.assertAlmostEqual(last["crest"], 0.2, places=9)
+                self.assertAlmostEqual(last["load_factor"] * self.THRUST / (self.WEIGHT * math.tan(math.radians(35))), 1, delta=1e-7)
+                self.assertEqual([finding for finding in ddapath.verify.verify(run.folder) if not finding.holds], [])
 
 
 class BrittleFoundation(unittest.TestCase):
