@@ -59,6 +59,11 @@ class Mesh:
         """Of the blocks [length unit²]."""
         return np.add.reduceat(self.fans[0], self.offsets[:-1])
 
+    @cached_property
+    def uncut(self):
+        """CutBlocks without any."""
+        return cut_blocks(self, {})
+
     def means(self, values):
         """Mean over each block of what is linear in it and given at its vertices, rows per block."""
         areas, first, following = self.fans
@@ -97,6 +102,16 @@ class CutBlocks:
     cuts: pd.DataFrame
     forces: dict
     spring_parts: dict
+
+    def equals(self, other):
+        """Whether cracks have cut the same blocks, in the same parts, with the same loads and supports on them."""
+        def arrays(of):
+            named = {**of.forces, **{f"spring part's {name}": values for name, values in of.spring_parts.items()}}
+            return {"vertices": of.parts.vertices, "offsets": of.parts.offsets, "block": of.block, "moves": of.moves, **named}
+
+        ours, theirs = arrays(self), arrays(other)
+        return (self.cuts.equals(other.cuts) and ours.keys() == theirs.keys()
+                and all(np.array_equal(values, theirs[name]) for name, values in ours.items()))
 
 
 class Fields:
@@ -288,8 +303,13 @@ def read_cuts(group):
 
 
 def read_cut_blocks(mesh, file):
-    """What cracks have cut in an open file of a step; empty where there are none."""
-    parts, cracks = file.get("parts", {}), file.get("cracks", {})
+    """What cracks have cut in an open file of a step; empty where there are none, and the same for every step of a mesh."""
+    groups = {name: file[name] for name in ("parts", "cracks", "cuts") if name in file}
+    return cut_blocks(mesh, groups) if groups else mesh.uncut
+
+
+def cut_blocks(mesh, groups):
+    parts, cracks = groups.get("parts", {}), groups.get("cracks", {})
     block = parts["block"][()] if "block" in parts else np.zeros(0, dtype=int)
     vertices = parts["vertices"][()][:, :2] if "vertices" in parts else np.zeros((0, 2))
     offsets = parts["offsets"][()] if "offsets" in parts else np.zeros(1, dtype=int)
@@ -298,7 +318,7 @@ def read_cut_blocks(mesh, file):
                            for name in ("crack", "cut", "is_provisional")})
     pieces["is_provisional"] = pieces["is_provisional"].astype(bool)
     outlines = Mesh(vertices, offsets, mesh.region[block], lines_of(cracks, "ends"), mesh.unit)
-    cuts = file.get("cuts", {})
+    cuts = groups.get("cuts", {})
     forces = {name: np.zeros((0, 3)) for name in ("dead", "reference")}
     forces |= {name: cuts[name][()].reshape(-1, 3) for name in cuts if name == "dead" or name.startswith("reference")}
     felt = {name: cuts[f"spring_part/{name}"][()] if "spring_part" in cuts else np.zeros(0) for name in ("spring", "cut", "row")}

@@ -70,6 +70,7 @@ class Run:
     log        log.jsonl, a list of dictionaries
     steps      numbers of the steps whose fields are stored
     fields(step)   the fields of a stored step, see Fields; the last one if no step is given
+    all_fields()   those of every stored step, one after the other
     cracks(step)   the pieces of cracks through blocks at a stored step, a DataFrame: Fields.cracks
     crack_path(crack, step)   corners of the line along which a crack has grown until then, n × 2
     motion     what has moved from the end of the path on, see Motion
@@ -124,6 +125,13 @@ class Run:
             raise NothingStored(f"{self.folder}: the fields of step {step} are not stored; those of {stored} are")
         with opened(self._file(MESH)) as mesh, opened(files[step]) as fields:
             return read_fields(read_mesh(mesh), fields)
+
+    def all_fields(self):
+        with opened(self._file(MESH)) as file:
+            mesh = read_mesh(file)
+        for _, file in sorted(self._step_files().items()):
+            with opened(file) as fields:
+                yield read_fields(mesh, fields)
 
     def cracks(self, step=None):
         return self.fields(step).cracks

@@ -28,9 +28,9 @@ ONE_AT_A_TIME = threading.Lock()
 def read_steps(run, model):
     curve = run.curve
     out = []
-    for number in run.steps:
-        control = str(curve["control"][number]) if number < len(curve) else ""
-        out.append(Step(model, run.fields(number), control.startswith(BETWEEN_EQUILIBRIA)))
+    for fields in run.all_fields():
+        control = str(curve["control"][fields.step]) if fields.step < len(curve) else ""
+        out.append(Step(model, fields, control.startswith(BETWEEN_EQUILIBRIA)))
     return out
 
 

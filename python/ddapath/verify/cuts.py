@@ -27,6 +27,7 @@ class Jumps:
         self.length = np.sqrt(model.mesh.areas[through["block"]])
         self.block = through["block"].to_numpy()
         self.tolerance = tolerance_of(model)
+        self.lines = through[["start_x", "start_y", "end_x", "end_y"]].to_numpy().reshape(-1, 2, 2)
         self.moves = [[] for _ in cut.block]
         for part, number in cut.moves:
             self.moves[part].append(self.node_of_cut[number])
@@ -62,8 +63,7 @@ class Jumps:
         rows_i = 1/w_i ∫_piece N_i [n s]ᵀ J ds / L, with two Gauss points.
         """
         (start, end), shares = line, rule[0]
-        near = np.isin(self.cut.cuts["block"], blocks) & (self.cut.cuts["side"] < 0)
-        ends = self.cut.cuts.loc[near, ["start_x", "start_y", "end_x", "end_y"]].to_numpy().reshape(-1, 2)
+        ends = self.lines[np.isin(self.block, blocks)].reshape(-1, 2)
         at = stations(start, end, [x for x in ends if is_between(x, start, end, self.tolerance)], self.tolerance)
         frame = np.stack([normal, [-normal[1], normal[0]]])
         moved = {}

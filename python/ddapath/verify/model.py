@@ -110,7 +110,7 @@ class Model:
     def __init__(self, file, deck):
         if "model" not in file:
             raise NothingStored(f"{file.filename}: has no /model; this run was written by a version before `dda verify`")
-        self.deck, self.mesh, self.thickness = deck, read_mesh(file), deck["thickness"]
+        self.deck, self.mesh, self.thickness, self._last = deck, read_mesh(file), deck["thickness"], None
         tables = Tables(file["model"])
         self._set_stages(tables)
         self._set_blocks(tables)
@@ -119,8 +119,12 @@ class Model:
         self._set_springs(tables)
 
     def at(self, fields):
-        """With the blocks as cracks have cut them at a step."""
-        return self._cut(fields.cut) if len(fields.cut.cuts) else self
+        """With the blocks as cracks have cut them at a step; steps between which no crack grows share it."""
+        if not len(fields.cut.cuts):
+            return self
+        if self._last is None or not fields.cut.equals(self._last[0]):
+            self._last = fields.cut, self._cut(fields.cut)
+        return self._last[1]
 
     def _cut(self, cut):
         out = copy.copy(self)
@@ -210,6 +214,11 @@ class Model:
         """Diagonal of the structure [L]."""
         return float(np.hypot(*np.ptp(self.mesh.vertices, axis=0)))
 
+    @cached_property
+    def traces(self):
+        """c of every block [F/L³], whatever cuts it."""
+        return self.gradients.traces(trace_constants(self.mesh, self.stiffness))
+
     def forces(self, load_factors):
         """External forces on d without those of springs and initial stress, nodes × 6."""
         return self.loads["dead"] + sum(factor * self.loads[name] for factor, name in zip(load_factors, self.references))
@@ -277,7 +286,7 @@ class Points:
         n, s = self.normal, self.tangent
         traction = np.stack([np.stack([n[:, 0]**2, n[:, 1]**2, 2 * n[:, 0] * n[:, 1]], -1),
                              np.stack([s[:, 0] * n[:, 0], s[:, 1] * n[:, 1], s[:, 0] * n[:, 1] + s[:, 1] * n[:, 0]], -1)], 1)
-        trace = model.gradients.traces(trace_constants(model.mesh, model.stiffness))[self.blocks]
+        trace = model.traces[self.blocks]
         shares = np.where((self.kind == "consistent")[:, None], trace[:, ::-1] / trace.sum(axis=1, keepdims=True), 0.0)
         shares[self.is_through] = 1, 0
         self.jump_rows, self.stress_rows = [], []

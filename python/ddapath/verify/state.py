@@ -106,7 +106,7 @@ class Step:
     def _stored(self, *columns):
         """Of the active points: those of sides, and behind them those of cuts."""
         tables = [table for table in (self.fields.points, self.fields.cracks) if len(table)]
-        return np.concatenate([table[list(columns)].to_numpy() for table in tables])
+        return np.concatenate([np.column_stack([table[column] for column in columns]) for table in tables])
 
     def _set_multipliers(self):
         """m of unknown multipliers is P⁻¹ t/(1 + δ); of iterated ones what the stored opening w = g + m − P⁻¹ t says."""
