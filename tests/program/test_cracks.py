@@ -234,7 +234,7 @@ class Restart(InScratch):
         lintel = ddapath.read_deck(Path(__file__).resolve().parent / "cracked_lintel.yaml")
         whole = self.run_(deck=lintel, name="whole")
         self.assertGreater((whole.curve["control"] == "growth").sum(), 4)
-        for step in range(2, len(whole.curve) - 1, 12):
+        for step in range(2, len(whole.curve) - 1, 20):
             with self.subTest(step=step):
                 run = self.run_(deck=lintel | {"path": lintel["path"] | {"stop": {"load_below": 0.2, "after_steps": step}}}, name="part")
                 resume(run.folder, "path.stop.after_steps=0")

@@ -259,9 +259,10 @@ class Ranks(unittest.TestCase):
         return out
 
     def expect_whole_after_resume(self, name):
-        self.dda("resume", name, "--quiet", ranks=2)
-        if not (self.folder / "whole").exists():
-            self.run_deck(PROGRAM / "fine_beam.yaml", "whole", 1, LONG)
+        """Some steps farther than to where the run was broken off."""
+        end = f"path.stop.after_steps={len(rows(self.folder / name)) + 4}"
+        self.dda("resume", name, "--quiet", "--set", end, ranks=2)
+        self.run_deck(PROGRAM / "fine_beam.yaml", "whole", 1, (*LONG, end))
         self.expect_same_path(self.folder / "whole", self.folder / name)
 
     def test_a_signal_to_mpirun_writes_the_restart(self):
