@@ -1,9 +1,13 @@
 #include "framework/figure/symbols.hpp"
 
-#include <array>
-#include <cmath>
-#include <map>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "framework/figure/footprint.hpp"
 #include "framework/figure/placement.hpp"
 
 namespace dda::svg {
@@ -12,7 +16,9 @@ namespace {
 // All lengths in pixels.
 constexpr double shortest_arrow = 16, longest_arrow = 46, head = 7, triangle = 9, dot = 3, tail = 16;
 constexpr double moving_arrow = 34, bow = 8, half_of_strain = 14;
-constexpr double apart = 11;      ///< of symbols that are both painted
+constexpr double apart = 11;  ///< of symbols of one kind that are both painted
+constexpr double slim = 2.7,
+                 broad = 4;       ///< half the breadth of an arrow, whose neighbour has room within `apart`
 constexpr double text_size = 10;  ///< of names
 static_assert(longest_arrow < symbol_reach);
 
@@ -62,12 +68,16 @@ void paint_strain(Canvas& canvas, const Vec2& at, const Vec2& along, const std::
   for (const double way : {-1.0, 1.0}) paint_arrow(canvas, {at, at + way * half_of_strain * along}, colour);
 }
 
-/// A symbol on the picture, y downwards.
+/// A symbol on the picture, y downwards, with the names of those that it stands for.
 struct Placed {
   const Symbol* symbol;
   Vec2 at, direction;  ///< of unit length
   double size;         ///< of a force
+  std::vector<std::string> names = {};
 
+  void take_name(const std::string& name) {
+    if (!name.empty() && std::ranges::find(names, name) == names.end()) names.push_back(name);
+  }
   bool resembles(const Placed& other) const {
     return symbol->mark == other.symbol->mark && symbol->colour == other.symbol->colour &&
            direction.dot(other.direction) > 0.99 && (at - other.at).norm() < apart;
@@ -85,17 +95,22 @@ class SymbolPainter {
       const double size = on_picture.norm();
       if (!(size > 0) || !symbol.at.allFinite()) continue;
       const Placed placed{&symbol, view.pixel(symbol.at), on_picture / size, size};
-      if (std::ranges::any_of(placed_, [&](const Placed& p) { return p.resembles(placed); })) continue;
-      placed_.push_back(placed);
+      const auto before = std::ranges::find_if(placed_, [&](const Placed& p) { return p.resembles(placed); });
+      Placed& painted = before == placed_.end() ? placed_.emplace_back(placed) : *before;
+      painted.take_name(symbol.name);
       if (double& largest = largest_[symbol.colour]; symbol.mark == Mark::force)
-        largest = std::max(largest, size);
+        largest = std::max(largest, painted.size);
     }
   }
 
   void paint() {
+    Footprints taken;
+    for (Placed& placed : placed_) {
+      placed.at += taken.shift_of(footprint(placed), placed.direction);
+      taken.add(footprint(placed));
+    }
     for (const Placed& placed : placed_) paint(placed);
-    for (const Placed& placed : placed_)
-      if (is_first_of_name(placed)) write_name(placed);
+    for (const Placed& placed : placed_) write_names(placed);
   }
 
  private:
@@ -108,41 +123,64 @@ class SymbolPainter {
   /// Whether a direction leads away from the middle of the picture.
   bool is_outward(const Placed& placed) const { return placed.direction.dot(placed.at - centre_) > 0; }
 
-  void paint(const Placed& placed) {
-    const std::string colour = colour_of(placed.symbol->colour);
-    const auto& [symbol, at, direction, size] = placed;
-    const auto reach = [&](double length) { return Vec2(at + length * direction); };
+  /// From where to where it is painted, without its breadth.
+  Way way_of(const Placed& placed) const {
+    const auto& [symbol, at, direction, size, names] = placed;
     switch (symbol->mark) {
       case Mark::force:
-        return paint_force(placed, colour);
-      case Mark::held: {
-        const Vec2 inward = is_outward(placed) ? Vec2(-direction) : direction;
-        paint_held(canvas_, at, inward, colour);
-        return keep_free(at, at - triangle * inward);
-      }
+        return way_of_force(placed);
+      case Mark::held:
+        return {at, at - triangle * inward(placed)};
       case Mark::moved:
-        paint_arrow(canvas_, {at, reach(moving_arrow)}, colour, true);
-        return keep_free(at, reach(moving_arrow));
+        return {at, at + moving_arrow * direction};
       case Mark::measured:
-        paint_measured(canvas_, {at, reach(tail)}, colour);
-        return keep_free(at, reach(tail));
+        return {at, at + tail * direction};
       case Mark::turned:
-        paint_turn(canvas_, at, colour);
-        return keep_free(at - Vec2(bow, bow), at + Vec2(bow, bow));
+        return {at, at};
       case Mark::strained:
-        paint_strain(canvas_, at, direction, colour);
-        return keep_free(reach(-half_of_strain), reach(half_of_strain));
+        return {at - half_of_strain * direction, at + half_of_strain * direction};
     }
+    return {at, at};
   }
 
   /// What pulls begins where it acts, what presses ends there.
-  void paint_force(const Placed& placed, const std::string& colour) {
+  Way way_of_force(const Placed& placed) const {
     const double length =
         shortest_arrow + (longest_arrow - shortest_arrow) * placed.size / largest_.at(placed.symbol->colour);
     const Vec2 way = length * placed.direction;
     const Vec2 start = is_outward(placed) ? placed.at : Vec2(placed.at - way);
-    paint_arrow(canvas_, {start, start + way}, colour);
-    keep_free(start, start + way);
+    return {start, start + way};
+  }
+
+  Vec2 inward(const Placed& placed) const {
+    return is_outward(placed) ? Vec2(-placed.direction) : placed.direction;
+  }
+
+  Footprint footprint(const Placed& placed) const {
+    const Way way = way_of(placed);
+    const Mark mark = placed.symbol->mark;
+    return {way.from, way.to, placed.at, mark == Mark::turned ? bow : mark == Mark::force ? slim : broad};
+  }
+
+  void paint(const Placed& placed) {
+    const std::string colour = colour_of(placed.symbol->colour);
+    const Way way = way_of(placed);
+    const Vec2 breadth = placed.symbol->mark == Mark::turned ? Vec2(bow, bow) : Vec2::Zero();
+    keep_free(way.from - breadth, way.to + breadth);
+    switch (placed.symbol->mark) {
+      case Mark::force:
+        return paint_arrow(canvas_, way, colour);
+      case Mark::held:
+        return paint_held(canvas_, placed.at, inward(placed), colour);
+      case Mark::moved:
+        return paint_arrow(canvas_, way, colour, true);
+      case Mark::measured:
+        return paint_measured(canvas_, way, colour);
+      case Mark::turned:
+        return paint_turn(canvas_, placed.at, colour);
+      case Mark::strained:
+        return paint_strain(canvas_, placed.at, placed.direction, colour);
+    }
   }
 
   void keep_free(const Vec2& a, const Vec2& b) {
@@ -152,17 +190,19 @@ class SymbolPainter {
                       high.y() - low.y() + 2 * beside});
   }
 
-  bool is_first_of_name(const Placed& placed) const {
-    if (placed.symbol->name.empty()) return false;
-    const auto first =
-        std::ranges::find(placed_, placed.symbol->name, [](const Placed& p) { return p.symbol->name; });
-    return &*first == &placed;
-  }
-
-  void write_name(const Placed& placed) {
-    const std::string& name = placed.symbol->name;
-    const Box box = names_.place(placed.at.x(), placed.at.y(), text_width(name, text_size), text_size + 2);
-    canvas_.text(box.x, box.bottom() - 2, name, {.size = text_size, .halo = true});
+  /// Those that are not written yet, as one text.
+  void write_names(const Placed& placed) {
+    constexpr std::size_t most = 3;
+    std::vector<std::string> names;
+    for (const std::string& name : placed.names)
+      if (written_.insert(name).second) names.push_back(name);
+    if (names.empty()) return;
+    const std::size_t told = std::min(most, names.size());
+    std::string text =
+        fmt::format("{}", fmt::join(names.begin(), names.begin() + std::ptrdiff_t(told), ", "));
+    if (names.size() > told) text += fmt::format(" and {} more", names.size() - told);
+    const Box box = names_.place(placed.at.x(), placed.at.y(), text_width(text, text_size), text_size + 2);
+    canvas_.text(box.x, box.bottom() - 2, text, {.size = text_size, .halo = true});
   }
 
   Canvas& canvas_;
@@ -170,6 +210,7 @@ class SymbolPainter {
   Vec2 centre_ = Vec2::Zero();
   std::vector<Placed> placed_;
   std::map<int, double> largest_;  ///< force of each colour
+  std::set<std::string> written_;
 };
 
 constexpr double swatch = 22;  ///< breadth of a sign of the legend [px]

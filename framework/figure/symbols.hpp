@@ -13,7 +13,8 @@ inline constexpr double symbol_reach = 54;
 inline constexpr double key_line = 18;
 
 /// Paints forces, of one colour by their size, and the other marks. Of those of one kind and direction that stand closer than a symbol's breadth one
-/// is painted: a load along a side looks like one. Names find room beside them, clear of each other.
+/// is painted, with all their names: a load along a side looks like one. Others that stand at one place are painted side by
+/// side. Names find room beside them, clear of each other.
 void paint_symbols(Canvas& canvas, const View& view, const std::vector<Symbol>& symbols);
 
 /// Paints the legend downwards from a place [px]; gives the width used.

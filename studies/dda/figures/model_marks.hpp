@@ -20,9 +20,6 @@ void add_gauges(const ModelDrawing& to);
 /// an arrow g. The polygons of the drawing are the blocks.
 void add_motion(const ModelDrawing& to);
 
-/// An arrow, moved aside where the drawing has one of another colour in the same place and direction.
-svg::Symbol beside_others(const ModelDrawing& in, svg::Symbol arrow);
-
 /// Centroid of some blocks together; zero without any.
 class Middle {
  public:

@@ -93,7 +93,7 @@ class ModelPicture {
       const ActingForce acting = acts_at(row);
       symbol.at = body_.block(node).moments.centroid + acting.offset;
       symbol.along = acting.force;
-      drawing_.symbols.push_back(symbol.mark == Mark::force ? beside_others(whole_, symbol) : symbol);
+      drawing_.symbols.push_back(symbol);
     }
   }
 
@@ -209,7 +209,7 @@ class ModelPicture {
     }
     all.at = middle.place();
     if (is_downward(all.along)) all.name = "g";
-    drawing_.symbols.push_back(beside_others(whole_, all));
+    drawing_.symbols.push_back(all);
     std::erase_if(acting.rows, is_body_force);
     return count;
   }
@@ -227,18 +227,6 @@ class ModelPicture {
 };
 
 }  // namespace
-
-svg::Symbol beside_others(const ModelDrawing& in, svg::Symbol arrow) {
-  const double extent = in.simulation.equilibrium().extent();
-  constexpr double near = 2e-3, step = 0.012;  // of the structure's size
-  const Vec2 along = arrow.along.normalized(), aside(along.y(), -along.x());
-  const auto is_hidden = [&](const svg::Symbol& other) {
-    return other.mark == Mark::force && other.colour != arrow.colour &&
-           (other.at - arrow.at).norm() < near * extent && other.along.normalized().dot(along) > 1 - near;
-  };
-  while (std::ranges::any_of(in.drawing.symbols, is_hidden)) arrow.at += step * extent * aside;
-  return arrow;
-}
 
 ActingForce acts_at(const Vec6& row) {
   ActingForce out;

@@ -74,8 +74,7 @@ class MotionMarks {
     Middle moving;
     for (const Block& block : blocks())
       if (!is_held(body_, motion_, block.region)) moving.include(block);
-    to_.drawing.symbols.push_back(
-        beside_others(to_, {Mark::force, moving.place(), motion_.gravity, svg::black, "g"}));
+    to_.drawing.symbols.push_back({Mark::force, moving.place(), motion_.gravity, svg::black, "g"});
     add_key(KeyEntry::Kind::force, svg::black,
             fmt::format("g = {:.4g} {}/s², of what moves", size, to_.simulation.deck().units.length));
   }

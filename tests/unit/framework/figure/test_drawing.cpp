@@ -132,6 +132,37 @@ TEST(Drawing, SymbolsThatWouldCoverEachOtherAreDrawnOnceAndNamedOnce) {
   EXPECT_GT(count("fill=\"#ffffff\""), 20u);
 }
 
+TEST(Drawing, MarksOfOneKindAtOnePlaceAreOneWithAllNames) {
+  Drawing drawing = two_blocks();
+  for (const char* name : {"tip", "tip again", "tip", "third"})
+    drawing.symbols.push_back({.mark = Mark::measured, .at = {2, 1}, .along = {0, -1}, .name = name});
+  EXPECT_THAT(to_svg(drawing), HasSubstr(">tip, tip again, third<"));
+  for (const char* name : {"fourth", "fifth"})
+    drawing.symbols.push_back({.mark = Mark::measured, .at = {2, 1}, .along = {0, -1}, .name = name});
+  EXPECT_THAT(to_svg(drawing), HasSubstr(">tip, tip again, third and 2 more<"));
+}
+
+/// Where the dot of what is measured upwards at (2, 1) stands beside other marks there, in x.
+double dot_beside(std::vector<Symbol> others) {
+  Drawing drawing = two_blocks();
+  drawing.strokes.clear();
+  drawing.symbols = std::move(others);
+  drawing.symbols.push_back({.mark = Mark::measured, .at = {2, 1}, .along = {0, 1}});
+  return numbers_of(to_svg(drawing), "<circle")[0];
+}
+
+TEST(Drawing, MarksThatWouldCoverEachOtherStandSideBySide) {
+  const double alone = dot_beside({});
+  constexpr double least = 6;
+  EXPECT_GT(std::abs(dot_beside({{.mark = Mark::force, .at = {2, 1}, .along = {0, 5}}}) - alone), least)
+      << "a pull";
+  EXPECT_GT(std::abs(dot_beside({{.mark = Mark::moved, .at = {2, 1}, .along = {0, 1}}}) - alone), least)
+      << "moved";
+  EXPECT_EQ(dot_beside({{.mark = Mark::force, .at = {2, 1}, .along = {5, 0}}}), alone)
+      << "they meet at right angles";
+  EXPECT_EQ(dot_beside({{.mark = Mark::force, .at = {0, 1}, .along = {0, 5}}}), alone) << "elsewhere";
+}
+
 TEST(Drawing, HeldBlocksAreHatched) {
   Drawing drawing = two_blocks();
   EXPECT_THAT(to_svg(drawing), Not(HasSubstr("<pattern")));
