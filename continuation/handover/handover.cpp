@@ -13,6 +13,7 @@
 #include <tuple>
 
 #include "continuation/bodies/joined.hpp"
+#include "continuation/handover/drawn_overlaps.hpp"
 #include "continuation/handover/regions.hpp"
 #include "meshing/contact/outline.hpp"
 #include "models/equilibrium/loading.hpp"
@@ -28,6 +29,7 @@ class Maker {
   Handover make() {
     out_.offset = offset_of_all();
     out_.scene.smallest = size_for_steps();
+    set_back_ = set_back(body_, parameters_);
     for (std::size_t b = 0; b < body_.assembly.num_blocks(); ++b) add_body(BlockId(b));
     add_rules();
     add_supports();
@@ -54,7 +56,8 @@ class Maker {
     out.size = std::sqrt(block.moments.area);
     out.modulus = material.modulus();
     out.is_held = is_held(body_, parameters_, block.region);
-    for (const Vec2& x : core_of(block.outline, out_.offset).vertices) out.core.push_back(x - out.centroid);
+    for (const Vec2& x : core_of(block.outline, out_.offset + set_back_[id.value()]).vertices)
+      out.core.push_back(x - out.centroid);
     for (const Vec2& x : block.outline.vertices) out.outline.push_back(x - out.centroid);
     const Vec6 d = pieces_.displacements(id.value(), end_.state.d.all());
     out_.poses.push_back(finite_pose(out.centroid, d));
@@ -356,6 +359,7 @@ class Maker {
   const Body& body_;
   const PathEnd& end_;
   const MotionParameters& parameters_;
+  std::vector<double> set_back_;  ///< of cores, by block [L]
   Handover out_;
 };
 

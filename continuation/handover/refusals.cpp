@@ -1,6 +1,9 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <set>
 
+#include "continuation/handover/drawn_overlaps.hpp"
 #include "continuation/handover/handover.hpp"
 #include "continuation/handover/regions.hpp"
 #include "framework/base/suggestion.hpp"
@@ -72,6 +75,22 @@ void check_density(const Body& body, const MotionParameters& parameters, const M
 void check_offset(const Body& body, const MotionParameters& parameters, Findings& findings) {
   if (const auto narrow = too_narrow(body.assembly, offset_of(body, parameters)))
     findings.add(parameters.where, "motion.contact.offset: " + *narrow + "; take a smaller offset");
+}
+
+/// Bodies that begin inside each other would be pressed apart, by an energy that nothing has given them.
+void check_overlaps(const Body& body, const MotionParameters& parameters, Findings& findings) {
+  const auto name = [&](std::size_t block) {
+    return body.assembly.regions[static_cast<std::size_t>(body.assembly.blocks[block].region)].name;
+  };
+  for (const DrawnOverlap& overlap : drawn_overlaps(body, parameters))
+    if (overlap.depth > overlap.touching)
+      findings.add(
+          parameters.where,
+          fmt::format("motion: block {} of region '{}' and block {} of region '{}' overlap by {:.3g} at "
+                      "({:.6g}, {:.6g}), deeper than {:.3g}, which drawings are rounded by; draw them "
+                      "side by side",
+                      overlap.first, name(overlap.first), overlap.second, name(overlap.second), overlap.depth,
+                      overlap.at.x(), overlap.at.y(), overlap.touching));
 }
 
 /// What an integrator that opens and closes contacts has no way to do.
@@ -163,6 +182,7 @@ void require_handover(const Body& body, const Equilibrium& equilibrium, const Mo
   check_names(body, parameters, findings);
   check_density(body, parameters, model, findings);
   check_offset(body, parameters, findings);
+  check_overlaps(body, parameters, findings);
   findings.throw_if_any();
 }
 

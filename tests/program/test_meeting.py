@@ -101,6 +101,17 @@ class Meeting(unittest.TestCase):
         self.assertFalse(motion_checks.nothing_is_given_back(curve, False).holds)
         self.assertFalse(motion_checks.nothing_is_given_back(curve, False, swings=True).holds)
 
+    def test_what_is_drawn_a_little_inside_each_other_begins_side_by_side(self):
+        """Up to a millionth of a block, what drawings are rounded by: no energy is stored that nothing has given, nor given back."""
+        deck = self.resting(time=0.2)
+        for material in deck["materials"].values():
+            material["young_modulus"] = 1e11
+        for depth in (1e-6, 1e-8):
+            deck["scene"]["regions"][1]["vertices"] = [[0, -depth], [1, -depth], [1, 1], [0, 1]]
+            curve = ddapath.run(deck, folder=self.folder, overwrite=True).motion.curve
+            self.assertLess(curve["stored_energy"].iloc[0], 0.1)
+            self.assertEqual([str(finding) for finding in verify(self.folder) if not finding.holds], [])
+
     def test_regions_bonded_without_an_interface_are_told(self):
         run = ddapath.run(self.resting(time=0.01), folder=self.folder)
         self.assertIn("'ground' and 'block' touch and no interface lies between them", run.summary["notices"][0])
@@ -198,6 +209,31 @@ class Meeting(unittest.TestCase):
         with self.assertRaises(ddapath.InputError) as refused:
             ddapath.run(deck, folder=self.folder)
         return str(refused.exception)
+
+    def test_what_is_drawn_inside_each_other_is_refused_where_it_is(self):
+        deck = alone(velocities=[]) | {"gauges": {}}
+        for depth, refused in ((3e-4, True), (3e-7, False)):
+            deck["scene"]["regions"][1]["vertices"] = [[0.5, -depth], [1, 0.5], [0.5, 1], [0, 0.5]]
+            if refused:
+                said = self.refusal(deck)
+                self.assertIn("region 'ground' and block 1 of region 'block' overlap by 0.0003 at (0.5, -0.0003)", said)
+                self.assertIn("deck.yaml", said)
+            else:
+                ddapath.run(deck, folder=self.folder)
+
+    def test_friction_where_nothing_can_meet(self):
+        """A cantilever in one piece meets nothing; one around a slot may close it, one that cracks meets itself."""
+        beam = alone(held=[], velocities=[], contact={}, time=0.01)
+        beam["scene"]["regions"] = [{"name": "beam", "material": "stone", "vertices": [[0, 0], [2, 0], [2, 0.2], [0, 0.2]]}]
+        beam["scene"] |= {"subdivision": {"type": "grid", "columns": 4, "rows": 1}, "boundaries": {"root": [[0, 0], [0, 0.2]]}}
+        beam |= {"gauges": {"y": {"type": "displacement", "at": [2, 0.2], "direction": [0, 1]}}, "supports": {"root": {"boundary": "root", "fix": "xy"}}}
+        self.assertEqual(ddapath.run(beam, folder=self.folder).summary["status"], "goal_reached")
+        cracks = beam | {"interfaces": {"mid": {"law": {"type": "linear_softening", "tensile_strength": 1e6, "fracture_energy": 100}}}}
+        cracks["scene"] = cracks["scene"] | {"curves": {"mid": [[1, 0], [1, 0.2]]}}
+        self.assertIn("no interface tells", self.refusal(cracks))
+        beam["scene"]["regions"][0]["vertices"] = [[0, 0], [2, 0], [2, 0.2], [1, 0.2], [1, 0.1], [0.9, 0.1], [0.9, 0.2], [0, 0.2]]
+        beam["scene"]["subdivision"] = {"type": "voronoi", "size": 0.1}
+        self.assertIn("no interface tells", self.refusal(beam))
 
     def test_friction_of_a_pair_that_stands_twice(self):
         twice = [{"between": ["stone", "rock"], "friction": 1}, {"between": ["rock", "stone"], "friction": 0.2}]
