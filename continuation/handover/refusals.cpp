@@ -165,7 +165,8 @@ void require_handover(const Body& body, const Equilibrium& equilibrium, const Mo
                       const ModelParameters& model) {
   const Position& where = parameters.where;
   Findings findings;
-  if (!friction_of_others(equilibrium.interfaces(), parameters) && !pairs_tell_all(body, parameters))
+  if (!friction_of_others(equilibrium.interfaces(), parameters) && !pairs_tell_all(body, parameters) &&
+      !is_one_convex_body(body, equilibrium.interfaces()))
     findings.add(
         parameters.contact.where,
         "motion.contact.friction: no interface tells, or not all of them the same; give that of bodies "

@@ -7,10 +7,52 @@
 #include <limits>
 #include <map>
 #include <stdexcept>
+#include <utility>
 
 #include "meshing/contact/outline.hpp"
+#include "meshing/geometry/polygon.hpp"
 
 namespace dda {
+namespace {
+
+/// Area of the convex hull [L²].
+double hull_area(std::vector<Vec2> points) {
+  std::ranges::sort(points, {}, [](const Vec2& x) { return std::pair(x.x(), x.y()); });
+  double out = 0;
+  for (int half = 0; half < 2; ++half, std::ranges::reverse(points)) {
+    std::vector<Vec2> chain;
+    for (const Vec2& x : points) {
+      while (chain.size() > 1 && cross(chain.back() - chain[chain.size() - 2], x - chain.back()) <= 0)
+        chain.pop_back();
+      chain.push_back(x);
+    }
+    for (std::size_t i = 0; i + 1 < chain.size(); ++i)
+      out += cross(chain[i] - points.front(), chain[i + 1] - points.front()) / 2;
+  }
+  return out;
+}
+
+/// Whether joints that cannot tear hold all blocks together.
+bool are_held_together(std::size_t num_blocks, const InterfaceSet& interfaces) {
+  std::vector<std::vector<std::size_t>> beside(num_blocks);
+  for (const InterfacePoint& point : interfaces.points) {
+    if (point.law->can_crack() || point.is_separate()) continue;
+    beside[point.first.value()].push_back(point.second.value());
+    beside[point.second.value()].push_back(point.first.value());
+  }
+  std::vector<bool> is_reached(num_blocks, false);
+  std::vector<std::size_t> reached{0};
+  is_reached[0] = true;
+  for (std::size_t next = 0; next < reached.size(); ++next)
+    for (const std::size_t other : beside[reached[next]])
+      if (!is_reached[other]) {
+        is_reached[other] = true;
+        reached.push_back(other);
+      }
+  return reached.size() == num_blocks;
+}
+
+}  // namespace
 
 bool is_named(const std::vector<std::string>& regions, const Body& body, int region) {
   return std::ranges::find(regions, body.assembly.regions[static_cast<std::size_t>(region)].name) !=
@@ -53,6 +95,18 @@ bool pairs_tell_all(const Body& body, const MotionParameters& parameters) {
     for (const auto& [other, there] : all)
       if ((material != other || there > 1) && !tells(material, other)) return false;
   return true;
+}
+
+bool is_one_convex_body(const Body& body, const InterfaceSet& interfaces) {
+  constexpr double rounding = 1e-9;
+  if (body.cracks || !are_held_together(body.assembly.num_blocks(), interfaces)) return false;
+  double area = 0;
+  std::vector<Vec2> corners;
+  for (const Block& block : body.assembly.blocks) {
+    area += block.moments.area;
+    corners.insert(corners.end(), block.outline.vertices.begin(), block.outline.vertices.end());
+  }
+  return hull_area(std::move(corners)) <= (1 + rounding) * area;
 }
 
 double smallest_size(const Assembly& assembly) {

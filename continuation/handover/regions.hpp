@@ -22,6 +22,9 @@ std::optional<double> friction_of_others(const InterfaceSet& interfaces, const M
 /// Whether `pairs` have a coefficient of all materials whose blocks may meet.
 bool pairs_tell_all(const Body& body, const MotionParameters& parameters);
 
+/// Whether all blocks are one body for good, by joints that cannot tear, which is convex: no part of it can meet another.
+bool is_one_convex_body(const Body& body, const InterfaceSet& interfaces);
+
 /// √area of the smallest block [L].
 double smallest_size(const Assembly& assembly);
 
