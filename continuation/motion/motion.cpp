@@ -96,23 +96,54 @@ double Motion::travelled(std::size_t body, double turned) const {
          turned * scene_.bodies[body].size;
 }
 
-/// The longest step that turns no body by more than 0.1, moves none by more than a fifth of its size, and no corner by more
-/// than most of what the solver bears.
+/// The longest step that turns no body by more than 0.1, moves none that may meet another by more than a fifth of its size, and
+/// no corner by more than most of what the solver bears.
 double Motion::longest() const {
-  constexpr double turn = 0.1, way = 0.2, most = 0.8;
+  constexpr double turn = 0.1, most = 0.8;
   constexpr double without_inertia = 1e3;  // no motion is missed by a step that is long
   double out = natural_ * (m_.tears ? of_tearing : course_.integrator->has_inertia() ? 1 : without_inertia);
   for (std::size_t b = 0; b < now_.size(); ++b) {
     if (scene_.bodies[b].is_held) continue;
     const Pose& before = m_.courses[b].before;
-    const double turned = std::abs(std::remainder(
-                     polar_of(gradient_of(now_[b])).angle - polar_of(gradient_of(before)).angle, 2 * M_PI)),
-                 moved = (centre_of(now_[b]) - centre_of(before)).norm();
+    const double turned = std::abs(
+        std::remainder(polar_of(gradient_of(now_[b])).angle - polar_of(gradient_of(before)).angle, 2 * M_PI));
     if (turned > 0) out = std::min(out, m_.dt.before * turn / turned);
-    if (moved > 0) out = std::min(out, m_.dt.before * way * scene_.bodies[b].size / moved);
     if (const double all = travelled(b, turned); solver_->longest_way() > 0 && all > 0)
       out = std::min(out, m_.dt.before * most * solver_->longest_way() / all);
   }
+  return out;
+}
+
+/// The longest step, no longer than one, in which no body that may meet another goes farther than a fifth of its size; how fast
+/// it goes does not matter to one that meets nothing.
+double Motion::longest_among_others(double dt) const {
+  for (;; dt /= 2) {
+    const double bound = bound_of_meeting(dt);
+    if (bound >= dt) return dt;
+    if (bound >= dt / 2) return bound;
+  }
+}
+
+/// By how long a step is bounded in which bodies go on for so long as they have come here; looked for among those that go far.
+double Motion::bound_of_meeting(double dt) const {
+  constexpr double way = 0.2;
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  std::vector<double> bounds(now_.size(), inf);
+  double shortest = inf, margin = 0;
+  for (std::size_t b = 0; b < now_.size(); ++b) {
+    if (scene_.bodies[b].is_held) continue;
+    const double moved = (centre_of(now_[b]) - centre_of(m_.courses[b].before)).norm();
+    margin = std::max(margin, way * scene_.bodies[b].size);
+    if (moved > 0) bounds[b] = m_.dt.before * way * scene_.bodies[b].size / moved;
+    shortest = std::min(shortest, bounds[b]);
+  }
+  if (shortest >= dt) return inf;
+  Poses ahead = now_;
+  for (std::size_t b = 0; b < now_.size(); ++b)
+    ahead[b] += dt / m_.dt.before * (now_[b] - m_.courses[b].before);
+  double out = inf;
+  for (const auto& [i, j] : search_->candidates(now_, ahead, scene_.meeting.reach + 2 * margin))
+    out = std::min({out, bounds[i], bounds[j]});
   return out;
 }
 
@@ -141,7 +172,7 @@ void Motion::set_step() {
     m_.dt.now *= growth;
     m_.easy = 0;
   }
-  m_.dt.now = std::min(m_.dt.now, longest());
+  m_.dt.now = longest_among_others(std::min(m_.dt.now, longest()));
   const double left = course_.time - m_.time;
   if (course_.time > 0 && m_.dt.now > (1 - 1e-9) * left) m_.dt.now = left;
   land_on_kink();

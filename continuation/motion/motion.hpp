@@ -97,6 +97,8 @@ class Motion {
   void set_step();
   void land_on_kink();
   double longest() const;
+  double longest_among_others(double dt) const;
+  double bound_of_meeting(double dt) const;
   double travelled(std::size_t body, double turned) const;
   bool is_driven_on();
   Try try_step();

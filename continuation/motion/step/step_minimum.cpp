@@ -195,14 +195,19 @@ StepMinimum::Minimised StepMinimum::minimise(Poses& z, const Inertia& inertia, d
   }
 }
 
-/// The share of dz that turns and strains no body by more than a tenth, nor moves any by more than its size: beyond, the
-/// curvatures tell nothing.
+/// The share of dz that turns and strains no body by more than a tenth, nor moves any that may meet another on the way by more
+/// than its size: beyond, the curvatures tell nothing.
 double StepMinimum::bearable_share(const Poses& dz) const {
   constexpr double most = 0.1;
   double out = 1;
-  for (std::size_t b = 0; b < dz.size(); ++b) {
+  for (std::size_t b = 0; b < dz.size(); ++b)
     out = std::min(out, most / std::max(most, dz[b].tail<4>().norm()));
+  const auto keep_near = [&](std::size_t b) {
     out = std::min(out, scene_.bodies[b].size / std::max(scene_.bodies[b].size, dz[b].head<2>().norm()));
+  };
+  for (const auto& [i, j] : potential_.candidates()) {
+    keep_near(i);
+    keep_near(j);
   }
   return out;
 }

@@ -18,6 +18,37 @@ TEST(Motion, FallsFreelyAtAnyStep) {
   }
 }
 
+/// How fast it is does not matter to a body that meets nothing: of the step itself, a hundredth of √(L/g), it takes as many as
+/// one at rest, and those in which it leaves the ground.
+TEST(Motion, ShortensItsStepsForWhatCanBeMetAlone) {
+  constexpr double speed = 1e5, time = 1, free = time / 0.01 * 3.14;
+  const MovingScene of = scene(0.5, {body(box(-2, -1, 3, 0), true), body(box(0, 0, 1, 1))}, {0, -gravity});
+  for (const double height : {0.0, 5.0}) {
+    Poses start = undeformed(of), velocities = at_rest(of);
+    start[1][1] += height;
+    velocities[1][0] = speed;
+    Motion motion(of, {}, start, velocities, {.time = time, .stops_at_rest = false});
+    int steps = 0;
+    while (motion.advance()) ++steps;
+    EXPECT_EQ(motion.ending(), Motion::Ending::at_time) << motion.reason();
+    EXPECT_LT(steps, free + (height > 0 ? 1 : 300));
+    EXPECT_NEAR((motion.poses()[1][0] - 0.5) / speed, time, 1e-6);
+    EXPECT_NEAR(motion.poses()[1][1] - height, 0.5 - gravity / 2, 1e-2);
+  }
+}
+
+/// A wall is met however fast and however far away.
+TEST(Motion, IsStoppedByAWallFarAway) {
+  constexpr double speed = 100, way = 200;
+  const MovingScene of =
+      scene(0, {body(box(way, -50, way + 1, 50), true), body(box(-1, 0, 0, 1))}, {0, -gravity});
+  Poses velocities = at_rest(of);
+  velocities[1][0] = speed;
+  Motion motion(of, {}, undeformed(of), velocities, {.time = 2.2, .stops_at_rest = false});
+  run(motion);
+  EXPECT_NEAR(motion.poses()[1][0], way - 0.5, 0.1);
+}
+
 TEST(Motion, SpinsWithoutGrowing) {
   const MovingScene of = scene(0, {body(box(0, 0, 1, 1))}, {0, 0});
   Poses velocities = at_rest(of);
