@@ -44,6 +44,7 @@ Motion::Motion(const MovingScene& scene, std::vector<Bond> bonds, Poses poses, P
   for (const Bond& bond : bonds_) m_.joined.push_back(pair_of(bond));
   put_in_order(m_.joined);
   search_ = std::make_unique<MeetingSearch>(scene_, m_.joined);
+  open_bonds();
   release();
   begin_energies();
   require_apart();

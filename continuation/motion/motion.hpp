@@ -88,6 +88,7 @@ class Motion {
   struct Try;
   void release();
   void make_solver();
+  void open_bonds();
   void begin_energies();
   void require_apart();
   bool has_left(const Bond& bond) const;

@@ -45,6 +45,19 @@ void Motion::require_apart() {
       i, one.x(), one.y(), j, other.x(), other.y());
 }
 
+/// Joints that are opened beyond what they remember where it begins, by the equilibrium that it begins with, have spent that
+/// before: no step has. What loses its strength at once does so in a step, on the way.
+void Motion::open_bonds() {
+  for (Bond& bond : bonds_) {
+    if (bond.is_spent() || bond.law->releases_at_once()) continue;
+    const BondState here = state_of(bond, frame_of(bond, now_), now_);
+    const double spent = spending(bond, here);
+    m_.ledger.fracture += spent;
+    if (bond.interface >= 0) m_.ledger.fracture_of[static_cast<std::size_t>(bond.interface)] += spent;
+    bond.history = bond.law->accept(here.opening, bond.history, bond.stiffness);
+  }
+}
+
 /// Energies and accelerations at the beginning, damped as if a step had led there.
 void Motion::begin_energies() {
   Poses before;

@@ -84,6 +84,12 @@ class Falling(unittest.TestCase):
         self.assertGreater(self.curve["friction"].diff().min(), -1e-9 * released)
         self.assertGreater(self.curve["fracture"].diff().min(), -1e-12 * released)
         self.assertLess(self.curve["kinetic_energy"].iloc[-1], 1e-6 * released)
+        self.assertGreater(self.curve["impact"].diff().min(), -1e-12 * released)
+
+    def test_what_the_first_equilibrium_opens_is_spent_before_the_first_step(self):
+        first = self.curve.iloc[0]
+        self.assertGreater(first["fracture"], 0)
+        self.assertLess(abs(first["numerical_damping"]), 1e-4 * first["fracture"])
 
     def test_lies_on_the_ground(self):
         vertices = self.run_.motion.fields().vertices

@@ -37,7 +37,11 @@ FirstEquilibrium find_equilibrium(const MovingScene& scene, const std::vector<Bo
   out.poses = found.poses;
   out.moved = farthest(poses, out.poses);
   out.contacts = std::move(found.contacts);
-  const double after = potential.stored(out.poses).sum();
+  double after = potential.stored(out.poses).sum();
+  for (std::size_t i = 0; i < bonds.size(); ++i)
+    if (!bonds[i].law->releases_at_once())
+      after += spending(bonds[i], potential.state_of(i, out.poses)) -
+               spending(bonds[i], potential.state_of(i, poses));
   out.released = before + work_of_loads(scene, poses, out.poses) - after;
   return out;
 }

@@ -8,8 +8,9 @@ namespace dda {
 struct FirstEquilibrium {
   Poses poses;
   SliderMemory contacts;  ///< what they bear
-  double released = 0;    ///< of what was stored, by work that went nowhere [F L]
-  double moved = 0;       ///< the farthest that a centre has come [L]
+  double released =
+      0;  ///< of what was stored, by work that went nowhere; what joints spend on the way is none of it [F L]
+  double moved = 0;  ///< the farthest that a centre has come [L]
   int iterations = 0;
   std::string failure;  ///< "" when it was found; else nothing has moved
 };
