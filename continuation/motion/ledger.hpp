@@ -15,7 +15,7 @@ namespace dda {
 /// work the part that contacts do, less what they store and rub, is the impacts'; the rest of what is lost is numerical. What
 /// impacts under way have taken is stored, so that they can give of it; it is spent when they are over. Where
 /// velocities are means over a step, kinetic energy is that of its middle, half a step behind what is stored and spent by
-/// then, but for the strain of bodies that nothing holds.
+/// then, but for the strain of bodies that nothing holds. Impacts never give in a step: what they seem to is numerical.
 struct MotionLedger {
   double external = 0, kinetic = 0, friction = 0, fracture = 0, damping = 0, impact = 0, numerical = 0,
          error = 0;

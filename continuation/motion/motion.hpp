@@ -40,6 +40,7 @@ struct MotionMemory {
   Interval dt;
   MotionLedger ledger;
   double time = 0, most_kinetic = 0;
+  double overdrawn = 0;           ///< what contacts seem to have given that they had not taken [F L]
   std::vector<Vec6> holding;      ///< forces on what is held, by body [F, F L]
   std::vector<Vec6> meeting;      ///< the part of contacts of the forces on each body [F, F L]
   std::vector<RigidMotion> owed;  ///< what they have not had the energy for, by body; empty when nothing is
@@ -126,7 +127,7 @@ class Motion {
   struct Encounter;
   Encounter encounter(const Try& step) const;
   void bounce(Try& step);
-  static void hold(Try& step, double energy);
+  void hold(Try& step, double energy);
   void calm(Try& step, const std::vector<std::size_t>& hit, const RigidGroups& groups) const;
   void push(Try& step, const std::vector<RigidMotion>& given);
   std::vector<MeetingSearch::Pair> held_together() const;

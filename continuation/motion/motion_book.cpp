@@ -75,11 +75,13 @@ void Motion::book_fracture(const Poses& reached, MotionLedger& out) const {
   for (const GivenUp& lost : given_up_) add(lost.bond, lost.energy);
 }
 
-/// What contacts take from a body in a step [F L].
+/// What contacts take from a body in a step, along the way on which they rub it [F L].
 double Motion::done_by_contacts(std::size_t body, const Try& step, const BodyWork& work) const {
   const double end = course_.integrator->share_of_end();
-  const Pose& way = scene_.bodies[body].is_held ? Pose(end * work.rubbed) : work.way;
-  const double before = m_.meeting.empty() ? 0 : m_.meeting[body].dot(work.rubbed);
+  const bool is_in_first_order = !scene_.bodies[body].is_held && course_.integrator->open_close();
+  const Pose way = is_in_first_order ? work.way : Pose(end * work.rubbed);
+  const bool counts = !m_.meeting.empty() && !is_anew(scene_.bodies[body], m_.courses[body]);
+  const double before = counts ? m_.meeting[body].dot(work.rubbed) : 0;
   return of_body(step.found.meeting, body).dot(way) + (1 - end) * before;
 }
 

@@ -35,7 +35,8 @@ Motion::Encounter Motion::encounter(const Try& step) const {
 
 /// What impacts give back, as far as they have taken it, and what they take away.
 void Motion::bounce(Try& step) {
-  if (!course_.integrator->has_inertia() || course_.integrator->open_close()) return;
+  if (course_.integrator->open_close()) return;
+  if (!course_.integrator->has_inertia()) return hold(step, 0);
   const std::function before = [&] { return potential_->meetings(now_); };
   const std::vector<Meeting> meetings = potential_->meetings(step.found.poses);
   if (meetings.empty() && m_.owed.empty()) return hold(step, 0);
@@ -77,13 +78,16 @@ void Motion::bounce(Try& step) {
 /// What impacts under way have taken is spent when they are over, less what they have given back. That may be of what the
 /// vibrations of bodies in them have lost. Where they give nothing back that is so of the last step: its velocity, a mean of
 /// that before and after an impact, which may point against each other, has less kinetic energy than either; the next one tells.
+/// No impact gives what it has not taken: what contacts seem to is made by the steps, and goes back to them when contacts take it again.
 void Motion::hold(Try& step, double energy) {
   MotionLedger& out = step.entry;
   out.impact -= energy - out.stored.impacts;
   out.stored.impacts = energy;
   const double more = std::clamp(-out.impact, 0.0, std::max(0.0, out.numerical));
-  out.impact += more;
-  out.numerical -= more;
+  const double taken = out.impact + more - m_.overdrawn;
+  m_.overdrawn = std::max(0.0, -taken);
+  out.numerical += out.impact - std::max(0.0, taken);
+  out.impact = std::max(0.0, taken);
 }
 
 /// Impacts leave no vibration of the bodies that are in them: a strain begins its way back at rest.

@@ -20,6 +20,7 @@ struct Scalars {
     visit("stored", self.at.stored);
     visit("time", m.time);
     visit("most_kinetic", m.most_kinetic);
+    visit("overdrawn", m.overdrawn);
     visit("step", m.dt.now);
     visit("step_before", m.dt.before);
     visit("begins", m.dt.begins);
