@@ -52,6 +52,12 @@ struct BodyWork {
   double of_start = 0;  ///< by the forces at the start, or taken by what resists every motion [F L]
 };
 
+/// How damping by a M acts in a step: by the velocity s (y₁ − y₀)/dt − (s − 1) ẏ₀, for so long.
+struct DampedFlight {
+  double rate = 1;  ///< s
+  double span = 0;  ///< between the instants of ẏ₀ and ẏ₁ [T]
+};
+
 /// How bodies go from one instant to the next: to the minimum of
 ///
 ///     ½ c |y − ŷ|²_M + Π(y)        so that  M c (y₁ − ŷ) + ∇Π(y₁) = 0
@@ -70,6 +76,8 @@ class Integrator {
   virtual double share_of_end() const { return 1; }
   /// s of the velocity at the end of a step: ẏ₁ = s (y₁ − y₀)/dt − (s − 1) ẏ₀.
   virtual double end_rate() const { return 1; }
+  /// Of what nothing but a constant force and a M act on.
+  virtual DampedFlight damped_flight(double /*a*/, const Interval& dt) const { return {end_rate(), dt.now}; }
   /// The course with y₁ as its now.
   virtual BodyCourse arrive(const BodyStep& step) const = 0;
   virtual BodyWork work(const AffineBlock& block, const BodyStep& step) const = 0;

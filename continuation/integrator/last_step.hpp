@@ -51,6 +51,16 @@ class LastStep : public Integrator {
     return out;
   }
   bool has_mean_velocities() const final { return true; }
+  /// As the means over steps of a flight go, v̈ + a v̇ = 0, from one to the next by exp(−a dt), whatever a dt: with x = a dt and
+  /// φ = (1 − e⁻ˣ)/x, the mean of e⁻ᵃᵗ over the step,
+  ///
+  ///     s = 1/(x φ) − 1/x,     from a velocity that is no mean, at the beginning, 1/(1 − φ) − 2/x
+  DampedFlight damped_flight(double a, const Interval& dt) const final {
+    constexpr double little = 1e-3;  // below which differences are rounding
+    const double x = a * dt.now, span = mean(dt);
+    if (span < dt.now) return {x < little ? 2.0 / 3 + x / 18 : 1 / (1 + std::expm1(-x) / x) - 2 / x, span};
+    return {x < little ? 0.5 + x / 12 : -1 / std::expm1(-x) - 1 / x, span};
+  }
   double per_square_time(const Interval& dt) const final { return 1 / (dt.now * mean(dt)); }
   BodyCourse arrive(const BodyStep& step) const final {
     const Pose acceleration = per_square_time(step.dt) * (step.reached - step.flight);

@@ -192,9 +192,18 @@ void Motion::land_on_kink() {
     m_.dt.now = left / 2;
 }
 
+/// How damping acts in a step; velocities that are means are those with which bodies fly on.
+Damping::Step Motion::damped(const Inertia& inertia) const {
+  Poses from = velocities();
+  for (std::size_t b = 0; course_.integrator->has_mean_velocities() && b < from.size(); ++b)
+    from[b] = (inertia.flight[b] - now_[b]) / m_.dt.now;
+  return {std::move(from), m_.dt.now, course_.integrator->end_rate(),
+          course_.integrator->damped_flight(course_.damping.mass, m_.dt)};
+}
+
 Motion::Try Motion::try_step() {
   Try out{aim(), {}};
-  potential_->set_damped({velocities(), m_.dt.now, course_.integrator->end_rate()});
+  potential_->set_damped(damped(out.inertia));
   out.found = solver_->solve({now_, m_.courses, m_.sliders}, out.inertia);
   m_.iterations += out.found.iterations;
   if (!out.found.converged()) return out;

@@ -103,6 +103,7 @@ class Motion {
   double bound_of_meeting(double dt) const;
   double travelled(std::size_t body, double turned) const;
   bool is_driven_on();
+  Damping::Step damped(const Inertia& inertia) const;
   Try try_step();
   BodyStep step_of(std::size_t body, const Try& step, const AsOne& as_one) const;
   std::vector<AsOne> as_one(const Try& step) const;

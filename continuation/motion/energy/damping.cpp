@@ -4,20 +4,26 @@ namespace dda {
 
 void Damping::begin(const Poses& start, const std::vector<Mat2>& frames, const Step& step) {
   frames_ = frames;
-  dt_ = step.dt;
+  step_ = step;
   per_time_ = step.end_rate / step.dt;
   start_ = measures(start);
   origin_ = start_;
+  const auto shift = [&](double rate) {
+    Poses out = start;
+    for (std::size_t b = 0; b < step.velocities.size(); ++b)
+      out[b] += (rate - 1) / rate * step.dt * step.velocities[b];
+    return out;
+  };
+  mean_from_ = shift(step.end_rate / 2);
+  origin_.poses = shift(step.flight.rate);
   const double ahead = (step.end_rate - 1) / per_time_;
   secants_.clear();
   for (std::size_t i = 0; i < bonds_.size(); ++i)
     secants_.push_back(secant_of(bonds_[i], start_.joints[i].opening));
   if (ahead == 0) return;
   const Poses& v = step.velocities;
-  for (std::size_t b = 0; b < start.size(); ++b) {
-    origin_.poses[b] += ahead * v[b];
+  for (std::size_t b = 0; b < start.size(); ++b)
     origin_.strains[b] += ahead * green_strain_rows(start[b]) * v[b];
-  }
   for (std::size_t i = 0; i < bonds_.size(); ++i) {
     const Bond& bond = bonds_[i];
     const BondState at = state_of(bond, frames_[i], start);
@@ -41,14 +47,19 @@ Damping::Measures Damping::measures(const Poses& at) const {
   return out;
 }
 
-double Damping::energy(const Measures& now, const Measures& from) const {
-  double mass = 0, stiffness = 0;
+double Damping::of_mass(const Poses& now, const Poses& from) const {
+  double out = 0;
+  for (std::size_t b = 0; b < now.size(); ++b)
+    if (!scene_.bodies[b].is_held) out += kinetic_energy(scene_.bodies[b].block, now[b] - from[b]);
+  return out;
+}
+
+double Damping::of_stiffness(const Measures& now, const Measures& from) const {
+  double stiffness = 0;
   for (std::size_t b = 0; b < now.poses.size(); ++b) {
     const MovingBody& body = scene_.bodies[b];
     if (body.is_held) continue;
-    const Pose way = now.poses[b] - from.poses[b];
     const Vec3 strain = now.strains[b] - from.strains[b];
-    mass += way.dot(body.block.times_mass(way)) / 2;
     stiffness += body.block.volume / 2 * strain.dot(body.block.stiffness * strain);
   }
   for (std::size_t i = 0; i < bonds_.size(); ++i) {
@@ -62,12 +73,19 @@ double Damping::energy(const Measures& now, const Measures& from) const {
     const double stretch = now.stretches[s] - from.stretches[s];
     stiffness += scene_.springs[s].stiffness / 2 * stretch * stretch;
   }
-  return rates_.mass * mass + rates_.stiffness * stiffness;
+  return stiffness;
 }
 
-double Damping::value(const Poses& z) const { return per_time_ * energy(measures(z), origin_); }
+double Damping::value(const Poses& z) const {
+  return per_flight_time() * rates_.mass * of_mass(z, origin_.poses) +
+         per_time_ * rates_.stiffness * of_stiffness(measures(z), origin_);
+}
 
-double Damping::spent(const Poses& reached) const { return 2 / dt_ * energy(measures(reached), start_); }
+double Damping::spent(const Poses& reached) const {
+  const double mean = step_.end_rate / 2 / step_.dt;
+  return 2 * step_.flight.span * mean * mean * rates_.mass * of_mass(reached, mean_from_) +
+         2 / step_.dt * rates_.stiffness * of_stiffness(measures(reached), start_);
+}
 
 /// Its strain energy is what damping adds to that of a body, but for a constant.
 AffineBlock Damping::viscous(std::size_t body) const {
@@ -81,7 +99,7 @@ void Damping::add_forces(const Poses& z, Eigen::VectorXd& out) const {
   for (std::size_t b = 0; b < z.size(); ++b) {
     const MovingBody& body = scene_.bodies[b];
     if (body.is_held) continue;
-    of_body(out, b) += rates_.mass * per_time_ * body.block.times_mass(z[b] - origin_.poses[b]);
+    of_body(out, b) += rates_.mass * per_flight_time() * body.block.times_mass(z[b] - origin_.poses[b]);
     if (rates_.stiffness > 0) of_body(out, b) += strain_forces(viscous(b), z[b]);
   }
   const double share = per_stiffness();
@@ -105,7 +123,7 @@ void Damping::add_curvature(const Poses& z, Curvatures& out) const {
   for (std::size_t b = 0; b < z.size(); ++b) {
     const MovingBody& body = scene_.bodies[b];
     if (body.is_held) continue;
-    Mat6 of = rates_.mass * per_time_ * body.block.mass_matrix();
+    Mat6 of = rates_.mass * per_flight_time() * body.block.mass_matrix();
     if (rates_.stiffness > 0) of += strain_energy(viscous(b), z[b]).curvature;
     out.add(b, b, of);
   }
