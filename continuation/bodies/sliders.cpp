@@ -9,10 +9,11 @@ double Slider::reached(const Poses& before, const Poses& at) const {
   return start + tangent().dot(moved(meeting.key.body, meeting.at) - moved(meeting.key.other, meeting.foot));
 }
 
-double Slide::spent_on_way(const Poses& beyond) const {
+double Slide::spent_on_way(const Poses& beyond, double share_of_end) const {
   const Vec2 more =
       place_of(beyond[meeting.key.body], meeting.at) - place_of(beyond[meeting.key.other], meeting.foot);
-  return std::max(0.0, spent + force * tangent_of(meeting).dot(more));
+  const double mean = share_of_end * force + (1 - share_of_end) * at_start;
+  return std::max(0.0, mean * (slipped + tangent_of(meeting).dot(more)));
 }
 
 SliderMemory::Kept SliderMemory::of(const MeetingKey& key) const {

@@ -35,12 +35,13 @@ struct Slider {
 /// Friction of a meeting that has slid in a step.
 struct Slide {
   Meeting meeting;
-  double force = 0;  ///< along the tangent, at the end of the step [F]
-  double spent = 0;  ///< on the way from the start to the end [F L]
+  double at_start = 0, force = 0;  ///< along the tangent, at the start and at the end of the step [F]
+  double slipped = 0;              ///< on the way from the start to the end [L]
 
-  /// The same where the forces at the end count along other ways, which lead `beyond` the end of the step: a body that
-  /// gains speed goes less far between two middles of steps, over which its speed is booked, than from start to end.
-  double spent_on_way(const Poses& beyond) const;
+  /// What it spends on it [F L], by the force of which that at the end is a share, along a way that leads `beyond` the end of
+  /// the step: a body that gains speed goes less far between two middles of steps, over which its speed is booked, than from
+  /// start to end.
+  double spent_on_way(const Poses& beyond, double share_of_end) const;
 };
 
 /// The elastic slips e and normal forces N of the last accepted step, and the impacts that are under way.

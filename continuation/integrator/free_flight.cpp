@@ -5,19 +5,6 @@
 namespace dda {
 namespace {
 
-/// What is left, as a torque, of strain forces whose directions at the start of a step count, where a minimum has those
-/// at its end: with the turn Δ, G = ∂V/∂F and J = ∫ X Xᵀ dm,
-///
-///     (R(Δ) − 1) G · ∂F/∂φ = sin Δ  G : F        about the moment of inertia  F J : F   (of the flat body)
-///
-/// [1/T²]. G : F is what the forces on a body do by pressing or pulling it: bodies that rock under pressure are given energy
-/// by the other direction, Δ² G : F a step, those that swing are robbed of it. It is what SHAKE has: the forces of a
-/// constraint act along its gradient at the start.
-double turned_back(const AffineBlock& block, const Pose& now, double turn) {
-  const Mat2 f = gradient_of(now), forces = gradient_of(strain_forces(block, now));
-  return std::sin(turn) * forces.cwiseProduct(f).sum() / (f * block.inertia).cwiseProduct(f).sum();
-}
-
 /// Flies exactly where nothing acts, for any rotation and any step; parabolas are exact at their nodes, contact and
 /// strain are implicit.
 ///

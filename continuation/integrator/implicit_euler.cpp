@@ -8,8 +8,13 @@ class ImplicitEuler final : public LastStep {
  public:
   explicit ImplicitEuler(const NoParameters&) {}
   double mean(const Interval& dt) const override { return dt.now; }
-  Pose flight(const AffineBlock&, const BodyCourse& at, const Interval& dt) const override {
-    return at.now + dt.now / dt.before * (at.now - at.before);
+  Pose flight(const AffineBlock& block, const BodyCourse& at, const Interval& dt) const override {
+    const double share = dt.now / dt.before;
+    const Mat2 before = gradient_of(at.before), now = gradient_of(at.now);
+    const double turn = share * std::remainder(polar_of(now).angle - polar_of(before).angle, 2 * M_PI),
+                 back = dt.now * mean(dt) * turned_back(block, at.now, turn);
+    return pose_of(centre_of(at.now) + share * (centre_of(at.now) - centre_of(at.before)),
+                   rotation(back) * (now + share * (now - before)));
   }
 };
 

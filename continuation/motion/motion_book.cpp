@@ -16,6 +16,20 @@ double share_that_lasts(const Vec2& before, const Vec2& now) {
   return std::clamp(2 * std::min(1.0, along) - std::max(1.0, along), 0.0, 1.0);
 }
 
+/// Whether no force that a body bore counts in its next step: those of an impact that is over are used up.
+bool is_anew(const MovingBody& body, const BodyCourse& course) {
+  return !body.is_held && course.acceleration.isZero(0);
+}
+
+/// What has slid, without the forces at the start that are used up.
+std::vector<Slide> as_they_count(std::vector<Slide> slides, const MovingScene& scene,
+                                 const std::vector<BodyCourse>& from) {
+  for (Slide& slide : slides)
+    for (const std::size_t b : bodies_of(slide.meeting))
+      if (is_anew(scene.bodies[b], from[b])) slide.at_start = 0;
+  return slides;
+}
+
 }  // namespace
 
 /// What is stored where the velocities are told of. Where they are means over the last step, the strain of bodies that nothing
@@ -115,15 +129,15 @@ void Motion::book(Try& step) const {
     of_start += work.of_start;
     out.kinetic += kinetic_energy(body.block, step.courses[b].velocity);
   }
-  for (const Slide& slide : step.found.slides) out.friction += slide.spent_on_way(beyond);
+  for (const Slide& slide : as_they_count(step.found.slides, scene_, m_.courses))
+    out.friction += slide.spent_on_way(beyond, end);
   book_fracture(reached, out);
   out.damping = potential_->spent_by_damping(reached);
   out.stored = stored(step.courses);
   out.stored.impacts = m_.ledger.stored.impacts;
-  const StoredEnergies& before = m_.ledger.stored;
-  out.impact -= out.stored.of_contacts() - before.of_contacts() + out.friction;
-  out.numerical = inner - of_start - (out.stored.sum() - before.sum()) - out.friction - out.fracture -
-                  out.damping + (m_.ledger.kinetic - step.flown) - out.impact;
+  out.impact -= out.stored.of_contacts() - m_.ledger.stored.of_contacts() + out.friction;
+  out.numerical = inner - of_start - (out.stored.sum() - m_.ledger.stored.sum()) - out.friction -
+                  out.fracture - out.damping + (m_.ledger.kinetic - step.flown) - out.impact;
   out.error = out.external - inner + of_start - (out.kinetic - step.flown);
 }
 

@@ -244,8 +244,10 @@ void OpenCloseStep::tell(MotionStep& out) const {
   for (const OpenCloseContact& contact : contacts_) {
     if (contact.state == ContactState::open) continue;
     ++out.num_meetings;
-    if (const double spent = contact.spent(ways_); spent > 0)
-      out.slides.push_back({contact.slider.meeting, contact.shear_force(ways_), spent});
+    if (const double spent = contact.spent(ways_); spent > 0) {
+      const double force = contact.shear_force(ways_);
+      out.slides.push_back({.meeting = contact.slider.meeting, .force = force, .slipped = spent / force});
+    }
     out.contacts.set(contact.slider.meeting.key, {contact.kept(ways_), contact.normal_force(ways_)});
   }
 }

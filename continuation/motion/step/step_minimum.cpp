@@ -69,7 +69,10 @@ void StepMinimum::tell(const Poses& start, MotionStep& out) const {
   for (const Slider& slider : potential_.sliders()) {
     const double u = slider.reached(start, out.poses);
     if (std::abs(u) > (1 + 1e-9) * std::abs(slider.kept(u)))
-      out.slides.push_back({slider.meeting, slider.force(u), slider.spent(u)});
+      out.slides.push_back({.meeting = slider.meeting,
+                            .at_start = slider.stiffness * slider.start,
+                            .force = slider.force(u),
+                            .slipped = u - slider.kept(u)});
     out.contacts.set(slider.meeting.key, {slider.kept(u), 0});
   }
   const std::vector<Meeting> meetings = potential_.meetings(out.poses);

@@ -36,9 +36,9 @@ def books(curve):
             worst_of("motion: steps are solved", [(np.abs(curve["energy_error"]).max() / scale, "energy_error")], SOLVING)]
 
 
-def spent_never_falls(curve):
+def spent_never_falls(curve, names=SPENT):
     scale = scale_of(curve)
-    found = [(-np.diff(curve[name]).min(initial=0) / scale, name) for name in SPENT]
+    found = [(-np.diff(curve[name]).min(initial=0) / scale, name) for name in names]
     return worst_of("motion: what is spent never falls", found, ROUNDING)
 
 
@@ -74,7 +74,8 @@ def given_back(curve, is_of_path, swings):
     falls = (low[:-1] - high[1:]).clip(min=0)
     if not swings:
         return falls
-    meets = np.diff(curve["impact"], prepend=0) != 0
+    closed = np.concatenate([[False], curve["meetings"] > 0])
+    meets = closed[:-1] | closed[1:]
     most, missing = low[0], 0.0
     for row in range(len(curve)):
         if meets[row]:
@@ -187,6 +188,6 @@ def all_checks(run):
     out = [finite(curve)] if len(curve) else []
     if len(curve):
         bound = math.inf if has_penalties_alone else GIVEN_BACK
-        out += [*books(curve), spent_never_falls(curve),
+        out += [*books(curve), spent_never_falls(curve, SPENT if has_penalties_alone else (*SPENT, "impact")),
                 nothing_is_given_back(curve, is_of_path, bound, swings=integrator == "trapezoidal"), *rest(curve, summary)]
     return [*out, overlaps(motion) if has_penalties_alone else nothing_crosses(motion, offset_of(run), is_of_path)]
