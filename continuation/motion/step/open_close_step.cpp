@@ -127,7 +127,7 @@ void OpenCloseStep::begin(const StepStart& start, const Inertia& inertia) {
 
 MotionStep OpenCloseStep::solve(const StepStart& start, const Inertia& inertia) {
   begin(start, inertia);
-  MotionStep out{.poses = start_, .forces = {}, .meeting = {}, .contacts = {}, .failure = {}};
+  MotionStep out{.poses = start_, .forces = {}, .meeting = {}, .contacts = {}, .slides = {}, .failure = {}};
   for (int pass = 0;; ++pass) {
     if (pass == rules_.most_passes) {
       out.failure = fmt::format("contacts go on to open and close after {} passes", pass);

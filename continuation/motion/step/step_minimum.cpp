@@ -31,7 +31,7 @@ MotionStep StepMinimum::solve(const StepStart& from, const Inertia& inertia) {
   scale_ = force_scale(scene_, start, inertia);
   potential_.begin(start);
   potential_.set_sliders({});
-  MotionStep out{.poses = start, .forces = {}, .meeting = {}, .contacts = {}, .failure = {}};
+  MotionStep out{.poses = start, .forces = {}, .meeting = {}, .contacts = {}, .slides = {}, .failure = {}};
   FrictionBounds bounds;
   for (int pass = 0; out.converged(); ++pass) {
     Rubbing rubbing{sliders_at(out.poses, from.sliders, pass == 0), potential_.rubbing(out.poses)};
