@@ -25,8 +25,6 @@ double distance(const Vec2& x, const std::pair<Vec2, Vec2>& way) {
   return (way.first + at * along - x).norm();
 }
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 bool do_cross(const std::pair<Vec2, Vec2>& a, const std::pair<Vec2, Vec2>& b) {
   const auto sides = [](const std::pair<Vec2, Vec2>& of, const std::pair<Vec2, Vec2>& ends) {
     const Vec2 along = of.second - of.first;
