@@ -7,30 +7,12 @@
 #include <limits>
 #include <map>
 #include <stdexcept>
-#include <utility>
 
 #include "meshing/contact/outline.hpp"
-#include "meshing/geometry/polygon.hpp"
+#include "meshing/geometry/geos.hpp"
 
 namespace dda {
 namespace {
-
-/// Area of the convex hull [L²].
-double hull_area(std::vector<Vec2> points) {
-  std::ranges::sort(points, {}, [](const Vec2& x) { return std::pair(x.x(), x.y()); });
-  double out = 0;
-  for (int half = 0; half < 2; ++half, std::ranges::reverse(points)) {
-    std::vector<Vec2> chain;
-    for (const Vec2& x : points) {
-      while (chain.size() > 1 && cross(chain.back() - chain[chain.size() - 2], x - chain.back()) <= 0)
-        chain.pop_back();
-      chain.push_back(x);
-    }
-    for (std::size_t i = 0; i + 1 < chain.size(); ++i)
-      out += cross(chain[i] - points.front(), chain[i + 1] - points.front()) / 2;
-  }
-  return out;
-}
 
 /// Whether joints that cannot tear hold all blocks together.
 bool are_held_together(std::size_t num_blocks, const InterfaceSet& interfaces) {
@@ -106,7 +88,7 @@ bool is_one_convex_body(const Body& body, const InterfaceSet& interfaces) {
     area += block.moments.area;
     corners.insert(corners.end(), block.outline.vertices.begin(), block.outline.vertices.end());
   }
-  return hull_area(std::move(corners)) <= (1 + rounding) * area;
+  return hull_area(corners) <= (1 + rounding) * area;
 }
 
 double smallest_size(const Assembly& assembly) {

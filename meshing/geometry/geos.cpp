@@ -21,6 +21,8 @@ double area(const Figure& figure) {
 
 double common_area(const Figure& a, const Figure& b) { return module().common_area(a, b); }
 
+double hull_area(const std::vector<Vec2>& points) { return module().hull_area(points); }
+
 std::vector<Figure> cut(const Figure& figure, const std::vector<std::vector<Vec2>>& lines) {
   return lines.empty() ? std::vector{figure} : module().cut(figure, lines);
 }

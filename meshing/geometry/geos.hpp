@@ -19,6 +19,9 @@ double area(const Figure& figure);
 /// Area common to two figures [L²].
 double common_area(const Figure& a, const Figure& b);
 
+/// Area of the convex hull of some points [L²].
+double hull_area(const std::vector<Vec2>& points);
+
 /// The pieces into which the polylines cut a figure; a line that ends inside cuts nothing.
 std::vector<Figure> cut(const Figure& figure, const std::vector<std::vector<Vec2>>& lines);
 
@@ -49,6 +52,7 @@ class Clipper {
 /// scene of triangles, grids or convex polygons has none, and GEOS makes the start of a process 5 ms longer.
 struct GeosModule {
   double (*common_area)(const Figure&, const Figure&);
+  double (*hull_area)(const std::vector<Vec2>&);
   std::vector<Figure> (*cut)(const Figure&, const std::vector<std::vector<Vec2>>&);
   std::vector<Polygon> (*voronoi_cells)(const std::vector<Vec2>&, const Box&);
   Vec2 (*point_inside)(const Polygon&);

@@ -112,6 +112,13 @@ double common_area(const Figure& a, const Figure& b) {
   return result;
 }
 
+double hull_area(const std::vector<Vec2>& points) {
+  const Geometry hull = own(GEOSConvexHull_r(context(), line(points).get()));
+  double result = 0;
+  GEOSArea_r(context(), hull.get(), &result);
+  return result;
+}
+
 std::vector<Figure> cut(const Figure& figure, const std::vector<std::vector<Vec2>>& lines) {
   const Geometry whole = geometry(figure);
   std::vector<Geometry> drawn;
@@ -190,5 +197,6 @@ std::unique_ptr<const Clipper> clipper(const Figure& figure) {
 
 /// The module's one symbol, looked up by name in meshing/geos.cpp.
 extern "C" const dda::GeosModule dda_geos_module;
-const dda::GeosModule dda_geos_module{&dda::geos::common_area, &dda::geos::cut, &dda::geos::voronoi_cells,
+const dda::GeosModule dda_geos_module{&dda::geos::common_area,  &dda::geos::hull_area,
+                                      &dda::geos::cut,          &dda::geos::voronoi_cells,
                                       &dda::geos::point_inside, &dda::geos::clipper};
